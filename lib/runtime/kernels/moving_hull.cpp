@@ -8,14 +8,14 @@ namespace espalier::detail {
 namespace {
 
 /// A point of the triangle seen from a point of the hull.
-struct Difference {
+struct PointDifference {
     Integer3 at;
     std::uint32_t number;  ///< 64 for each corner, and that of the hull's point
 };
 /// Stands beside the line where all differences lie in one plane with it. Its weight is 0.
 constexpr std::uint32_t auxiliary = 4 * max_hull_vertices;
 
-Int128 determinant(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
+Int128 triple_product(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
 
 /// The axis along which a vector is longest.
 int longest_axis(const Integer3& a) {
@@ -23,16 +23,16 @@ int longest_axis(const Integer3& a) {
     if (size.x < size.y) return size.y < size.z ? 2 : 1;
     return size.x < size.z ? 2 : 0;
 }
-Integer3 unit_along(int k, bool is_down) {
+Integer3 unit_axis(int k, bool is_down) {
     Integer3 unit = {0, 0, 0};
     unit[k] = is_down ? -1 : 1;
     return unit;
 }
 
 /// The differences of all points of triangle and hull. Each is a difference of two points that are chosen separately.
-class Differences {
+class PointDifferences {
 public:
-    Differences(const MovingHull& hull, const IntegerTriangle& triangle) : hull_(hull), triangle_(triangle) {}
+    PointDifferences(const MovingHull& hull, const IntegerTriangle& triangle) : hull_(hull), triangle_(triangle) {}
 
     [[nodiscard]] const Integer3& lowest_corner(const Integer3& axis) const {
         const Integer3* lowest = &triangle_.corner[0];
@@ -41,7 +41,7 @@ public:
         return *lowest;
     }
     /// Returns the one that is least far along an axis, the first of several.
-    [[nodiscard]] Difference lowest(const Integer3& axis) const {
+    [[nodiscard]] PointDifference lowest(const Integer3& axis) const {
         unsigned corner = 0, point = 0;
         Int128 least = dot<Int128>(axis, triangle_.corner[0]), most = dot<Int128>(axis, point_at(0));
         for (unsigned i = 1; i < 3; ++i) {
@@ -59,11 +59,11 @@ public:
         return difference(corner, point);
     }
     /// Returns the one that is least far along an axis; of several, the one least far along the other.
-    [[nodiscard]] Difference lowest(const Integer3& axis, const Integer3& other) const {
-        const Difference some = lowest(axis);
+    [[nodiscard]] PointDifference lowest(const Integer3& axis, const Integer3& other) const {
+        const PointDifference some = lowest(axis);
         const Int128 level = dot<Int128>(axis, some.at);
-        Difference best = some;
-        for_each([&](const Difference& next) {
+        PointDifference best = some;
+        for_each([&](const PointDifference& next) {
             if (dot<Int128>(axis, next.at) == level && dot<Int128>(other, next.at) < dot<Int128>(other, best.at))
                 best = next;
             return false;
@@ -71,8 +71,8 @@ public:
         return best;
     }
     /// Stores the first one that is below a level along an axis. Whether there is one.
-    [[nodiscard]] bool first_below(const Integer3& axis, const Int128& level, Difference& found) const {
-        return for_each([&](const Difference& next) {
+    [[nodiscard]] bool first_below(const Integer3& axis, const Int128& level, PointDifference& found) const {
+        return for_each([&](const PointDifference& next) {
             found = next;
             return dot<Int128>(axis, next.at) < level;
         });
@@ -83,7 +83,7 @@ private:
         const std::int32_t* at = hull_.point[i];
         return {at[0], at[1], at[2]};
     }
-    [[nodiscard]] Difference difference(unsigned corner, unsigned point) const {
+    [[nodiscard]] PointDifference difference(unsigned corner, unsigned point) const {
         return {triangle_.corner[corner] - point_at(point),
                 corner * static_cast<std::uint32_t>(max_hull_vertices) + point};
     }
@@ -106,30 +106,30 @@ class Portal {
 public:
     Portal(const MovingHull& hull, const IntegerTriangle& triangle)
         : differences_(hull, triangle), way_(hull.displacement) {
-        if (is_zero(way_)) way_ = unit_along(0, false);  // any line through the start
+        if (is_zero(way_)) way_ = unit_axis(0, false);  // any line through the start
     }
 
     /// False when the line passes all differences by.
     [[nodiscard]] bool open() {
         // The line's own axis is not used: the other two are not along it.
         const int k = longest_axis(way_);
-        Difference first;
+        PointDifference first;
         const Side side = beside(k, first);
         if (side == Side::apart) return false;
         if (side == Side::along) {
-            const Integer3 one = unit_along(k == 2 ? 0 : k + 1, false);
-            const Integer3 other = unit_along(k == 0 ? 2 : k - 1, way_[k] < 0);
+            const Integer3 one = unit_axis(k == 2 ? 0 : k + 1, false);
+            const Integer3 other = unit_axis(k == 0 ? 2 : k - 1, way_[k] < 0);
             set(first, {first.at + one, auxiliary}, {first.at + other, auxiliary});
             return true;
         }
         // Goes round the line to the left.
-        Difference last = first;
+        PointDifference last = first;
         bool is_first = true;
         for (;;) {
             const Integer3 right = cross(last.at, way_);
-            const Difference next = differences_.lowest(right);
+            const PointDifference next = differences_.lowest(right);
             if (!dot<Int128>(right, next.at).is_negative()) return open_at_border(last, right);
-            if (!is_first && Int128(0) < determinant(way_, next.at, first.at)) {
+            if (!is_first && Int128(0) < triple_product(way_, next.at, first.at)) {
                 set(first, last, next);
                 return true;
             }
@@ -146,7 +146,7 @@ public:
         for (unsigned count = 0;; ++count) {
             find_plane();
             if (!(Int128(0) < level_)) return level_.is_zero() ? End::at_start : End::before_start;
-            Difference next;
+            PointDifference next;
             if (count < most_exchanges_by_depth) {
                 next = differences_.lowest(normal_);
                 bound_ = dot<Int128>(normal_, next.at);
@@ -163,7 +163,7 @@ public:
     /// Turns the line round.
     void reverse() {
         way_ = -way_;
-        const Difference second = corner_[1];
+        const PointDifference second = corner_[1];
         corner_[1] = corner_[2];
         corner_[2] = second;
     }
@@ -197,16 +197,16 @@ private:
 
     enum class Side { apart, along, beside };
 
-    void set(const Difference& a, const Difference& b, const Difference& c) {
+    void set(const PointDifference& a, const PointDifference& b, const PointDifference& c) {
         corner_[0] = a;
         corner_[1] = b;
         corner_[2] = c;
     }
     /// Stores a difference that is not on the line, or any if all are. May see that all are on one side.
-    [[nodiscard]] Side beside(int k, Difference& found) const {
+    [[nodiscard]] Side beside(int k, PointDifference& found) const {
         for (unsigned i = 0; i < 4; ++i) {
             const int other = (i & 1u) == 0 ? (k == 2 ? 0 : k + 1) : (k == 0 ? 2 : k - 1);
-            const Integer3 axis = cross(way_, unit_along(other, i >= 2));
+            const Integer3 axis = cross(way_, unit_axis(other, i >= 2));
             found = differences_.lowest(axis);
             const int where = sign(dot<Int128>(axis, found.at));
             if (where > 0) return Side::apart;
@@ -215,16 +215,16 @@ private:
         return Side::along;
     }
     /// For differences of which none is to the left of the last one: those in one plane with it and the line decide.
-    [[nodiscard]] bool open_at_border(const Difference& last, const Integer3& right) {
-        const Integer3 across = cross(last.at, way_);
-        // Along the border, across the line.
-        const int k = longest_axis(across);
-        const Integer3 along = cross(way_, unit_along(k, across[k] < 0));
-        const Difference other = differences_.lowest(right, along);
+    [[nodiscard]] bool open_at_border(const PointDifference& last, const Integer3& right) {
+        // Across the line, and along the border.
+        const int k = longest_axis(right);
+        const Integer3 unit = unit_axis(k, right[k] < 0);
+        const Integer3 along = cross(way_, unit);
+        const PointDifference other = differences_.lowest(right, along);
         if (Int128(0) < dot<Int128>(along, other.at)) return false;
-        const Difference beyond = differences_.lowest(-right);
+        const PointDifference beyond = differences_.lowest(-right);
         const bool is_flat = dot<Int128>(right, beyond.at).is_zero();
-        set(last, other, is_flat ? Difference{other.at + unit_along(k, across[k] < 0), auxiliary} : beyond);
+        set(last, other, is_flat ? PointDifference{other.at + unit, auxiliary} : beyond);
         return true;
     }
 
@@ -238,7 +238,7 @@ private:
     }
     /// Of a corner where the line meets the plane, times speed_.
     [[nodiscard]] Int128 weight_of(unsigned i) const {
-        return determinant(way_, corner_[i == 2 ? 0 : i + 1].at, corner_[i == 0 ? 2 : i - 1].at);
+        return triple_product(way_, corner_[i == 2 ? 0 : i + 1].at, corner_[i == 0 ? 2 : i - 1].at);
     }
     /// Of the plane; where all differences lie in one plane with the line, of one that is across that.
     [[nodiscard]] Integer3 separating_normal() const {
@@ -252,14 +252,14 @@ private:
         if (flat == 0) return normal_;
         if (flat == 2) {
             const int k = longest_axis(way_);
-            return unit_along(k, way_[k] < 0);
+            return unit_axis(k, way_[k] < 0);
         }
         const Integer3 across = cross(way_, side);
         const int k = longest_axis(across);
-        return cross(side, unit_along(k, across[k] < 0));
+        return cross(side, unit_axis(k, across[k] < 0));
     }
     /// Takes in another difference for the one that leaves the line inside: of several the one with the lowest number.
-    void exchange(const Difference& next) {
+    void exchange(const PointDifference& next) {
         const Integer3 across = cross(way_, next.at);
         int side[3];
         for (unsigned i = 0; i < 3; ++i) side[i] = sign(dot<Int128>(across, corner_[i].at));
@@ -273,9 +273,9 @@ private:
         corner_[out] = next;
     }
 
-    Differences differences_;
+    PointDifferences differences_;
     Integer3 way_;
-    Difference corner_[3]{};
+    PointDifference corner_[3]{};
     Integer3 normal_{};
     Int128 level_ = 0;  ///< of the plane along the normal: that of the line grows by speed_ on the whole way
     Int128 speed_ = 0;  ///< above 0
