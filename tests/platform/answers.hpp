@@ -3,7 +3,9 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 
 #include "answer_counts.hpp"
@@ -82,6 +84,24 @@ inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t cou
         ask_sweep(blob, Box{ray.origin, {ray.origin.x + sphere.radius, ray.origin.y, ray.origin.z + sphere.radius}},
                   way, answers);
         ask_sweep(blob, questions.box(number), way, answers);
+    }
+}
+
+/// Oriented boxes and convex hulls that move: the box, and the hull of its center and the ends of its axes and others.
+inline void ask_hull_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Vec3 way = questions.ray(number).direction;
+        const OrientedBox box = questions.oriented_box(number);
+        ask_sweep(blob, box, way, answers);
+        Vec3 vertices[12];
+        for (std::size_t i = 0; i < std::size(vertices); ++i) {
+            const Vec3& half = box.half_axes[i % 3];
+            const float along = i < 3 ? 0.0f : i < 6 ? -1.0f : i < 9 ? 0.5f : 0.25f;
+            const Vec3 from = i < 9 ? box.center : vertices[i - 3];
+            vertices[i] = {from.x + along * half.y, from.y + along * half.z, from.z + along * half.x};
+        }
+        ask_sweep(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, way,
+                  answers);
     }
 }
 
@@ -297,6 +317,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_pairs(blob, blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_in_steps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_hull_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 
