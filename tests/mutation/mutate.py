@@ -81,6 +81,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/kernels/point_triangle", "runtime/kernels/segment_triangle", "runtime/kernels/triangle_triangle",
     "runtime/kernels/triangle_distance", "runtime/kernels/volume_triangle", "runtime/kernels/box_distance",
     "runtime/kernels/moving_sphere", "runtime/kernels/moving_capsule", "runtime/kernels/moving_box",
+    "runtime/kernels/moving_hull",
     "runtime/blob/duplicate_references", "runtime/overlap/duplicate_references",
     "runtime/traversal/packed_walk", "baker/quantise/lattice", "baker/quantise/lattice_borders",
     "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/collapse/leaf_size",

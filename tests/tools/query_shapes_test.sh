@@ -101,6 +101,13 @@ near 0.5
 run 0 query box.espl sweep-box 0.2 0.8 5 0.4 1.2 6 0mm 0 -8 --json
 near 0.25
 json '.normal == [0, 0, 1]'
+run 0 query box.espl sweep-oriented-box 0.5 1 5 0 0 1 0.2 0.2 0 0.2 -0.2 0 0 0 -2 --json
+near 0.5
+run 0 query box.espl sweep-hull 0 0 -4 0.5 1 5 0.4 1 6 0.6 1 6 0.5 1.2 6 --json
+near 0.5
+json '.normal == [0, 0, 1]'
+run 0 query box.espl sweep-hull 0 0 -4
+out_has "no contact"
 run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
 out_has "no contact"
 run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 1 --json

@@ -1,5 +1,6 @@
 // Shapes that move along a straight line.
 #include <type_traits>
+#include <vector>
 
 #include "kinds.hpp"
 
@@ -25,9 +26,8 @@ Answer hit_answer(const QueryCall& call, const SweepHit& hit, InstanceId instanc
 }
 
 template <class Shape>
-Answer sweep_answer(QueryCall& call, const Shape& shape) {
-    const Vec3 displacement = call.next_vector();
-    if constexpr (!std::is_same_v<Shape, Box>) {
+Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacement) {
+    if constexpr (std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Capsule>) {
         if (const BakedScene* scene = call.scene()) {
             const InScene<SweepHit> found = sweep(*scene, shape, displacement, call.mask());
             return hit_answer(call, *found, found.instance);
@@ -40,7 +40,7 @@ Answer sphere_answer(QueryCall& call) {
     Sphere sphere;
     sphere.center = call.next_vector();
     sphere.radius = call.next_number();
-    return sweep_answer(call, sphere);
+    return sweep_answer(call, sphere, call.next_vector());
 }
 
 Answer capsule_answer(QueryCall& call) {
@@ -48,14 +48,28 @@ Answer capsule_answer(QueryCall& call) {
     capsule.from = call.next_vector();
     capsule.to = call.next_vector();
     capsule.radius = call.next_number();
-    return sweep_answer(call, capsule);
+    return sweep_answer(call, capsule, call.next_vector());
 }
 
 Answer box_answer(QueryCall& call) {
     Box box;
     box.min = call.next_vector();
     box.max = call.next_vector();
-    return sweep_answer(call, box);
+    return sweep_answer(call, box, call.next_vector());
+}
+
+Answer oriented_box_sweep_answer(QueryCall& call) {
+    OrientedBox box;
+    box.center = call.next_vector();
+    for (Vec3& half_axis : box.half_axes) half_axis = call.next_vector();
+    return sweep_answer(call, box, call.next_vector());
+}
+
+Answer hull_answer(QueryCall& call) {
+    const Vec3 displacement = call.next_vector();
+    std::vector<Vec3> vertices;
+    while (call.has_numbers()) vertices.push_back(call.next_vector());
+    return sweep_answer(call, ConvexHull{vertices}, displacement);
 }
 
 }  // namespace
@@ -85,6 +99,20 @@ QueryKinds sweep_kinds() {
          {point_word("min"), point_word("max"), point_word("displacement")},
          0,
          box_answer},
+        {family,
+         "sweep-oriented-box",
+         "What a moving box of any orientation touches first; half axes lead from center to faces",
+         {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
+          point_word("displacement")},
+         0,
+         oriented_box_sweep_answer},
+        {family,
+         "sweep-hull",
+         "What a moving convex hull touches first: its displacement, then each vertex",
+         {point_word("vector")},
+         0,
+         hull_answer,
+         true},
     };
 }
 
