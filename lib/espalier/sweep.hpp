@@ -54,11 +54,11 @@ SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, Tria
 
 // Numerics
 //
-// Rounding. Center or corners, displacement and radius are rounded once onto a grid finer than the asset's lattice: to
-// multiples of 2^-f lattice steps, where f <= 6 is the largest for which everything, measured from the start, is below
-// 2^24 of them (docs/numerics.md). The rounded sweep is answered exactly. A sweep that continues at a contact is
-// rounded anew and may start with an overlap: rounding_error() with a displacement bounds how far to move away before.
-// docs/queries.md has an example, Slide along a surface.
+// Rounding. Center, corners or vertices, half axes, displacement and radius are rounded once onto a grid finer than the
+// asset's lattice: to multiples of 2^-f lattice steps, where f <= 6 is the largest for which everything, measured from
+// the start, is below 2^24 of them (docs/numerics.md). The rounded sweep is answered exactly. A sweep that continues at
+// a contact is rounded anew and may start with an overlap: rounding_error() with a displacement bounds how far to move
+// away before. docs/queries.md has an example, Slide along a surface.
 //
 // Contact. Whether a triangle is touched on the way, the ends included, is decided in integers; touching at one instant
 // counts. `t` is a multiple of 2^-24 below the exact time of the first contact, and by no more than 2^-24: at t the
@@ -68,5 +68,9 @@ SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, Tria
 // normals within 4 ulp of 1, for the shape at t. The part of a triangle that a box touches is that in the box grown by
 // 2^-24 of its way and by 2^-19 of the distance from its farthest corner to the triangle's.
 //
-// Normal of a box: a face's, then the triangle's, then a product of edges. If a shape's middle lies on the triangle,
+// Normal of a Box: a face's, then the triangle's, then a product of edges. If a shape's middle lies on the triangle,
 // the normal is the triangle's, on the side against the displacement.
+//
+// Oriented boxes and hulls. The normal is that of a plane that has the rounded shape on one side until it touches, and
+// the triangle on the other; the point is one that both have in common at the exact time. Where several are right, the
+// choice is the same on every machine, but may change with a version.
