@@ -135,6 +135,7 @@ constexpr Maker makers[] = {
     {"sweep_capsule", "sweep_capsule", 10, moving_capsules},
     {"sweep_box", "sweep_box", 9, moving_boxes},
     {"collides", "collides", 8, nullptr},
+    {"all_contacts", "all_contacts", 8, nullptr},
     {"minimum_distance", "minimum_distance", 8, nullptr},
     {"open", "open", 0, nullptr},
 };

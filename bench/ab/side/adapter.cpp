@@ -183,6 +183,15 @@ struct Collides : OneByOne<Collides, PlacementQuestion, YesNo> {
     }
 };
 
+struct AllContacts : OneByOne<AllContacts, PlacementQuestion, Count> {
+    static void answer(const Blob& blob, const Transform& placement, Count& to) {
+        std::uint32_t count = 0;
+        static_cast<void>(for_each_contact(
+            blob, PlacedBlob(blob, placement), [&count](const PairContact&) { ++count; }, WorkLimit::unlimited()));
+        to.count = count;
+    }
+};
+
 struct Distance : OneByOne<Distance, PlacementQuestion, BlobDistance> {
     static void answer(const Blob& blob, const Transform& placement, BlobDistance& to) {
         to = distance(blob, PlacedBlob(blob, placement), WorkLimit::unlimited());
@@ -230,6 +239,7 @@ const EspalierSideKind kinds[] = {kind_named<ClosestHit>("closest_hit"),
                                   kind_named<Sweep<CapsuleQuestion>>("sweep_capsule"),
                                   kind_named<Sweep<BoxQuestion>>("sweep_box"),
                                   kind_named<Collides>("collides"),
+                                  kind_named<AllContacts>("all_contacts"),
                                   kind_named<Distance>("minimum_distance"),
                                   kind_named<Open>("open")};
 

@@ -197,6 +197,15 @@ struct Collides : OneByOne<Collides, PlacementQuestion, YesNo> {
     }
 };
 
+struct AllContacts : OneByOne<AllContacts, PlacementQuestion, Count> {
+    static void answer(const Blob& blob, const Placement& placement, Count& to) {
+        std::uint32_t count = 0;
+        static_cast<void>(for_each_contact(blob, blob, placement,
+                                           [&count](const TrianglePair&) { return ++count, keep_going; }));
+        to.count = count;
+    }
+};
+
 struct Distance : OneByOne<Distance, PlacementQuestion, Found<PairDistance>> {
     static void answer(const Blob& blob, const Placement& placement, Answer& to) {
         to.found = false;
@@ -249,6 +258,7 @@ const EspalierSideKind kinds[] = {kind_named<ClosestHit>("closest_hit"),
                                   kind_named<Sweep<CapsuleQuestion>>("sweep_capsule"),
                                   kind_named<Sweep<BoxQuestion>>("sweep_box"),
                                   kind_named<Collides>("collides"),
+                                  kind_named<AllContacts>("all_contacts"),
                                   kind_named<Distance>("minimum_distance"),
                                   kind_named<Open>("open")};
 

@@ -46,9 +46,10 @@ struct PlacedLanes {
         cross(ab, ac, normal);
     }
     /// The same triangle in all lanes.
-    [[gnu::always_inline]] void spread(const PlacedColumns& columns_of_b, unsigned column) {
+    template <class Triangles>
+    [[gnu::always_inline]] void spread(const Triangles& triangles, unsigned place) {
         for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) corner[i][k] = splat(columns_of_b.at(column, i, k));
+            for (int k = 0; k < 3; ++k) corner[i][k] = splat(triangles.at(place, i, k));
     }
     [[gnu::always_inline]] static void cross(const Floats* p, const Floats* q, Floats* to) {
         for (int k = 0; k < 3; ++k) {
@@ -136,21 +137,27 @@ template <unsigned used>
     for (int k = 0; k < 3; ++k) look_up_among<used>(coordinates[k], numbers, corner, k);
 }
 
+/// One coordinate of all vertices of a leaf of a.
+template <class Leaf>
+[[gnu::always_inline]] inline void place_axis_of_a(const Leaf& leaf, const PairFrame& frame, int axis,
+                                                   VertexTable& coordinates) {
+    const Floats scale = splat(frame.a_scale), round = splat(frame.a_round);
+    const auto anchor = static_cast<std::uint32_t>(leaf.anchor(axis));
+    unsigned group = 0;
+    do {
+        const Floats coordinate = to_floats(add(offsets_of(leaf, static_cast<unsigned>(axis), group), anchor));
+        coordinates.set(group, subtract(add(multiply(coordinate, scale), round), round));
+    } while (++group * lanes < leaf.vertex_count);
+}
+
 /// The next triangles of a leaf of a. One axis at a time: a table of all three would be most of the stack.
 template <class Leaf, class Corners>
 [[gnu::noinline]] void load_lanes(const Leaf& leaf, const PairFrame& frame, Corners& corners, PlacedLanes& t) {
     const CornerNumbers numbers = corners.next();
     with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto used) {
-        const Floats scale = splat(frame.a_scale), round = splat(frame.a_round);
         for (int k = 0; k < 3; ++k) {
             VertexTable coordinates;
-            const auto axis = static_cast<unsigned>(k);
-            const auto anchor = static_cast<std::uint32_t>(leaf.anchor(k));
-            unsigned group = 0;
-            do {
-                const Floats coordinate = to_floats(add(offsets_of(leaf, axis, group), anchor));
-                coordinates.set(group, subtract(add(multiply(coordinate, scale), round), round));
-            } while (++group * lanes < leaf.vertex_count);
+            place_axis_of_a(leaf, frame, k, coordinates);
             look_up_among<used>(coordinates, numbers, t.corner, k);
         }
         return 0;
@@ -160,11 +167,7 @@ template <class Leaf, class Corners>
 }
 
 /// Returns a bit for each lane whose box is near enough; if `touching`, its plane must also pass through the box.
-[[gnu::noinline]] inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
-                                             float limit) {
-    PlacedLanes t;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) t.corner[i][k] = corner[i][k];
+[[gnu::always_inline]] inline unsigned lanes_near(PlacedLanes t, const PlacedBox& box, bool touching, float limit) {
     t.derive_box();
     Floats low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -177,6 +180,14 @@ template <class Leaf, class Corners>
         near &= planes_meet(t, box);
     }
     return near;
+}
+
+[[gnu::noinline]] inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
+                                             float limit) {
+    PlacedLanes t;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) t.corner[i][k] = corner[i][k];
+    return lanes_near(t, box, touching, limit);
 }
 
 template <class Leaf>
@@ -242,12 +253,15 @@ struct LeafPair {
     A a;
     B b;
     PlacedBox box;
+    PairLeaf a_place, b_place;
 
-    LeafPair(const PairFrame& on_grid, PairLeaf a_place, PairLeaf b_place, const TwiceBox& a_box)
+    LeafPair(const PairFrame& on_grid, PairLeaf of_a, PairLeaf of_b, const TwiceBox& a_box)
         : frame(on_grid),
-          a(leaf_of_pair<A>(frame, 0, a_place)),
-          b(leaf_of_pair<B>(frame, 1, b_place)),
-          box(a_box, frame) {}
+          a(leaf_of_pair<A>(frame, 0, of_a)),
+          b(leaf_of_pair<B>(frame, 1, of_b)),
+          box(a_box, frame),
+          a_place(of_a),
+          b_place(of_b) {}
     [[nodiscard]] LatticeTriangle triangle_a(unsigned slot) const { return frame.place_a(a.triangle(slot)); }
     [[nodiscard]] LatticeTriangle triangle_b(unsigned slot) const { return frame.place_b(b.triangle(slot)); }
     [[nodiscard]] TrianglePair at(unsigned a_slot, unsigned b_slot) const {

@@ -7,6 +7,7 @@
 #if ESPALIER_SMALL_CODE
 #include <runtime/pairs/one_by_one.inl>
 #else
+#include <runtime/pairs/placed.inl>
 #include <runtime/pairs/touching.inl>
 #include <runtime/pairs/near.inl>
 #endif
@@ -22,6 +23,9 @@ inline bool has_reference(const BlobData& blob, const Leaf& leaf, TriangleId tri
 struct PairVisitor {
     const PairFrame& frame;
     const PairSearch& search;
+#if !ESPALIER_SMALL_CODE
+    PlacedLeaves* placed;  ///< of a search for all pairs that touch
+#endif
 
     template <class Node>
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
@@ -58,12 +62,33 @@ private:
               has_reference(*frame.b, leaves.b, search.only->triangles.b)))
             return Visit::next;
         if (search.counters != nullptr) count(leaves);
-        return search.least != nullptr ? visit_near(leaves, *search.least) : visit_touching(leaves, search.on_touching);
+        if (search.least != nullptr) return visit_near(leaves, *search.least);
+#if ESPALIER_SMALL_CODE
+        return visit_touching(leaves, search.on_touching);
+#else
+        return visit_touching(leaves, *placed, search.on_touching);
+#endif
     }
 };
 
+#if !ESPALIER_SMALL_CODE
+/// Out of line: a search for the nearest pair has no use for placed leaves.
+[[gnu::noinline]] inline QueryStatus search_touching(const PairFrame& frame, const PairSearch& search,
+                                                     std::uint64_t& work) {
+    PlacedLeaves placed;
+    PairVisitor visitor = {frame, search, &placed};
+    return walk_pair(frame, visitor, search.from, work);
+}
+#endif
+
 QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept {
+#if ESPALIER_SMALL_CODE
     PairVisitor visitor = {frame, search};
     return search.least != nullptr ? search_nearest(frame, visitor, *search.least, work)
                                    : walk_pair(frame, visitor, search.from, work);
+#else
+    if (search.least == nullptr) return search_touching(frame, search, work);
+    PairVisitor visitor = {frame, search, nullptr};
+    return search_nearest(frame, visitor, *search.least, work);
+#endif
 }

@@ -1,7 +1,7 @@
 // Which triangles of two leaves touch, in lanes: what rounding cannot change is decided here, the rest is left to the
 // kernel (triangle_triangle.hpp), whose way this is.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/pairs/leaves.inl>
+#include <runtime/pairs/placed.inl>
 #endif
 
 /// Triangles turned so that the corner comes first that is alone on its side of the others' planes.
@@ -43,15 +43,23 @@ inline Floats distance_on_line(const TurnedLanes& p, const TurnedLanes& q) {
     return where_at_most(zero, q.distance, larger(first, negate(second)), larger(negate(first), second));
 }
 
-/// The triangles of the lanes that may touch the one of the column; `certain` are those that do.
-inline unsigned match_touching(const PlacedLanes& t, const PlacedColumns& others, unsigned column, unsigned used,
-                               unsigned& certain) {
+/// Pairs of triangles of two leaves, one in each lane, by their places among those that are placed.
+struct PairsInLanes {
+    static constexpr unsigned most = lanes;
+    std::uint8_t a[most] = {};
+    std::uint8_t b[most] = {};
+    unsigned count = 0;
+};
+
+/// The pairs whose triangles may touch; `certain` are those that do. Their boxes meet.
+[[gnu::noinline]] inline unsigned match_pairs(const PlacedTriangles& of_a, const PlacedTriangles& of_b,
+                                              const PairsInLanes& pairs, unsigned& certain) {
     certain = 0;
-    PlacedLanes other;
-    other.spread(others, column);
+    PlacedLanes t = of_a.some(load_numbers(reinterpret_cast<const std::byte*>(pairs.a)));
+    t.derive_box();
+    t.derive_plane();
+    PlacedLanes other = of_b.some(load_numbers(reinterpret_cast<const std::byte*>(pairs.b)));
     other.derive_box();
-    unsigned near = at_most(squared_gap(t, other.low, other.high), splat(0.0f)) & used;
-    if (near == 0) return 0;
     other.derive_plane();
     const Floats small = multiply(add(t.size, other.size), splat(volume_slack));
     const Floats their_slack = multiply(multiply(other.size, other.size), small);
@@ -59,8 +67,8 @@ inline unsigned match_touching(const PlacedLanes& t, const PlacedColumns& others
     const Floats slack = multiply(multiply(t.size, other.size), small);
     Floats ours_off[3], theirs_off[3];
     distances_from_plane(t, other, ours_off);
-    near &= at_most(separation(ours_off), their_slack);
-    if (near == 0) return 0;
+    unsigned near = at_most(separation(ours_off), their_slack) & ((1u << pairs.count) - 1u);
+    if (lanes == 1 && near == 0) return 0;
     distances_from_plane(other, t, theirs_off);
     near &= at_most(separation(theirs_off), our_slack);
     // A core with one lane has no better use for its time than the kernel itself.
@@ -75,23 +83,65 @@ inline unsigned match_touching(const PlacedLanes& t, const PlacedColumns& others
     return near;
 }
 
+/// For each triangle of b that is near, a bit for each one of a whose box meets its own.
+[[gnu::noinline]] inline void match_boxes(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b,
+                                          unsigned near, std::uint16_t* meeting) {
+    for (unsigned rest = near; rest != 0; rest &= rest - 1) meeting[std::countr_zero(rest)] = 0;
+    for (unsigned group = 0; group < PlacedTriangles::groups; ++group) {
+        const unsigned used_lanes = used >> group * lanes & ((1u << lanes) - 1u);
+        if (used_lanes == 0) break;
+        PlacedLanes t = of_a.group(group);
+        t.derive_box();
+        for (unsigned rest = near; rest != 0; rest &= rest - 1) {
+            const auto place = static_cast<unsigned>(std::countr_zero(rest));
+            PlacedLanes other;
+            other.spread(of_b, place);
+            other.derive_box();
+            Floats apart = splat(-infinity);
+            for (int k = 0; k < 3; ++k)
+                apart = larger(larger(subtract(t.low[k], other.high[k]), subtract(other.low[k], t.high[k])), apart);
+            const unsigned met = at_most(apart, splat(0.0f)) & used_lanes;
+            meeting[place] = static_cast<std::uint16_t>(meeting[place] | met << group * lanes);
+        }
+    }
+}
+
+/// Of a's triangles those that may touch each one of b, or surely do: a bit for each slot.
 template <class Slots>
 struct TouchingSlots {
-    Slots may[columns];
-    Slots certain[columns];
+    Slots may[PlacedTriangles::most];
+    Slots certain[PlacedTriangles::most];
 };
 
-/// The triangles of a leaf of a that may touch each of the columns, or surely do.
-template <class Leaf>
-[[gnu::noinline]] void match_touching(const Leaf& leaf, const PairFrame& frame, const PlacedColumns& others,
-                                      unsigned near, TouchingSlots<typename Leaf::Slots>& slots) {
-    for (unsigned rest = near; rest != 0; rest &= rest - 1)
-        slots.may[std::countr_zero(rest)] = slots.certain[std::countr_zero(rest)] = 0;
-    for_lanes_and_columns(leaf, frame, near, [&](const PlacedLanes& t, unsigned first, unsigned column, unsigned used) {
+/// Adds the triangles of a from slot `first` on, which are placed. Returns a bit for each of b that may touch some.
+template <class Slots>
+[[gnu::noinline]] unsigned match_touching(const PlacedTriangles& of_a, unsigned used, unsigned first,
+                                          const PlacedTriangles& of_b, unsigned near, TouchingSlots<Slots>& slots) {
+    std::uint16_t meeting[PlacedTriangles::most];
+    match_boxes(of_a, used, of_b, near, meeting);
+    unsigned touching = 0;
+    PairsInLanes pairs;
+    const auto match = [&] {
         unsigned certain = 0;
-        slots.may[column] |= typename Leaf::Slots{match_touching(t, others, column, used, certain)} << first;
-        slots.certain[column] |= typename Leaf::Slots{certain} << first;
-    });
+        for (unsigned rest = match_pairs(of_a, of_b, pairs, certain); rest != 0; rest &= rest - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(rest));
+            const unsigned place = pairs.b[lane], slot = first + pairs.a[lane];
+            slots.may[place] |= Slots{1} << slot;
+            slots.certain[place] |= Slots{certain >> lane & 1u} << slot;
+            touching |= 1u << place;
+        }
+        pairs.count = 0;
+    };
+    for (; near != 0; near &= near - 1) {
+        const auto place = static_cast<unsigned>(std::countr_zero(near));
+        for (unsigned rest = meeting[place]; rest != 0; rest &= rest - 1) {
+            pairs.a[pairs.count] = static_cast<std::uint8_t>(std::countr_zero(rest));
+            pairs.b[pairs.count] = static_cast<std::uint8_t>(place);
+            if (++pairs.count == PairsInLanes::most) match();
+        }
+    }
+    if (pairs.count != 0) match();
+    return touching;
 }
 
 template <class Leaves>
@@ -99,24 +149,37 @@ template <class Leaves>
     return triangles_meet(leaves.triangle_a(a_slot), leaves.triangle_b(b_slot));
 }
 
+/// The leaves that a walk has placed last. One of the two often stays while the other changes.
+struct PlacedLeaves {
+    PlacedTriangles a, b;
+};
+
 /// Calls visit with the storage indices of each pair of triangles of the leaves that touches: b's in storage order, for
 /// each of them a's.
 template <class Leaves>
-[[gnu::noinline]] Visit visit_touching(const Leaves& leaves, OnTouching visit) {
+[[gnu::noinline]] Visit visit_touching(const Leaves& leaves, PlacedLeaves& placed, OnTouching visit) {
+    using Slots = typename Leaves::A::Slots;
+    const auto& a = leaves.a;
     const auto& b = leaves.b;
-    auto corners = corners_of(b);
-    for (unsigned first = 0; first < b.slot_count; first += columns) {
-        PlacedColumns others;
-        unsigned near = place_columns(b, leaves.frame, first, corners, leaves.box, true, 0.0f, others);
+    auto b_corners = corners_of(b);
+    for (unsigned b_first = 0; b_first < b.slot_count;) {
+        const unsigned near = place_near(b, leaves.b_place, leaves.frame, leaves.box, b_corners, b_first, placed.b);
         if (near == 0) continue;
-        TouchingSlots<typename Leaves::A::Slots> slots;
-        match_touching(leaves.a, leaves.frame, others, near, slots);
-        for (; near != 0; near &= near - 1) {
-            const auto column = static_cast<unsigned>(std::countr_zero(near));
-            for (auto may = slots.may[column]; may != 0; may &= may - 1) {
+        TouchingSlots<Slots> slots = {};
+        unsigned touching = 0;
+        auto a_corners = corners_of(a);
+        for (unsigned a_first = 0; a_first < a.slot_count; a_first += PlacedTriangles::most) {
+            place_in_lanes(a, leaves.a_place, leaves.frame, a_corners, a_first, placed.a);
+            const auto used = static_cast<unsigned>(a.used_slots() >> a_first) & ((1u << PlacedTriangles::most) - 1u);
+            touching |= match_touching(placed.a, used, a_first, placed.b, near, slots);
+        }
+        for (; touching != 0; touching &= touching - 1) {
+            const auto place = static_cast<unsigned>(std::countr_zero(touching));
+            const unsigned b_slot = placed.b.slot[place];
+            for (auto may = slots.may[place]; may != 0; may &= may - 1) {
                 const auto slot = static_cast<unsigned>(std::countr_zero(may));
-                if ((slots.certain[column] >> slot & 1u) == 0 && !touch_exactly(leaves, slot, first + column)) continue;
-                if (visit(leaves.at(slot, first + column)) == Visit::stop) return Visit::stop;
+                if ((slots.certain[place] >> slot & 1u) == 0 && !touch_exactly(leaves, slot, b_slot)) continue;
+                if (visit(leaves.at(slot, b_slot)) == Visit::stop) return Visit::stop;
             }
         }
     }

@@ -19,6 +19,7 @@ struct PairItem {
 struct PairLeaf {
     std::uint32_t node;
     unsigned number;  ///< among the node's leaves
+    friend constexpr bool operator==(const PairLeaf&, const PairLeaf&) = default;
 };
 template <class Leaf>
 inline Leaf leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place) {
