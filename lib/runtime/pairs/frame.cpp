@@ -84,12 +84,13 @@ ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rota
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const float entry = to_float(rotation[i][j]) * 0x1p-30f;
-            in_a.axis[i][j] = in_b.axis[j][i] = entry;
+            in_a.set(i, j, entry);
+            in_b.set(j, i, entry);
         }
     for (int k = 0; k < 3; ++k) {
         in_a.offset[k] = offset[k];
         in_b.offset[k] =
-            -(in_b.axis[k][0] * offset[0] + in_b.axis[k][1] * offset[1] + in_b.axis[k][2] * offset[2]) * inverse;
+            -(in_b.at(k, 0) * offset[0] + in_b.at(k, 1) * offset[1] + in_b.at(k, 2) * offset[2]) * inverse;
     }
     in_a.own_scale = frame.a_scale;
     in_a.scale = scale;

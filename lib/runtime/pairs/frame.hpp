@@ -22,14 +22,31 @@ struct TrianglePair {
 
 /// How boxes of the other tree look from a tree's own frame. Float, with slack: for rejecting only.
 struct PairSide {
-    float axis[3][3];   ///< component i of the other's unit axis j
-    float offset[3];    ///< where the other's lattice origin is
+    /// Vectors are as long as a register where there are such.
+    static constexpr int row = small_code ? 3 : 4;
+
+    float axis[3][row];  ///< the other's unit axes, one after the other
+#if !ESPALIER_SMALL_CODE
+    float absolute_axis[3][row];
+#endif
+    float offset[row];  ///< where the other's lattice origin is
     float scale;        ///< of the other's lattice steps
     float own_scale;    ///< of this tree's lattice steps
     float slack;        ///< more than all roundings of both meshes and of the tests
     float common_size;  ///< one unit of this frame in steps of the common grid
 
-    [[nodiscard]] float absolute_at(int i, int j) const { return absolute(axis[i][j]); }
+    /// Component i of the other's axis j.
+    [[nodiscard]] float at(int i, int j) const { return axis[j][i]; }
+#if ESPALIER_SMALL_CODE
+    [[nodiscard]] float absolute_at(int i, int j) const { return absolute(axis[j][i]); }
+    void set(int i, int j, float component) { axis[j][i] = component; }
+#else
+    [[nodiscard]] float absolute_at(int i, int j) const { return absolute_axis[j][i]; }
+    void set(int i, int j, float component) {
+        axis[j][i] = component;
+        absolute_axis[j][i] = absolute(component);
+    }
+#endif
 };
 
 struct PairFrame {

@@ -79,7 +79,7 @@ ESPALIER_SHARED_CODE void LeastDistance::set_axes(const LatticeTriangle& a, cons
     shorten(own[2]);
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
-            const auto& turned = frame.sides[1].axis[k];
+            const auto& turned = frame.sides[0].axis[k];
             axes[1].at[i][k] = turned[0] * own[i][0] + turned[1] * own[i][1] + turned[2] * own[i][2];
         }
 }
