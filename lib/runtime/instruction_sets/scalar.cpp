@@ -14,7 +14,7 @@ using scalar_walk::find_nearest_first_in;
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
-#include <runtime/pairs/search.inl>
+#include <runtime/pairs/search_pairs.inl>
 #include <runtime/scenes/instance_walk.inl>
 #include <runtime/moving_scenes/box_tree/self_join.inl>
 #include <runtime/moving_scenes/walks.inl>

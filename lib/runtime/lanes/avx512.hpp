@@ -115,14 +115,17 @@ struct Table {
     static unsigned groups_of(unsigned) { return groups; }
     void set(unsigned number, Floats a) { group[number] = a; }
     /// By the low bits of each index; bits above those that number the vertices are ignored.
-    [[nodiscard]] Floats look_up(Ints index) const {
+    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
+    /// Where only the first groups are set.
+    template <unsigned used>
+    [[nodiscard]] Floats look_up_among(Ints index) const {
         const auto numbers = __m512i(index);
-        if constexpr (groups == 1) return _mm512_permutexvar_ps(numbers, group[0]);
-        else if constexpr (groups == 2) return _mm512_permutex2var_ps(group[0], numbers, group[1]);
+        if constexpr (used == 1) return _mm512_permutexvar_ps(numbers, group[0]);
+        else if constexpr (used == 2) return _mm512_permutex2var_ps(group[0], numbers, group[1]);
         else
             return _mm512_mask_blend_ps(_mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32)),
                                         _mm512_permutex2var_ps(group[0], numbers, group[1]),
-                                        _mm512_permutex2var_ps(group[2], numbers, group[groups - 1]));
+                                        _mm512_permutex2var_ps(group[2], numbers, group[used - 1]));
     }
 };
 
@@ -232,6 +235,23 @@ inline PredictedFrom predicted_from(const StripLeaf& leaf) {
 }
 #endif
 
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    const __m128i shift = _mm_cvtsi32_si128(fraction_bits);
+    const auto place = [&](auto half) {
+        __m512i sum = _mm512_set1_epi64(moved);
+        for (int k = 0; k < 3; ++k)
+            sum = _mm512_add_epi64(sum, _mm512_mul_epi32(half(__m512i(vertex[k])), _mm512_set1_epi32(row[k])));
+        return _mm512_srl_epi64(sum, shift);  // the bits that count are those of an arithmetic shift
+    };
+    const __m512i even = place([](__m512i all) { return all; });
+    const __m512i odd = place([](__m512i all) { return _mm512_srli_epi64(all, 32); });
+    return _mm512_cvtepi32_ps(_mm512_mask_blend_epi32(0xAAAA, even, _mm512_slli_epi64(odd, 32)));
+}
+
+using avx2::shift_left_each;
+using avx2::words_to_axes;
+#include <runtime/lanes/axes.inl>
 #include <runtime/lanes/leaves.inl>
 
 }  // namespace espalier::detail::avx512

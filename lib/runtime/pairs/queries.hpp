@@ -40,12 +40,7 @@ struct PairSearch {
 
 namespace espalier::detail {
 
-ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_PAIR_SEARCH)
-#if ESPALIER_X86 && defined(__x86_64__)
-namespace avx512 {
-using avx2::search_pairs;
-}
-#endif
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_PAIR_SEARCH)
 
 }  // namespace espalier::detail
 

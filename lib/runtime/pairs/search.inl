@@ -1,4 +1,4 @@
-// Two blobs: the search of an instruction set, for touching pairs or for the least distance.
+// Two blobs: what an instruction set does at each step, and the search for touching pairs.
 #include <runtime/pairs/trees.inl>
 #include <runtime/pairs/walk.inl>
 #include <runtime/pairs/beam.inl>
@@ -19,6 +19,10 @@ inline bool has_reference(const BlobData& blob, const Leaf& leaf, TriangleId tri
             return true;
     return false;
 }
+
+/// Whether the nearest pair is searched for with these lanes. With more than eight, what most of its time goes to would
+/// leave most of them idle, and take twice the stack.
+inline constexpr bool searches_nearest = lanes <= 8;
 
 struct PairVisitor {
     const PairFrame& frame;
@@ -62,7 +66,8 @@ private:
               has_reference(*frame.b, leaves.b, search.only->triangles.b)))
             return Visit::next;
         if (search.counters != nullptr) count(leaves);
-        if (search.least != nullptr) return visit_near(leaves, *search.least);
+        if constexpr (searches_nearest)
+            if (search.least != nullptr) return visit_near(leaves, *search.least);
 #if ESPALIER_SMALL_CODE
         return visit_touching(leaves, search.on_touching);
 #else
@@ -80,15 +85,3 @@ private:
     return walk_pair(frame, visitor, search.from, work);
 }
 #endif
-
-QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept {
-#if ESPALIER_SMALL_CODE
-    PairVisitor visitor = {frame, search};
-    return search.least != nullptr ? search_nearest(frame, visitor, *search.least, work)
-                                   : walk_pair(frame, visitor, search.from, work);
-#else
-    if (search.least == nullptr) return search_touching(frame, search, work);
-    PairVisitor visitor = {frame, search, nullptr};
-    return search_nearest(frame, visitor, *search.least, work);
-#endif
-}
