@@ -244,24 +244,64 @@ template <class Leaf, class Match>
     }
 }
 
+#if !ESPALIER_SMALL_CODE
+/// The last leaf of a tree that was decoded: it stays while that of the other tree changes.
+class DecodedLeaf {
+public:
+    DecodedLeaf() {}
+    template <class Leaf>
+    [[gnu::always_inline]] const Leaf& decode(const PairFrame& frame, unsigned side, PairLeaf place) {
+        Leaf& leaf = of<Leaf>();
+        if (place_ != place) decode_leaf_of_pair(frame, side, place, leaf);
+        place_ = place;
+        return leaf;
+    }
+
+private:
+    template <class Leaf>
+    Leaf& of() {
+        if constexpr (std::is_same_v<Leaf, PlainLeaf>) return plain_;
+        else return strip_;
+    }
+
+    union {
+        PlainLeaf plain_;
+        StripLeaf strip_;
+    };
+    PairLeaf place_ = no_leaf;
+};
+#endif
+
 /// A leaf of each, and the box of a's.
 template <class LeafA, class LeafB>
 struct LeafPair {
     using A = LeafA;
     using B = LeafB;
     const PairFrame& frame;
+#if ESPALIER_SMALL_CODE
     A a;
     B b;
     PlacedBox box;
+
+    LeafPair(const PairFrame& on_grid, PairLeaf a_place, PairLeaf b_place, const TwiceBox& a_box)
+        : frame(on_grid), box(a_box, frame) {
+        decode_leaf_of_pair(frame, 0, a_place, a);
+        decode_leaf_of_pair(frame, 1, b_place, b);
+    }
+#else
+    const A& a;
+    const B& b;
+    PlacedBox box;
     PairLeaf a_place, b_place;
 
-    LeafPair(const PairFrame& on_grid, PairLeaf of_a, PairLeaf of_b, const TwiceBox& a_box)
+    LeafPair(const PairFrame& on_grid, DecodedLeaf* decoded, PairLeaf of_a, PairLeaf of_b, const TwiceBox& a_box)
         : frame(on_grid),
-          a(leaf_of_pair<A>(frame, 0, of_a)),
-          b(leaf_of_pair<B>(frame, 1, of_b)),
+          a(decoded[0].decode<A>(frame, 0, of_a)),
+          b(decoded[1].decode<B>(frame, 1, of_b)),
           box(a_box, frame),
           a_place(of_a),
           b_place(of_b) {}
+#endif
     [[nodiscard]] LatticeTriangle triangle_a(unsigned slot) const { return frame.place_a(a.triangle(slot)); }
     [[nodiscard]] LatticeTriangle triangle_b(unsigned slot) const { return frame.place_b(b.triangle(slot)); }
     [[nodiscard]] TrianglePair at(unsigned a_slot, unsigned b_slot) const {

@@ -11,7 +11,7 @@ struct PlacedTriangles {
 
     Table<groups> corner[3][3];        ///< corner 0, 1, 2, each x, y, z
     std::uint8_t slot[most];           ///< of the triangle in each place
-    PairLeaf whole = {~0u, 0};         ///< the leaf whose triangles are all here, each in the place of its slot
+    PairLeaf whole = no_leaf;         ///< the leaf whose triangles are all here, each in the place of its slot
 
     [[nodiscard]] const std::byte* row(int number, int axis) const {
         return reinterpret_cast<const std::byte*>(&corner[number][axis]);
@@ -74,7 +74,7 @@ inline void place_in_lanes(const Leaf& leaf, PairLeaf place, const PairFrame& fr
                            PlacedTriangles& placed) {
     if (placed.whole == place) return;
     place_triangles_of_a(leaf, frame, corners, first, placed);
-    placed.whole = leaf.slot_count <= PlacedTriangles::most ? place : PairLeaf{~0u, 0};
+    placed.whole = leaf.slot_count <= PlacedTriangles::most ? place : no_leaf;
 }
 
 /// Places all triangles of a leaf of b, which has no more than there is room for.
@@ -128,7 +128,7 @@ template <class Leaf, class Corners>
 inline unsigned place_near(const Leaf& leaf, PairLeaf place, const PairFrame& frame, const PlacedBox& box,
                            Corners& corners, unsigned& first, PlacedTriangles& placed) {
     if (leaf.slot_count > PlacedTriangles::most) {
-        placed.whole = {~0u, 0};
+        placed.whole = no_leaf;
         return (1u << place_some_of_b(leaf, frame, box, corners, first, placed)) - 1u;
     }
     if (placed.whole != place) {

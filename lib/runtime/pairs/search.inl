@@ -29,6 +29,7 @@ struct PairVisitor {
     const PairSearch& search;
 #if !ESPALIER_SMALL_CODE
     PlacedLeaves* placed;  ///< of a search for all pairs that touch
+    DecodedLeaf decoded[2] = {};
 #endif
 
     template <class Node>
@@ -60,7 +61,11 @@ private:
     }
     template <class LeafA, class LeafB>
     ESPALIER_PART_OF_CALLER Visit visit_leaves_of(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
+#if ESPALIER_SMALL_CODE
         const LeafPair<LeafA, LeafB> leaves(frame, a, b, a_box);
+#else
+        const LeafPair<LeafA, LeafB> leaves(frame, decoded, a, b, a_box);
+#endif
         if (reads_duplicate_references && search.only != nullptr &&
             !(has_reference(*frame.a, leaves.a, search.only->triangles.a) &&
               has_reference(*frame.b, leaves.b, search.only->triangles.b)))

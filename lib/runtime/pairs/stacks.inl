@@ -21,7 +21,7 @@ public:
         const unsigned all = waiting_[level] | node_[level] >> node_bits << 8, rest = all & (all - 1);
         const unsigned side = (other_and_side_[level] & side_bit) != 0 ? 1u : 0u;
         const std::uint32_t node = node_[level] & ((1u << node_bits) - 1u);
-        at.set(frame, 1 - side, {other_and_side_[level] & ~side_bit});
+        at.set_again(frame, 1 - side, {other_and_side_[level] & ~side_bit});
         at.set(frame, side, child_of(frame, side, node, static_cast<unsigned>(std::countr_zero(all))));
         set_waiting(level, rest);
         if (rest == 0) --size_;

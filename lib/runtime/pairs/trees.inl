@@ -21,20 +21,20 @@ struct PairLeaf {
     unsigned number;  ///< among the node's leaves
     friend constexpr bool operator==(const PairLeaf&, const PairLeaf&) = default;
 };
+inline constexpr PairLeaf no_leaf = {~0u, 0};
+
+/// Inlined, so that it is compiled for the instruction set of the search.
 template <class Leaf>
-inline Leaf leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place) {
+[[gnu::always_inline]] inline void decode_leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place,
+                                                        Leaf& leaf) {
     const BlobData& blob = frame.blob(side);
     const auto node = node_at<typename Leaf::Node>(blob, place.node);
 #if ESPALIER_PREDICTED_STRIPS
-    if constexpr (std::is_same_v<Leaf, StripLeaf>) {
-        if (has_predicted_leaves(blob.profile)) {
-            StripLeaf leaf;
-            decode_predicted_strip(blob, node, place.number, leaf, frame.vertices[side]);
-            return leaf;
-        }
-    }
+    if constexpr (std::is_same_v<Leaf, StripLeaf>)
+        if (has_predicted_leaves(blob.profile))
+            return decode_predicted_strip(blob, node, place.number, leaf, frame.vertices[side]);
 #endif
-    return leaf_at<Leaf>(blob, node, place.number);
+    decode_leaf(blob, node, place.number, leaf);
 }
 /// Calls the function with the node of that index.
 template <class Function>
@@ -82,11 +82,16 @@ public:
     }
 #if ESPALIER_SMALL_CODE
     void set(const PairFrame&, unsigned side, PairItem item) { items[side] = item; }
+    void set_again(const PairFrame&, unsigned side, PairItem item) { items[side] = item; }
     [[nodiscard]] TwiceBox box(const PairFrame& frame, unsigned side) const { return box_of(frame, side, items[side]); }
 #else
     void set(const PairFrame& frame, unsigned side, PairItem item) {
         items[side] = item;
         boxes_[side] = box_of(frame, side, item);
+    }
+    /// The same, where it may be the one that is there.
+    void set_again(const PairFrame& frame, unsigned side, PairItem item) {
+        if (items[side].packed != item.packed) set(frame, side, item);
     }
     [[nodiscard]] const TwiceBox& box(const PairFrame&, unsigned side) const { return boxes_[side]; }
 
