@@ -37,10 +37,6 @@ struct PlacedTriangles {
             for (int k = 0; k < 3; ++k) t.corner[i][k] = corner[i][k].look_up(places);
         return t;
     }
-    void set_group(unsigned number, const Floats (*corners)[3]) {
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) corner[i][k].set(number, corners[i][k]);
-    }
 };
 
 /// How many groups of lanes so many slots take.
@@ -59,9 +55,9 @@ template <class Leaf, class Corners>
             VertexTable coordinates;
             place_axis_of_a(leaf, frame, k, coordinates);
             for (unsigned group = 0; group < groups; ++group) {
-                Floats corner[3][3];
-                look_up_among<used>(coordinates, numbers[group], corner, k);
-                for (int i = 0; i < 3; ++i) placed.corner[i][k].set(group, corner[i][k]);
+                placed.corner[0][k].set(group, coordinates.template look_up_among<used>(numbers[group].a));
+                placed.corner[1][k].set(group, coordinates.template look_up_among<used>(numbers[group].b));
+                placed.corner[2][k].set(group, coordinates.template look_up_among<used>(numbers[group].c));
             }
         }
         return 0;
@@ -86,9 +82,11 @@ template <class Leaf, class Corners>
     for (unsigned group = 0; group < groups_of_slots(leaf.slot_count); ++group) {
         const CornerNumbers numbers = corners.next();
         with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto used) {
-            Floats corner[3][3];
-            look_up_all<used>(coordinates, numbers, corner);
-            placed.set_group(group, corner);
+            for (int k = 0; k < 3; ++k) {
+                placed.corner[0][k].set(group, coordinates[k].template look_up_among<used>(numbers.a));
+                placed.corner[1][k].set(group, coordinates[k].template look_up_among<used>(numbers.b));
+                placed.corner[2][k].set(group, coordinates[k].template look_up_among<used>(numbers.c));
+            }
             return 0;
         });
     }

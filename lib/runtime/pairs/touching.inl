@@ -83,28 +83,38 @@ struct PairsInLanes {
     return near;
 }
 
-/// For each triangle of b that is near, a bit for each one of a whose box meets its own.
-[[gnu::noinline]] inline void match_boxes(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b,
-                                          unsigned near, std::uint16_t* meeting) {
-    for (unsigned rest = near; rest != 0; rest &= rest - 1) meeting[std::countr_zero(rest)] = 0;
-    for (unsigned group = 0; group < PlacedTriangles::groups; ++group) {
-        const unsigned used_lanes = used >> group * lanes & ((1u << lanes) - 1u);
-        if (used_lanes == 0) break;
-        PlacedLanes t = of_a.group(group);
-        t.derive_box();
-        for (unsigned rest = near; rest != 0; rest &= rest - 1) {
-            const auto place = static_cast<unsigned>(std::countr_zero(rest));
-            PlacedLanes other;
-            other.spread(of_b, place);
-            other.derive_box();
-            Floats apart = splat(-infinity);
-            for (int k = 0; k < 3; ++k)
-                apart = larger(larger(subtract(t.low[k], other.high[k]), subtract(other.low[k], t.high[k])), apart);
-            const unsigned met = at_most(apart, splat(0.0f)) & used_lanes;
-            meeting[place] = static_cast<std::uint16_t>(meeting[place] | met << group * lanes);
+/// Which triangles of a have boxes that meet those of b's that are near: 16 bits for each of these, in words, so that
+/// one loop goes through the pairs of several.
+struct MeetingBoxes {
+    static constexpr unsigned bits = PlacedTriangles::most, in_word = 64 / bits;
+    static_assert(bits == 16);
+
+    std::uint64_t words[PlacedTriangles::most / in_word] = {};
+    std::uint8_t place[PlacedTriangles::most];  ///< of each one of b
+    unsigned count;
+
+    explicit MeetingBoxes(unsigned near) : count(0) {
+        for (; near != 0; near &= near - 1) place[count++] = static_cast<std::uint8_t>(std::countr_zero(near));
+    }
+    [[gnu::noinline]] void find(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b) {
+        for (unsigned group = 0; group < PlacedTriangles::groups; ++group) {
+            const unsigned used_lanes = used >> group * lanes & ((1u << lanes) - 1u);
+            if (used_lanes == 0) break;
+            PlacedLanes t = of_a.group(group);
+            t.derive_box();
+            for (unsigned i = 0; i < count; ++i) {
+                PlacedLanes other;
+                other.spread(of_b, place[i]);
+                other.derive_box();
+                Floats apart = splat(-infinity);
+                for (int k = 0; k < 3; ++k)
+                    apart = larger(larger(subtract(t.low[k], other.high[k]), subtract(other.low[k], t.high[k])), apart);
+                const std::uint64_t met = at_most(apart, splat(0.0f)) & used_lanes;
+                words[i / in_word] |= met << (i % in_word * bits + group * lanes);
+            }
         }
     }
-}
+};
 
 /// Of a's triangles those that may touch each one of b, or surely do: a bit for each slot.
 template <class Slots>
@@ -117,8 +127,8 @@ struct TouchingSlots {
 template <class Slots>
 [[gnu::noinline]] unsigned match_touching(const PlacedTriangles& of_a, unsigned used, unsigned first,
                                           const PlacedTriangles& of_b, unsigned near, TouchingSlots<Slots>& slots) {
-    std::uint16_t meeting[PlacedTriangles::most];
-    match_boxes(of_a, used, of_b, near, meeting);
+    MeetingBoxes meeting(near);
+    meeting.find(of_a, used, of_b);
     unsigned touching = 0;
     PairsInLanes pairs;
     const auto match = [&] {
@@ -132,14 +142,13 @@ template <class Slots>
         }
         pairs.count = 0;
     };
-    for (; near != 0; near &= near - 1) {
-        const auto place = static_cast<unsigned>(std::countr_zero(near));
-        for (unsigned rest = meeting[place]; rest != 0; rest &= rest - 1) {
-            pairs.a[pairs.count] = static_cast<std::uint8_t>(std::countr_zero(rest));
-            pairs.b[pairs.count] = static_cast<std::uint8_t>(place);
+    for (unsigned first_of_word = 0; first_of_word < meeting.count; first_of_word += MeetingBoxes::in_word)
+        for (std::uint64_t rest = meeting.words[first_of_word / MeetingBoxes::in_word]; rest != 0; rest &= rest - 1) {
+            const auto bit = static_cast<unsigned>(std::countr_zero(rest));
+            pairs.a[pairs.count] = static_cast<std::uint8_t>(bit % MeetingBoxes::bits);
+            pairs.b[pairs.count] = meeting.place[first_of_word + bit / MeetingBoxes::bits];
             if (++pairs.count == PairsInLanes::most) match();
         }
-    }
     if (pairs.count != 0) match();
     return touching;
 }
