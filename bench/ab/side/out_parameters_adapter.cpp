@@ -200,8 +200,8 @@ struct Collides : OneByOne<Collides, PlacementQuestion, YesNo> {
 struct AllContacts : OneByOne<AllContacts, PlacementQuestion, Count> {
     static void answer(const Blob& blob, const Placement& placement, Count& to) {
         std::uint32_t count = 0;
-        static_cast<void>(for_each_contact(blob, blob, placement,
-                                           [&count](const TrianglePair&) { return ++count, keep_going; }));
+        static_cast<void>(
+            for_each_contact(blob, blob, placement, [&count](const TrianglePair&) { return ++count, keep_going; }));
         to.count = count;
     }
 };

@@ -242,7 +242,7 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
         __m512i sum = _mm512_set1_epi64(moved);
         for (int k = 0; k < 3; ++k)
             sum = _mm512_add_epi64(sum, _mm512_mul_epi32(half(__m512i(vertex[k])), _mm512_set1_epi32(row[k])));
-        return _mm512_srl_epi64(sum, shift);  // the bits that count are those of an arithmetic shift
+        return _mm512_sra_epi64(sum, shift);
     };
     const __m512i even = place([](__m512i all) { return all; });
     const __m512i odd = place([](__m512i all) { return _mm512_srli_epi64(all, 32); });

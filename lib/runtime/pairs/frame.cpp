@@ -89,8 +89,7 @@ ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rota
         }
     for (int k = 0; k < 3; ++k) {
         in_a.offset[k] = offset[k];
-        in_b.offset[k] =
-            -(in_b.at(k, 0) * offset[0] + in_b.at(k, 1) * offset[1] + in_b.at(k, 2) * offset[2]) * inverse;
+        in_b.offset[k] = -(in_b.at(k, 0) * offset[0] + in_b.at(k, 1) * offset[1] + in_b.at(k, 2) * offset[2]) * inverse;
     }
     in_a.own_scale = frame.a_scale;
     in_a.scale = scale;

@@ -48,7 +48,7 @@ ESPALIER_SHARED_CODE inline SeenBox see_box(const TwiceBox& box, const PairSide&
     }
 #else
     const float half[3] = {box.half[0] * half_scale, box.half[1] * half_scale, box.half[2] * half_scale};
-    const auto combined = [](const float (*axes)[PairSide::row], const float* weights) {
+    const auto combined = [](const float(*axes)[PairSide::row], const float* weights) {
         return load_as<Axes>(axes[0]) * weights[0] + load_as<Axes>(axes[1]) * weights[1] +
                load_as<Axes>(axes[2]) * weights[2];
     };
@@ -151,8 +151,8 @@ ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBox
     for (const auto& axis : axes.at) {
         float reach = 2.0f * side.slack;
         for (int j = 0; j < 3; ++j)
-            reach += absolute(axis[0] * side.at(0, j) + axis[1] * side.at(1, j) + axis[2] * side.at(2, j)) *
-                     seen.half[j];
+            reach +=
+                absolute(axis[0] * side.at(0, j) + axis[1] * side.at(1, j) + axis[2] * side.at(2, j)) * seen.half[j];
         Floats along = splat(0.0f), own_reach = splat(reach);
         for (int k = 0; k < 3; ++k) {
             along = add(along, multiply(apart[k], splat(axis[k])));

@@ -9,9 +9,9 @@ struct PlacedTriangles {
     static constexpr unsigned most = 16, groups = most / lanes;
     static_assert(!reads_plain_leaves || PlainLeaf::max_slots <= most);
 
-    Table<groups> corner[3][3];        ///< corner 0, 1, 2, each x, y, z
-    std::uint8_t slot[most];           ///< of the triangle in each place
-    PairLeaf whole = no_leaf;         ///< the leaf whose triangles are all here, each in the place of its slot
+    Table<groups> corner[3][3];  ///< corner 0, 1, 2, each x, y, z
+    std::uint8_t slot[most];     ///< of the triangle in each place
+    PairLeaf whole = no_leaf;    ///< the leaf whose triangles are all here, each in the place of its slot
 
     [[nodiscard]] const std::byte* row(int number, int axis) const {
         return reinterpret_cast<const std::byte*>(&corner[number][axis]);

@@ -99,7 +99,7 @@ struct MeetingBoxes {
     [[gnu::noinline]] void find(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b) {
         for (unsigned group = 0; group < PlacedTriangles::groups; ++group) {
             const unsigned used_lanes = used >> group * lanes & ((1u << lanes) - 1u);
-            if (used_lanes == 0) break;
+            if (used_lanes == 0) continue;  // of a strip, others may follow
             PlacedLanes t = of_a.group(group);
             t.derive_box();
             for (unsigned i = 0; i < count; ++i) {

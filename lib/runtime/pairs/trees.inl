@@ -26,7 +26,7 @@ inline constexpr PairLeaf no_leaf = {~0u, 0};
 /// Inlined, so that it is compiled for the instruction set of the search.
 template <class Leaf>
 [[gnu::always_inline]] inline void decode_leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place,
-                                                        Leaf& leaf) {
+                                                       Leaf& leaf) {
     const BlobData& blob = frame.blob(side);
     const auto node = node_at<typename Leaf::Node>(blob, place.node);
 #if ESPALIER_PREDICTED_STRIPS
