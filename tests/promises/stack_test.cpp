@@ -233,11 +233,11 @@ TEST_SUITE("stack") {
                                          half, contacts);
                      return ClosestPoint();
                  })},
-                {"overlaps, two blobs", 4096,
+                {"overlaps, two blobs", 6656,
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
                  2},
-                {"collect_contacts, resumed", 4096,
+                {"collect_contacts, resumed", 6656,
                  placed_row(
                      [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
                          PairContact contacts[1];
@@ -245,11 +245,11 @@ TEST_SUITE("stack") {
                          (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
                      }),
                  2},
-                {"distance, two blobs", 4160,
+                {"distance, two blobs", 6656,
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)distance(a, b, WorkLimit(20'000), 1e30f); }),
                  2},
-                {"pairs of triangles, every instruction set", 4096,
+                {"pairs of triangles, every instruction set", 6656,
                  placed_row([](const InstructionPath& path, const PlacedBlob&, const PlacedBlob&,
                                const detail::PairFrame& frame) {
                      std::uint64_t work = 20'000;
