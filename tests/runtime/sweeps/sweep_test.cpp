@@ -200,7 +200,8 @@ TEST_SUITE("sweep") {
             const auto& data = detail::data_of(blob.opened.blob);
             for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
                 const Moving<Box> moving = i % 3 == 0 ? maker.awkward_box() : maker.random_box();
-                const auto& [box, way] = moving;
+                const Box& box = moving.shape;
+                const Vec3& way = moving.displacement;
                 detail::BoxSweep aligned;
                 if (round_sweep(data, box, way, aligned) != QueryStatus::ok) continue;
                 // The rounded box, on whose grid no shape is rounded again.
