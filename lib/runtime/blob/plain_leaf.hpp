@@ -57,7 +57,29 @@ struct PlainLeaf : LeafVertices<PlainNode> {
         return {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
     }
     [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
-        return triangle_of(*this, corners(slot));
+        LatticeTriangle triangle;
+        const std::size_t row_bytes = std::size_t{2} * vertex_count;
+        const std::byte* row = corner_row + slot;
+        for (auto& corner : triangle.corner) {
+            const std::byte* const at = words() + 2 * std::size_t{load_u8(row)};
+            corner[0] = static_cast<std::int32_t>(load_u16(at));
+            corner[1] = static_cast<std::int32_t>(load_u16(at + row_bytes));
+            corner[2] = static_cast<std::int32_t>(load_u16(at + 2 * row_bytes));
+            row += slot_count;
+        }
+        if (has_high_bytes()) add_high_bytes(slot, triangle);
+        return triangle;
+    }
+
+private:
+    void add_high_bytes(unsigned slot, LatticeTriangle& triangle) const {
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::byte* at = high_bytes() + corner(slot, i);
+            for (std::int32_t& coordinate : triangle.corner[i]) {
+                coordinate |= static_cast<std::int32_t>(load_u8(at) << 16);
+                at += vertex_count;
+            }
+        }
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/proximity/closest_pair.hpp>
+#include <runtime/proximity/triangle_gap.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
 
@@ -41,6 +42,7 @@ float squared_gap_to_plane(const DistantShape& shape, const LatticeTriangle& tri
 struct NearShape {
     const BlobData& blob;
     const DistantShape& shape;
+    float reach;
 
     template <class Node>
     unsigned cull(const Node& node, float limit, float* keys) const {
@@ -52,14 +54,29 @@ struct NearShape {
                 low[k] = static_cast<float>(node.low(k, child, blob.bits));
                 high[k] = static_cast<float>(node.high(k, child, blob.bits));
             }
-            keys[child] = shape.squared_bound(shape, low, high);
+            keys[child] = shape.squared_bound(shape, low, high, limit);
             mask |= (keys[child] <= limit ? 1u : 0u) << child;
         }
         return mask;
     }
+    [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const {
+        float low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            const Span span = span_of(triangle, k);
+            low[k] = static_cast<float>(span.low);
+            high[k] = static_cast<float>(span.high);
+        }
+        return shape.squared_bound(shape, low, high, limit);
+    }
+    [[nodiscard]] float tighten(const LatticeTriangle& triangle, float bound, float limit) const {
+        bound = maximum(squared_gap_to_plane(shape, triangle), bound);
+        return shape.is_box || bound > limit
+                   ? bound
+                   : maximum(squared_gap_to_segment(triangle, shape.segment.from_steps, shape.segment.to_steps, reach),
+                             bound);
+    }
     template <class Leaf>
-    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
-        if (!is_near(triangle, answer.limit)) return Visit::next;
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float, Answer& answer) const {
         FoundPair found;
         static_cast<Found&>(found) = found_at(leaf, scalar::storage_index(leaf, slot));
         if (answer.rules_out(0.0f, found.index)) return Visit::next;  // none is nearer
@@ -69,17 +86,6 @@ struct NearShape {
             return Visit::next;
         found.triangle = triangle;
         return answer.take(found);
-    }
-
-private:
-    [[nodiscard]] bool is_near(const LatticeTriangle& triangle, float limit) const {
-        float low[3], high[3];
-        for (int k = 0; k < 3; ++k) {
-            const Span span = span_of(triangle, k);
-            low[k] = static_cast<float>(span.low);
-            high[k] = static_cast<float>(span.high);
-        }
-        return shape.squared_bound(shape, low, high) <= limit && squared_gap_to_plane(shape, triangle) <= limit;
     }
 };
 
@@ -96,20 +102,24 @@ float squared_gap(const float* box_low, const float* box_high, const float* low,
 /// The most of the gaps that box and segment leave along the axes, all three together, and along a direction across the
 /// segment and one axis: of the separating axes of boxes and segments (Gottschalk, Lin and Manocha 1996), the only
 /// ones.
-float bound_of_segment(const DistantShape& shape, const float* low, const float* high) {
+float bound_of_segment(const DistantShape& shape, const float* low, const float* high, float limit) {
     const RoundedSegment& segment = shape.segment;
     const auto& across = static_cast<const DistantSegment&>(shape).across;
     const float* from = segment.from_steps;
-    float least[3], most[3], middle[3], size[3], reach[3];
+    float least[3], most[3];
     for (int k = 0; k < 3; ++k) {
         least[k] = minimum(from[k], segment.to_steps[k]);
         most[k] = maximum(from[k], segment.to_steps[k]);
+    }
+    float bound = squared_gap(least, most, low, high);
+    if (bound > limit) return bound;
+    float middle[3], size[3], reach[3];
+    for (int k = 0; k < 3; ++k) {
         const float to_low = low[k] - from[k], to_high = high[k] - from[k];
         middle[k] = to_low + to_high;  // all of these twice as large as they should be
         size[k] = high[k] - low[k];
         reach[k] = absolute(to_low) + absolute(to_high);
     }
-    float bound = squared_gap(least, most, low, high);
     for (int axis = 0; axis < 3; ++axis) {
         const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
         const float at_y = across[axis][y], at_z = across[axis][z];
@@ -126,7 +136,7 @@ float bound_of_segment(const DistantShape& shape, const float* low, const float*
 }  // namespace
 
 void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer) {
-    NearShape near = {blob, shape};
+    NearShape near = {blob, shape, reach_from(blob, shape.segment.from_steps)};
     answer.limit = shape.radius * shape.radius * distance_slack;
     scalar_walk::find_nearest_first(blob, near, answer);
 }
@@ -151,7 +161,7 @@ void prepare(DistantSegment& shape) noexcept {
 
 void prepare(DistantBox& shape) noexcept {
     shape.is_box = true;
-    shape.squared_bound = [](const DistantShape& self, const float* low, const float* high) {
+    shape.squared_bound = [](const DistantShape& self, const float* low, const float* high, float) {
         return squared_gap(self.segment.from_steps, self.segment.to_steps, low, high);
     };
     shape.distance_to = distance_to_box;

@@ -13,8 +13,8 @@ struct DistantShape {
     bool is_box;
     float radius;  ///< 0 or at least 2^-100, may be infinite
 
-    /// The squared distance from a box, at most 16 roundings above the exact one.
-    float (*squared_bound)(const DistantShape& shape, const float* low, const float* high);
+    /// The squared distance from a box, at most 16 roundings above the exact one; above the limit any number above it.
+    float (*squared_bound)(const DistantShape& shape, const float* low, const float* high, float limit);
     SegmentDistance (*distance_to)(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
     bool (*is_within_radius)(const UnitSegment& segment, const LatticeTriangle& triangle,
                              const SegmentDistance& distance, float radius) noexcept;

@@ -16,10 +16,36 @@ template <class Boxes>
     }
 }
 
+/// The same as distance_test of one child after the other, no farther than to the axis that takes it out.
+template <class Node>
+inline unsigned distance_test_one_by_one(const Node& node, const RoundedPoint& point, const BlobData& blob, float limit,
+                                         float* distances) {
+    const auto boxes = boxes_of(node, blob);
+    const unsigned count = node.node_children() + node.leaf_children();
+    unsigned mask = 0;
+    for (unsigned child = 0; child < count; ++child) {
+        Floats squared = splat(0.0f);
+        unsigned near = 1;
+        // mutant(< -> <=) sanitizer: reads a fourth coordinate behind three
+        for (int k = 0; k < 3 && near != 0; ++k) {
+            const Floats from = splat(point.steps[k]);
+            Floats gap = subtract(boxes.low(k, child), from);
+            if (at_most(gap, splat(0.0f)) != 0) gap = subtract(from, boxes.high(k, child));
+            if (at_most(gap, splat(0.0f)) != 0) continue;
+            squared = add(multiply(gap, gap), squared);
+            near = at_most(squared, splat(limit));
+        }
+        mask |= near << child;
+        store(distances + child, squared);
+    }
+    return mask;
+}
+
 /// The children whose box is within the limit, and the squared distance of each.
 template <class Node>
 inline unsigned distance_test(const Node& node, const RoundedPoint& point, const BlobData& blob, float limit,
                               float* distances) {
+    if constexpr (lanes == 1) return distance_test_one_by_one(node, point, blob, limit, distances);
     const auto boxes = boxes_of(node, blob);
     unsigned mask = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {

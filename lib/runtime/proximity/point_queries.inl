@@ -4,6 +4,7 @@
 #include <runtime/traversal/find.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
+#include <runtime/proximity/triangle_gap.hpp>
 #endif
 #include <runtime/proximity/point_bounds.inl>
 
@@ -173,7 +174,7 @@ struct PointShape {
         return offer(leaf, slot, triangle, answer);
     }
 
-private:
+protected:
     template <class Leaf>
     Visit offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
         const PointDistance distance = distance_to(point, triangle);
@@ -192,6 +193,39 @@ private:
     }
 };
 
+/// The same for small cores with a float unit, where a bound takes less than a decision: triangles come in the order of
+/// bounds, not in that of a leaf.
+struct BoundedPointShape : PointShape {
+    std::int32_t below[3];  ///< the point's coordinates, rounded down
+    float reach;
+
+    BoundedPointShape(const RoundedPoint& from, const BlobData& of)
+        : PointShape{from, of}, reach(reach_from(of, from.steps)) {
+        for (int k = 0; k < 3; ++k) below[k] = clamp_to_bounds(from.origin[k] >> from.fraction_bits);
+    }
+    /// Of its box, by less than a step along each axis nearer than it is.
+    [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const {
+        const auto& [a, b, c] = triangle.corner;
+        float squared = 0.0f;
+        // mutant(< -> <=) sanitizer: reads a fourth coordinate behind three
+        for (int k = 0; k < 3 && squared <= limit; ++k) {
+            const std::int32_t at = below[k];
+            std::int32_t gap = 0;
+            if (a[k] > at) gap = (a[k] < b[k] ? (a[k] < c[k] ? a[k] : c[k]) : (b[k] < c[k] ? b[k] : c[k])) - 1 - at;
+            else gap = at - (a[k] > b[k] ? (a[k] > c[k] ? a[k] : c[k]) : (b[k] > c[k] ? b[k] : c[k]));
+            if (gap > 0) squared += static_cast<float>(gap) * static_cast<float>(gap);
+        }
+        return squared;
+    }
+    [[nodiscard]] float tighten(const LatticeTriangle& triangle, float bound, float) const {
+        return maximum(squared_gap_to_point(triangle, point.steps, reach), bound);
+    }
+    template <class Leaf>
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float, Answer& answer) const {
+        return offer(leaf, slot, triangle, answer);
+    }
+};
+
 bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy) {
     answer.limit = sphere.limit;
     if constexpr (small_code) {  // one query for every answer by distance
@@ -205,6 +239,11 @@ bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answe
 
 void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy) {
     answer.limit = point.limit;
-    PointShape shape = {point, blob};
-    find_nearest_first(blob, shape, answer, accuracy);
+    if constexpr (small_code && has_square_root) {
+        BoundedPointShape shape(point, blob);
+        find_nearest_first(blob, shape, answer, accuracy);
+    } else {
+        PointShape shape = {point, blob};
+        find_nearest_first(blob, shape, answer, accuracy);
+    }
 }

@@ -43,6 +43,14 @@ template <class Slots, class Decide>
     }
 }
 
+/// Whether triangles come in the order of bounds, one by one: in small code with a float unit.
+inline constexpr bool is_bounded_one_by_one = small_code && has_square_root;
+
+/// In place of a frame where there is none.
+struct NoFrame {
+    explicit NoFrame(const SweepInLanes&) {}
+};
+
 // The shapes. `Memory` is what the decision on one triangle leaves for the next: it saves time and changes no answer.
 
 struct BoxMover {
@@ -50,6 +58,7 @@ struct BoxMover {
     using InLanes = BoxInLanes;
     using Bounds = BoxBounds;
     struct Memory {};
+    using Frame = NoFrame;
 
     static SweepStep contact(const BoxSweep& sweep, const BoxInLanes&, Memory&, const LatticeTriangle& triangle,
                              SweepStep, SweepStep most) {
@@ -62,6 +71,7 @@ struct HullMover {
     using InLanes = HullInLanes;
     using Bounds = HullBounds;
     using Memory = PlaneAhead;
+    using Frame = NoFrame;
 
     static SweepStep contact(const HullSweep& sweep, const HullInLanes&, PlaneAhead& plane,
                              const LatticeTriangle& triangle, SweepStep, SweepStep most) {
@@ -74,6 +84,7 @@ struct CapsuleMover {
     using InLanes = CapsuleInLanes;
     using Bounds = CapsuleBounds;
     struct Memory {};
+    using Frame = std::conditional_t<is_bounded_one_by_one, SweepFrame, NoFrame>;
 
     static SweepStep contact(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes, Memory&,
                              const LatticeTriangle& triangle, SweepStep least, SweepStep most) {
@@ -152,6 +163,7 @@ struct MovingShape {
     const Sweep& sweep;
     const InLanes& in_lanes;
     typename Mover::Memory& memory;
+    const typename Mover::Frame& frame;
 
     [[gnu::always_inline]] unsigned cull(const Node& node, float limit, Keys keys) const {
         return slab_test(node, lanes_, limit, keys);
@@ -175,6 +187,25 @@ struct MovingShape {
     const {
         const float time = time_of(triangle, answer.limit);
         if (time <= answer.limit) offer(leaf, slot, triangle, time, answer);
+        return Visit::next;
+    }
+
+    /// For those of them with a float unit.
+    [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const requires is_bounded_one_by_one {
+        if constexpr (std::is_same_v<typename Mover::Frame, NoFrame>) return time_of(triangle, limit);
+        else return frame.first_contact(triangle, limit);
+    }
+    [[nodiscard]] float tighten(const LatticeTriangle& triangle, float time,
+                                float) const requires is_bounded_one_by_one {
+        if constexpr (has_bounds<Sweep>)
+            if (!in_lanes.is_far) return maximum(tighter(triangle, time), time);
+        return time;
+    }
+    template <class Leaf>
+    requires is_bounded_one_by_one Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle,
+                                                float time, Closest<FoundContact>& answer)
+    const {
+        offer(leaf, slot, triangle, time, answer);
         return Visit::next;
     }
 
@@ -227,10 +258,11 @@ inline FoundContact find_first_contact(const BlobData& blob, const typename Move
     answer.limit = 1.0f;
     const auto shape_in_lanes = in_lanes(blob, sweep);
     typename Mover::Memory memory;
+    const typename Mover::Frame frame(shape_in_lanes);
     with_leaves_of(blob, [&]<class Leaf>() {
         using Node = typename Leaf::Node;
         const auto box_in_lanes = spread_sweep<RayLanesOf<Node>>(blob, sweep);
-        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes, memory};
+        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes, memory, frame};
         find_nearest_first_in<Leaf>(blob, shape, answer);
     });
     return best;

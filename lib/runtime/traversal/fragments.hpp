@@ -7,6 +7,7 @@
 #include <runtime/answers/answer.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/traversal/bounded_triangles.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/leaf_triangles.hpp>
 #include <runtime/traversal/small_boxes.hpp>

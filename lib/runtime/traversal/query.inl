@@ -6,6 +6,11 @@
 //                                                            it is found; returns stop when that does
 //   Visit scan(const Leaf&, SomeAnswer& answer)              the same of all triangles of a leaf, most of which it
 //                                                            rejects together; without decide, or as well
+//   float bound(const LatticeTriangle&, float limit), float tighten(const LatticeTriangle&, float bound, float limit)
+//                                                            optional, for walks to the nearest: lower bounds of keys,
+//                                                            a quick one and a better one. Triangles are then decided
+//                                                            in their order, and decide takes the bound behind the
+//                                                            triangle. Bounds above the limit may be any number above
 //   float farthest(const Node&, unsigned child)              optional: how far the farthest point of a child's box is
 //   bool meets_any(blob, const Node&, unsigned children)     optional: whether it meets one of the boxes, exactly
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
@@ -48,11 +53,24 @@ struct Query {
             if (answer.first != 0 && storage_index(leaf, 0) + leaf.triangle_count() <= answer.first) return Visit::next;
             if constexpr (!is_exact) count_leaf(leaf, approximation.accuracy.counters);
             constexpr bool has_scan = requires { shape.scan(leaf, answer); };
-            constexpr bool has_decide = requires(const LatticeTriangle& triangle) {
+            constexpr bool has_bounds_of_triangles = requires(const LatticeTriangle& triangle) {
+                shape.bound(triangle, answer.limit);
+            };
+            constexpr bool has_decide = has_bounds_of_triangles || requires(const LatticeTriangle& triangle) {
                 shape.decide(leaf, 0u, triangle, answer);
             };
             // Small code decides triangle by triangle.
             if constexpr (has_scan && !(small_code && has_decide)) return shape.scan(leaf, answer);
+            else if constexpr (has_bounds_of_triangles)
+                return decide_by_bounds(
+                    leaf, answer.limit,
+                    [&](const LatticeTriangle& triangle) { return shape.bound(triangle, answer.limit); },
+                    [&](const LatticeTriangle& triangle, float bound) {
+                        return shape.tighten(triangle, bound, answer.limit);
+                    },
+                    [&](unsigned slot, const LatticeTriangle& triangle, float bound) {
+                        return shape.decide(leaf, slot, triangle, bound, answer);
+                    });
             else
                 return for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
                     if (answer.first != 0 && storage_index(leaf, slot) < answer.first) return Visit::next;

@@ -7,6 +7,7 @@
 #include <runtime/answers/answer.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lanes/scalar.hpp>
+#include <runtime/traversal/bounded_triangles.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/leaf_triangles.hpp>
 
@@ -28,6 +29,7 @@ template <class Leaf>
 class AnyVisitor {
 public:
     using Node = typename Leaf::Node;
+    struct CostlyLeaves {};
 
     template <class Visitor>
     explicit AnyVisitor(Visitor& visitor)

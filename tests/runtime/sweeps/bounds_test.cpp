@@ -10,6 +10,7 @@
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/sweeps/queries.hpp>
 #include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/sweeps/sweep_frame.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/random.hpp"
@@ -240,9 +241,8 @@ float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
     return LaterBounds<Bounds>(bounds, lanes, std::max(time - 0x1p-20f, 0.0f))(t);
 }
 
-template <class Bounds, class Sweep>
-void check(const Cases& cases, const Sweep& sweep, Outcome& outcome) {
-    const float time = time_of<Bounds>(detail::in_lanes(cases.blob(), sweep), cases.triangle());
+template <class Sweep>
+void check(const Cases& cases, const Sweep& sweep, float time, Outcome& outcome) {
     const SweepStep step = first_contact(sweep, cases.triangle(), whole_way);
     if (step == no_contact) {
         ++outcome.misses;
@@ -271,7 +271,7 @@ void check(const Cases& cases, const Sweep& sweep, Outcome& outcome) {
 
 TEST_SUITE("bounds") {
     TEST_CASE("sweep: bounds in lanes are never later than the first contact and mostly close to it") {
-        Outcome capsules, boxes, hulls;
+        Outcome capsules, boxes, hulls, frames;
         const std::uint64_t count = scaled_share(200'000);
         for (const unsigned bits : {8u, 16u, 24u}) {
             BakeOptions options;
@@ -280,12 +280,19 @@ TEST_SUITE("bounds") {
             Cases cases(opened, bits, bits);
             for (std::uint64_t i = 0; i < count; ++i) {
                 cases.make_triangle();
-                check<detail::scalar::CapsuleBounds>(cases, cases.capsule(), capsules);
-                check<detail::scalar::BoxBounds>(cases, cases.box(), boxes);
-                check<detail::scalar::HullBounds>(cases, cases.hull(), hulls);
+                const CapsuleSweep capsule = cases.capsule();
+                const auto in_lanes = detail::in_lanes(cases.blob(), capsule);
+                check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(in_lanes, cases.triangle()), capsules);
+                check(cases, capsule, detail::SweepFrame(in_lanes).first_contact(cases.triangle(), 1.0f), frames);
+                const BoxSweep box = cases.box();
+                const auto box_in_lanes = detail::in_lanes(cases.blob(), box);
+                check(cases, box, time_of<detail::scalar::BoxBounds>(box_in_lanes, cases.triangle()), boxes);
+                const detail::HullSweep hull = cases.hull();
+                const auto hull_in_lanes = detail::in_lanes(cases.blob(), hull);
+                check(cases, hull, time_of<detail::scalar::HullBounds>(hull_in_lanes, cases.triangle()), hulls);
             }
         }
-        for (const Outcome& outcome : {capsules, boxes, hulls}) {
+        for (const Outcome& outcome : {capsules, boxes, hulls, frames}) {
             MESSAGE(outcome.hits, " hits, ", outcome.close, " close; ", outcome.misses, " misses, ", outcome.rejected,
                     " rejected");
             if (!asks_enough()) continue;
