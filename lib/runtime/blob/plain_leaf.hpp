@@ -57,6 +57,12 @@ struct PlainLeaf : LeafVertices<PlainNode> {
         return {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
     }
     [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
+        return small_code ? triangle_by_corners(slot) : triangle_of(*this, corners(slot));
+    }
+
+private:
+    /// Places of rows are computed once, not for each coordinate.
+    [[nodiscard]] LatticeTriangle triangle_by_corners(unsigned slot) const {
         LatticeTriangle triangle;
         const std::size_t row_bytes = std::size_t{2} * vertex_count;
         const std::byte* row = corner_row + slot;
@@ -70,8 +76,6 @@ struct PlainLeaf : LeafVertices<PlainNode> {
         if (has_high_bytes()) add_high_bytes(slot, triangle);
         return triangle;
     }
-
-private:
     void add_high_bytes(unsigned slot, LatticeTriangle& triangle) const {
         for (unsigned i = 0; i < 3; ++i) {
             const std::byte* at = high_bytes() + corner(slot, i);

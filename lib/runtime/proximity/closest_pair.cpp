@@ -89,6 +89,22 @@ struct NearShape {
     }
 };
 
+/// The same for triangles as they lie: larger cores take longer to order them than to decide on boxes.
+struct NearInStorageOrder {
+    NearShape near;
+
+    template <class Node>
+    unsigned cull(const Node& node, float limit, float* keys) const {
+        return near.cull(node, limit, keys);
+    }
+    template <class Leaf>
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
+        float bound = near.bound(triangle, answer.limit);
+        if (bound <= answer.limit) bound = near.tighten(triangle, bound, answer.limit);
+        return bound <= answer.limit ? near.decide(leaf, slot, triangle, bound, answer) : Visit::next;
+    }
+};
+
 /// Between two boxes, the one given by its corners.
 float squared_gap(const float* box_low, const float* box_high, const float* low, const float* high) {
     float squared = 0.0f;
@@ -138,6 +154,10 @@ float bound_of_segment(const DistantShape& shape, const float* low, const float*
 void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer) {
     NearShape near = {blob, shape, reach_from(blob, shape.segment.from_steps)};
     answer.limit = shape.radius * shape.radius * distance_slack;
+    if (takes_shortcut(shape.is_box)) {
+        NearInStorageOrder as_they_lie = {near};
+        return scalar_walk::find_nearest_first(blob, as_they_lie, answer);
+    }
     scalar_walk::find_nearest_first(blob, near, answer);
 }
 

@@ -45,7 +45,7 @@ inline unsigned distance_test_one_by_one(const Node& node, const RoundedPoint& p
 template <class Node>
 inline unsigned distance_test(const Node& node, const RoundedPoint& point, const BlobData& blob, float limit,
                               float* distances) {
-    if constexpr (lanes == 1) return distance_test_one_by_one(node, point, blob, limit, distances);
+    if constexpr (small_code) return distance_test_one_by_one(node, point, blob, limit, distances);
     const auto boxes = boxes_of(node, blob);
     unsigned mask = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
