@@ -91,7 +91,7 @@ struct NearShape {
 
 /// The same for triangles as they lie: larger cores take longer to order them than to decide on boxes.
 struct NearInStorageOrder {
-    NearShape near;
+    const NearShape& near;
 
     template <class Node>
     unsigned cull(const Node& node, float limit, float* keys) const {
@@ -104,6 +104,12 @@ struct NearInStorageOrder {
         return bound <= answer.limit ? near.decide(leaf, slot, triangle, bound, answer) : Visit::next;
     }
 };
+
+/// Apart, so that its walk does not lie on the stack together with the other one.
+[[gnu::noinline]] void find_in_storage_order(const BlobData& blob, const NearShape& near, Answer& answer) {
+    NearInStorageOrder as_they_lie = {near};
+    scalar_walk::find_nearest_first(blob, as_they_lie, answer);
+}
 
 /// Between two boxes, the one given by its corners.
 float squared_gap(const float* box_low, const float* box_high, const float* low, const float* high) {
@@ -154,10 +160,7 @@ float bound_of_segment(const DistantShape& shape, const float* low, const float*
 void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer) {
     NearShape near = {blob, shape, reach_from(blob, shape.segment.from_steps)};
     answer.limit = shape.radius * shape.radius * distance_slack;
-    if (takes_shortcut(shape.is_box)) {
-        NearInStorageOrder as_they_lie = {near};
-        return scalar_walk::find_nearest_first(blob, as_they_lie, answer);
-    }
+    if (takes_shortcut(shape.is_box)) return find_in_storage_order(blob, near, answer);
     scalar_walk::find_nearest_first(blob, near, answer);
 }
 
