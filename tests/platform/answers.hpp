@@ -105,6 +105,35 @@ inline void ask_hull_sweeps(const Blob& blob, Questions& questions, std::uint32_
     }
 }
 
+/// The crossings of rays, and the contacts of spheres, capsules and oriented boxes.
+inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    Contact contacts[16];
+    const auto add = [&](const Filled& found) {
+        ++answers.calls;
+        answers.fingerprint.add(found.status);
+        const std::size_t kept = reduce_contacts(found.in(contacts));
+        for (const Contact& contact : std::span<const Contact>(contacts).first(kept)) {
+            answers.fingerprint.add(contact.point);
+            answers.fingerprint.add(contact.normal);
+            answers.fingerprint.add(contact.distance);
+            answers.fingerprint.add(static_cast<std::uint32_t>(contact.feature));
+            answers.fingerprint.add(static_cast<std::uint32_t>(contact.side));
+            add_triangle(answers.fingerprint, blob, contact.triangle);
+        }
+    };
+    for (std::uint32_t number = 0; number < count; ++number) {
+        ++answers.calls;
+        const QueryStatus status = for_each_crossing(
+            blob, questions.ray(number), [&](const RayHit& hit) { add_hit(answers.fingerprint, blob, hit); });
+        answers.fingerprint.add(status);
+        const Sphere sphere = questions.sphere(number);
+        const float margin = number % 3 == 0 ? 0.0f : 0.25f * sphere.radius;
+        add(find_contacts(blob, sphere, margin, contacts));
+        add(find_contacts(blob, questions.capsule(number), margin, contacts));
+        add(find_contacts(blob, questions.oriented_box(number), margin, contacts));
+    }
+}
+
 /// Visits all overlaps. Returns false if the visitor stopped, or the shape is out of range.
 template <class Shape>
 bool saw_all(const Blob& blob, const Shape& shape, TriangleVisitor visit) {
@@ -318,6 +347,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_pairs(blob, blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_in_steps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_hull_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_contacts(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 
