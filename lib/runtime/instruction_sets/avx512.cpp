@@ -1,5 +1,5 @@
-// AVX-512: leaves and plain nodes sixteen lanes at a time. Packed nodes, the ray itself and the nearest pair of two
-// blobs as with AVX2.
+// AVX-512: leaves and plain nodes sixteen lanes at a time, packed nodes and the ray itself as with AVX2. Two blobs have
+// a file of their own.
 #include <runtime/instruction_sets/queries.hpp>
 #if ESPALIER_X86 && defined(__x86_64__)
 #include <runtime/lanes/avx512.hpp>
@@ -24,11 +24,6 @@ using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argume
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/rays/batch/batch.inl>
-#include <runtime/traversal/node_boxes.inl>
-#include <runtime/pairs/search.inl>
-QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept {
-    return search.least == nullptr ? search_touching(frame, search, work) : avx2::search_pairs(frame, search, work);
-}
 #include <runtime/scenes/instance_walk.inl>
 #include <runtime/moving_scenes/box_tree/self_join.inl>
 }  // namespace espalier::detail::avx512
