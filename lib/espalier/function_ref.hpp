@@ -96,9 +96,10 @@ using Visitor = FunctionRef<Visit(Arguments...)>;
 namespace detail {
 
 struct BlobData;
-using CornersAt = Triangle (*)(const BlobData& blob, std::uint32_t index);
-/// Returns the corners of the triangle at a storage index below the count.
-Triangle corners_at(const BlobData& blob, std::uint32_t index) noexcept;
+struct LatticeTriangle;
+using CornersAt = Triangle (*)(const BlobData& blob, std::uint32_t index, const LatticeTriangle* triangle);
+/// Returns the corners of the triangle at a storage index below the count; null: the triangle is searched.
+Triangle corners_at(const BlobData& blob, std::uint32_t index, const LatticeTriangle* triangle) noexcept;
 
 }  // namespace detail
 
@@ -131,16 +132,19 @@ public:
     constexpr Visit operator()(TriangleId triangle, const Triangle& corners) const {
         return takes_corners() ? with_corners_(triangle, corners) : without_corners_(triangle);
     }
-    /// Calls the callable with a triangle whose corners are looked up at a storage index if it takes them.
-    constexpr Visit operator()(TriangleId triangle, const detail::BlobData& blob, std::uint32_t reference) const {
-        return takes_corners() ? look_up_corners(triangle, blob, reference) : without_corners_(triangle);
+    /// Calls the callable with a triangle whose corners are looked up at a storage index if it takes them, or converted
+    /// from those at hand.
+    constexpr Visit operator()(TriangleId triangle, const detail::BlobData& blob, std::uint32_t reference,
+                               const detail::LatticeTriangle* at_hand = nullptr) const {
+        return takes_corners() ? look_up_corners(triangle, blob, reference, at_hand) : without_corners_(triangle);
     }
 
 private:
     /// Has a frame of its own: queries need no room for the corners.
     [[gnu::noinline]] constexpr Visit look_up_corners(TriangleId triangle, const detail::BlobData& blob,
-                                                      std::uint32_t reference) const {
-        return with_corners_(triangle, corners_at_(blob, reference));
+                                                      std::uint32_t reference,
+                                                      const detail::LatticeTriangle* at_hand) const {
+        return with_corners_(triangle, corners_at_(blob, reference, at_hand));
     }
 
     union {

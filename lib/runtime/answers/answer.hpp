@@ -11,7 +11,6 @@
 #include <runtime/answers/found.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/answers/first_reference.hpp>
-#include <runtime/lattice/to_world.hpp>
 
 namespace espalier::detail {
 
@@ -60,7 +59,7 @@ struct Each : Answer {
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
     TriangleVisitor visit;
-    OnTriangle on_triangle;  ///< takes a triangle from the leaf at hand in place of `visit`; null: `visit` takes its id
+    OnTriangle on_triangle;  ///< takes triangles in place of `visit`, if it is not null
     ReachedChildren reached;  ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
@@ -69,7 +68,7 @@ struct Each : Answer {
           blob(from),
           is_first(with_first),
           visit(with_each),
-          on_triangle(with_each.takes_corners() ? visit_corners : nullptr) {}
+          on_triangle(nullptr) {}
     Visit take(const Found& found) {
         if (!comes_here(found)) return Visit::next;
         return keep_place(found, visit(TriangleId{found.index}, blob, found.reference));
@@ -77,9 +76,9 @@ struct Each : Answer {
     /// The same of a triangle whose leaf is at hand: its corners need no search.
     template <class Leaf>
     Visit take(const Found& found, const Leaf& leaf, unsigned slot) {
-        if (on_triangle == nullptr) return take(found);
+        if (on_triangle == nullptr && !visit.takes_corners()) return take(found);
         if (!comes_here(found)) return Visit::next;
-        return keep_place(found, take_triangle(found.index, leaf, slot));
+        return keep_place(found, take_triangle(found, leaf, slot));
     }
 
 private:
@@ -92,11 +91,10 @@ private:
     }
     /// Has a frame of its own: queries need no room for the corners.
     template <class Leaf>
-    [[gnu::noinline]] Visit take_triangle(std::uint32_t index, const Leaf& leaf, unsigned slot) {
-        return on_triangle(*this, index, leaf.triangle(slot));
-    }
-    static Visit visit_corners(Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
-        return self.visit(TriangleId{index}, corners_of(self.blob, triangle));
+    [[gnu::noinline]] Visit take_triangle(const Found& found, const Leaf& leaf, unsigned slot) {
+        const LatticeTriangle triangle = leaf.triangle(slot);
+        if (on_triangle != nullptr) return on_triangle(*this, found.index, triangle);
+        return visit(TriangleId{found.index}, blob, found.reference, &triangle);
     }
 };
 

@@ -74,8 +74,8 @@ unsigned child_holding(const BlobData& blob, std::uint32_t node_index, std::uint
     });
 }
 
-Triangle corners_at(const BlobData& blob, std::uint32_t index) noexcept {
-    return corners_of(blob, find_triangle(blob, index));
+Triangle corners_at(const BlobData& blob, std::uint32_t index, const LatticeTriangle* triangle) noexcept {
+    return triangle != nullptr ? corners_of(blob, *triangle) : corners_of(blob, find_triangle(blob, index));
 }
 
 }  // namespace espalier::detail

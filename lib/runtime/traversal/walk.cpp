@@ -103,7 +103,7 @@ Result<Triangle> triangle_at(const Blob& blob, TriangleId triangle) noexcept {
     Result<Triangle> corners;
     if (detail::data_of(blob).bytes == nullptr) return corners;
     corners.status = triangle.index < blob.triangle_count() ? QueryStatus::ok : QueryStatus::invalid_argument;
-    if (corners) corners.value = detail::corners_at(detail::data_of(blob), triangle.index);
+    if (corners) corners.value = detail::corners_at(detail::data_of(blob), triangle.index, nullptr);
     return corners;
 }
 
