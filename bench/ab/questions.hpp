@@ -26,7 +26,7 @@ std::vector<std::string> question_names();
 QuestionSet make_questions(const std::string& name, const Mesh& mesh,
                            const std::function<bool(const Transform&)>& collides);
 
-/// The floats of one placement, as the kinds `collides` and `minimum_distance` take them.
+/// The floats of one placement, as the kinds of pairs take them.
 std::vector<float> numbers_of(const Transform& pose);
 
 }  // namespace espalier::bench

@@ -59,7 +59,7 @@ struct Each : Answer {
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
     TriangleVisitor visit;
-    OnTriangle on_triangle;  ///< takes triangles in place of `visit`, if it is not null
+    OnTriangle on_triangle;   ///< takes triangles in place of `visit`, if it is not null
     ReachedChildren reached;  ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
