@@ -291,6 +291,23 @@ bool is_late_for(const PlaneAhead& plane, const IntegerTriangle& triangle, Sweep
     return true;
 }
 
+/// Returns the triangle's plane, its normal along the way.
+PlaneAhead plane_of(const MovingHull& hull, const IntegerTriangle& triangle) {
+    PlaneAhead plane;
+    plane.normal = normal_of(triangle);
+    plane.speed = dot<Int128>(plane.normal, hull.displacement);
+    if (plane.speed.is_negative()) {
+        plane.normal = -plane.normal;
+        plane.speed = -plane.speed;
+    }
+    for (unsigned i = 0; i < hull.point_count; ++i) {
+        const Integer3 point = {hull.point[i][0], hull.point[i][1], hull.point[i][2]};
+        const Int128 end = dot<Int128>(plane.normal, point);
+        if (i == 0 || plane.hull_end < end) plane.hull_end = end;
+    }
+    return plane;
+}
+
 }  // namespace
 
 SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most,
@@ -318,7 +335,11 @@ SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle,
     Portal portal(hull, triangle);
     (void)portal.open();
     (void)portal.advance(step);
-    return portal.contact();
+    SweepContact contact = portal.contact();
+    // Where a corner of the hull meets a side, many planes separate: the triangle's is preferred.
+    const PlaneAhead face = plane_of(hull, triangle);
+    if (is_late_for(face, triangle, step)) contact.normal = to_unit(face.normal, -0x1p-30f);
+    return contact;
 }
 
 }  // namespace espalier::detail
