@@ -84,7 +84,7 @@ struct CapsuleMover {
     using InLanes = CapsuleInLanes;
     using Bounds = CapsuleBounds;
     struct Memory {};
-    using Frame = std::conditional_t<is_bounded_one_by_one, SweepFrame, NoFrame>;
+    using Frame = std::conditional_t<is_bounded_one_by_one, SeparatingDirections, NoFrame>;
 
     static SweepStep contact(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes, Memory&,
                              const LatticeTriangle& triangle, SweepStep least, SweepStep most) {

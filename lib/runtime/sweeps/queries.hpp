@@ -7,7 +7,7 @@
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
-#include <runtime/sweeps/sweep_frame.hpp>
+#include <runtime/sweeps/separating_directions.hpp>
 
 #define ESPALIER_DECLARE_SWEEPS(instruction_set)                                                               \
     namespace instruction_set {                                                                                \

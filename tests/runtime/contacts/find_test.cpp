@@ -145,7 +145,7 @@ bool is_inside(const Blob& blob, const Point& middle) {
 
 }  // namespace
 
-TEST_SUITE("contacts") {
+TEST_SUITE("find") {
     TEST_CASE("contact: the contacts of a body are those of the loop over all triangles") {
         const std::uint64_t count = scaled_share(20);
         std::uint64_t decided = 0;

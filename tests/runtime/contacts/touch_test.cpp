@@ -96,7 +96,7 @@ detail::RoundedSegment segment_of(const GridPoint& from, const GridPoint& to) {
 
 }  // namespace
 
-TEST_SUITE("contact kernels") {
+TEST_SUITE("touch") {
     TEST_CASE("contact: a point has the distance and the direction of the reference") {
         Random random(5);
         double worst = 0.0;

@@ -98,7 +98,7 @@ struct Outcome {
 }  // namespace
 
 TEST_SUITE("triangle gap") {
-    TEST_CASE("triangle gap: bounds are never above the exact distance and mostly close to it") {
+    TEST_CASE("kernel: bounds of the gap to a triangle are never above the exact distance and mostly close to it") {
         Outcome points, segments;
         const std::uint64_t count = scaled(200'000);
         for (const unsigned bits : {8u, 16u, 20u}) {

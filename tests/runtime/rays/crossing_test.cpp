@@ -79,7 +79,7 @@ oracle::WholePoint doubled(const GridPoint& point) { return {2 * point[0], 2 * p
 
 }  // namespace
 
-TEST_SUITE("crossings") {
+TEST_SUITE("crossing") {
     TEST_CASE("kernel: a hit is a crossing exactly where the moved ray hits in exact arithmetic") {
         std::uint64_t decided = 0, borders = 0, kept = 0;
         Random random(31);

@@ -35,7 +35,7 @@ void check_nearest(Exercise& run, const ClosestPoint& nearest) {
 template <class Shape>
 void check_contacts(Exercise& run, const Shape& shape, float margin) {
     std::array<Contact, 12> contacts;
-    const Filled found = find_contacts(run.blob, shape, margin, contacts);
+    const Filled found = find_contacts(run.blob.for_contacts(), shape, margin, contacts);
     run.hash.add(static_cast<std::uint32_t>(found.status));
     run.verdict.require(found.count <= contacts.size(), "there are more contacts than places");
     for (std::size_t i = 0; i < found.count; ++i) {

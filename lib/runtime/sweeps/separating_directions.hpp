@@ -9,9 +9,9 @@ namespace espalier::detail {
 /// What a capsule sweeps is a parallelogram grown by the radius. Three directions across it separate it from most
 /// triangles, or tell when they no longer do: its normal, and in its plane across the way and across the axis. Any
 /// directions are right; where way and axis are parallel, others take their place.
-class SweepFrame {
+class SeparatingDirections {
 public:
-    explicit SweepFrame(const CapsuleInLanes& capsule) {
+    explicit SeparatingDirections(const CapsuleInLanes& capsule) {
         float way[3], axis[3], normal[3];
         const bool moves = to_unit_length(capsule.way, way), is_long = to_unit_length(capsule.axis, axis);
         const float* const along = moves ? way : axis;
