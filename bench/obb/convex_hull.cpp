@@ -37,7 +37,7 @@ struct Lattice {
 
 /// A triangle of the hull so far, and the points outside of it that have not been looked at.
 struct Face {
-    ConvexHull::Triangle corners{};
+    HullMesh::Triangle corners{};
     std::array<Index, 3> beyond{};  ///< beyond[k]: the face that shares the edge from corner k to the next
     Point normal{};                 ///< of length 1
     double height = 0.0;
@@ -119,7 +119,7 @@ private:
         for (Index i = 0; i < all.size(); ++i) all[i] = i;
         distribute(all, 0);
     }
-    void add_face(const ConvexHull::Triangle& corners, const std::array<Index, 3>& beyond) {
+    void add_face(const HullMesh::Triangle& corners, const std::array<Index, 3>& beyond) {
         Face face;
         face.corners = corners;
         face.beyond = beyond;
@@ -223,7 +223,7 @@ private:
 };
 
 /// Returns the hull of points in the plane of three of them.
-ConvexHull flat_hull(std::span<const Point> points, const std::array<Index, 4>& corners) {
+HullMesh flat_hull(std::span<const Point> points, const std::array<Index, 4>& corners) {
     const Point& origin = points[corners[0]];
     const Point side = points[corners[1]] - origin;
     const Point along = (1.0 / length_of(side)) * side;
@@ -234,7 +234,7 @@ ConvexHull flat_hull(std::span<const Point> points, const std::array<Index, 4>& 
     for (Index i = 0; i < points.size(); ++i)
         in_plane.push_back({dot(along, points[i] - origin), dot(up, points[i] - origin), i});
     reduce_to_polygon(in_plane);
-    ConvexHull hull;
+    HullMesh hull;
     hull.dimension = 2;
     for (const PlanePoint& p : in_plane) hull.vertices.push_back(points[p.number]);
     for (Index i = 2; i < hull.vertices.size(); ++i) hull.triangles.push_back({0, i - 1, i});
@@ -243,8 +243,8 @@ ConvexHull flat_hull(std::span<const Point> points, const std::array<Index, 4>& 
 
 }  // namespace
 
-ConvexHull convex_hull_of(std::span<const Point> points, double flat_share) {
-    ConvexHull hull;
+HullMesh convex_hull_of(std::span<const Point> points, double flat_share) {
+    HullMesh hull;
     const Lattice lattice(points);
     if (lattice.points.empty()) {
         hull.vertices = {points.front()};
@@ -259,7 +259,7 @@ ConvexHull convex_hull_of(std::span<const Point> points, double flat_share) {
     std::vector<Index> number(points.size(), none);
     for (const Face& face : quickhull.faces()) {
         if (face.is_gone) continue;
-        ConvexHull::Triangle& triangle = hull.triangles.emplace_back();
+        HullMesh::Triangle& triangle = hull.triangles.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             Index& vertex = number[face.corners[k]];
             if (vertex == none) {

@@ -13,7 +13,7 @@ namespace espalier::bench {
 /// What float rounds off, as a share of the largest side of the points' box.
 inline constexpr double float_rounding_share = 0x1p-23;
 
-struct ConvexHull {
+struct HullMesh {
     using Triangle = std::array<std::uint32_t, 3>;
 
     /// 3; 2: all points are in one plane; 1: on one line; 0: at one place.
@@ -29,6 +29,6 @@ struct ConvexHull {
 ///
 /// Points are rounded to a lattice of 2^40 steps along that side, on which the side of a plane that a point is on is
 /// exact. So the surface is closed and convex, whatever the points are. `flat_share` is 2^-36 or more.
-[[nodiscard]] ConvexHull convex_hull_of(std::span<const Point> points, double flat_share = float_rounding_share);
+[[nodiscard]] HullMesh convex_hull_of(std::span<const Point> points, double flat_share = float_rounding_share);
 
 }  // namespace espalier::bench

@@ -99,7 +99,7 @@ BoxAxes axes_of_vertices(std::span<const Point> points) {
     return axes_of(covariance.of(points.size()));
 }
 
-BoxAxes axes_of_surface(const ConvexHull& hull) {
+BoxAxes axes_of_surface(const HullMesh& hull) {
     const Point& origin = hull.vertices.front();
     SurfaceMoments moments;
     for (const auto& [a, b, c] : hull.triangles)

@@ -34,6 +34,6 @@ using BoxAxes = std::array<Point, 3>;
 
 [[nodiscard]] BoxAxes axes_of_vertices(std::span<const Point> points);
 /// Returns the axes of the surface, or of the vertices where that has no area.
-[[nodiscard]] BoxAxes axes_of_surface(const ConvexHull& hull);
+[[nodiscard]] BoxAxes axes_of_surface(const HullMesh& hull);
 
 }  // namespace espalier::bench

@@ -87,10 +87,10 @@ double size_of(std::span<const Point> points) {
 }
 
 /// Checks that each edge has two triangles, in opposite directions, and that no point is outside.
-void check_closed_and_convex(const ConvexHull& hull, std::span<const Point> points) {
+void check_closed_and_convex(const HullMesh& hull, std::span<const Point> points) {
     REQUIRE(hull.dimension == 3);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (const ConvexHull::Triangle& t : hull.triangles)
+    for (const HullMesh::Triangle& t : hull.triangles)
         for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
     std::size_t unpaired = 0;
     for (const auto& [edge, count] : edges)
@@ -125,7 +125,7 @@ TEST_CASE("bench: a convex hull is closed and has no point outside") {
           tests::make_needle_fan(100), tests::make_slivers(200, 3), tests::make_coplanar_stacks(200, 4)}) {
         CAPTURE(mesh.name);
         const std::vector<Point> points = points_of(mesh);
-        const ConvexHull hull = convex_hull_of(points);
+        const HullMesh hull = convex_hull_of(points);
         if (hull.dimension == 3) check_closed_and_convex(hull, points);
     }
     for (int i = 0; i < 100; ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("bench: the convex hull of a grid of points in a cube has its volume")
     for (int x = 0; x <= 8; ++x)
         for (int y = 0; y <= 8; ++y)
             for (int z = 0; z <= 8; ++z) grid.push_back({x / 8.0, y / 8.0, z / 8.0});
-    const ConvexHull hull = convex_hull_of(grid);
+    const HullMesh hull = convex_hull_of(grid);
     check_closed_and_convex(hull, grid);
     double volume = 0.0;
     for (const auto& [a, b, c] : hull.triangles)
@@ -154,7 +154,7 @@ TEST_CASE("bench: the convex hull of points in a plane or on a line or at one pl
         for (unsigned dimension = 3; dimension-- > 0;) {
             box.half[dimension] = 0.0;
             const std::vector<Point> points = points_of(box, 50, random);
-            const ConvexHull hull = convex_hull_of(points);
+            const HullMesh hull = convex_hull_of(points);
             REQUIRE(hull.dimension <= dimension);
             if (box.half[0] > 0.0) CHECK(hull.dimension == dimension);
             for (const BoxFit fit : fits_of_hull) {

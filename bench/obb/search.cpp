@@ -25,7 +25,7 @@ struct Candidate {
 class Search {
 public:
     /// A flat hull has no volume, so there the area is what is least.
-    Search(const ConvexHull& hull, BoxMeasure measure)
+    Search(const HullMesh& hull, BoxMeasure measure)
         : vertices_(hull.vertices), measure_(hull.dimension < 3 ? BoxMeasure::area : measure) {
         const Point origin = vertices_.front();  // so that numbers are as small as the body
         for (Point& p : vertices_) p = p - origin;
@@ -122,7 +122,7 @@ private:
 };
 
 /// Returns the least box with a side on a face, or the only choice where the hull has no volume.
-Candidate flush(const ConvexHull& hull, Search& search) {
+Candidate flush(const HullMesh& hull, Search& search) {
     if (hull.dimension == 0) return {Block{}.axes, 0.0};
     if (hull.dimension == 1)
         return search.least_along(perpendicular_to(unit_along(hull.vertices[1] - hull.vertices[0])));
@@ -143,12 +143,12 @@ Candidate flush(const ConvexHull& hull, Search& search) {
 
 }  // namespace
 
-BoxAxes flush_axes(const ConvexHull& hull, BoxMeasure measure) {
+BoxAxes flush_axes(const HullMesh& hull, BoxMeasure measure) {
     Search search(hull, measure);
     return flush(hull, search).axes;
 }
 
-BoxAxes search_axes(const ConvexHull& hull, BoxMeasure measure) {
+BoxAxes search_axes(const HullMesh& hull, BoxMeasure measure) {
     Search search(hull, measure);
     Candidate best = flush(hull, search);
     if (hull.dimension < 3) return best.axes;

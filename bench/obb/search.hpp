@@ -17,7 +17,7 @@ namespace espalier::bench {
 /// What is least.
 enum class BoxMeasure : std::uint8_t { volume, area };
 
-[[nodiscard]] BoxAxes flush_axes(const ConvexHull& hull, BoxMeasure measure);
-[[nodiscard]] BoxAxes search_axes(const ConvexHull& hull, BoxMeasure measure);
+[[nodiscard]] BoxAxes flush_axes(const HullMesh& hull, BoxMeasure measure);
+[[nodiscard]] BoxAxes search_axes(const HullMesh& hull, BoxMeasure measure);
 
 }  // namespace espalier::bench
