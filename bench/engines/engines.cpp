@@ -8,6 +8,9 @@ Drop drop_in_bullet(const tests::Mesh& mesh, const Blob& blob);
 #if defined(ESPALIER_BENCH_ODE)
 Drop drop_in_ode(const tests::Mesh& mesh, const Blob& blob);
 #endif
+#if defined(ESPALIER_BENCH_JOLT)
+Drop drop_in_jolt(const tests::Mesh& mesh, const Blob& blob);
+#endif
 
 std::vector<Engine> engines() {
     return {
@@ -16,6 +19,9 @@ std::vector<Engine> engines() {
 #endif
 #if defined(ESPALIER_BENCH_ODE)
             {"ODE", drop_in_ode},
+#endif
+#if defined(ESPALIER_BENCH_JOLT)
+            {"Jolt", drop_in_jolt},
 #endif
     };
 }
