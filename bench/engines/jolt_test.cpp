@@ -1,0 +1,192 @@
+// Compares the adapter for Jolt with Jolt's own mesh shape: the same rays, shapes, casts, points and triangles. Both
+// round corners to a grid of their own, so answers agree within a tolerance and rarely differ at edges.
+#include <doctest/doctest.h>
+
+#include <Jolt/Jolt.h>
+#include <Jolt/Core/Factory.h>
+#include <Jolt/Physics/Collision/CastResult.h>
+#include <Jolt/Physics/Collision/CollidePointResult.h>
+#include <Jolt/Physics/Collision/CollisionCollectorImpl.h>
+#include <Jolt/Physics/Collision/CollisionDispatch.h>
+#include <Jolt/Physics/Collision/RayCast.h>
+#include <Jolt/Physics/Collision/Shape/BoxShape.h>
+#include <Jolt/Physics/Collision/Shape/MeshShape.h>
+#include <Jolt/Physics/Collision/Shape/SphereShape.h>
+#include <Jolt/Physics/Collision/ShapeCast.h>
+#include <Jolt/RegisterTypes.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <engines/jolt_shape.hpp>
+#include <espalier/bake.hpp>
+
+#include "support/base/random.hpp"
+#include "support/meshes/level_maker.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+
+namespace {
+
+/// A mesh as both shapes.
+struct Pair {
+    std::vector<std::byte> bytes;
+    JPH::Ref<JPH::Shape> own, ours;
+    Box bounds;
+
+    explicit Pair(const tests::Mesh& mesh) {
+        static const bool started = [] {
+            JPH::RegisterDefaultAllocator();
+            JPH::Factory::sInstance = new JPH::Factory();
+            JPH::RegisterTypes();
+            EspalierShape::register_type();
+            return true;
+        }();
+        (void)started;
+        BakeOptions options;
+        options.flat_angle = 5.0;
+        options.resolution = Resolution::bits(20);
+        const MeshView view = mesh.view();
+        bytes = bake(std::span(&view, 1), options).bytes;
+        const Blob blob = open(bytes);
+        REQUIRE(blob);
+        bounds = blob.bounds();
+        ours = new EspalierShape(blob);
+        JPH::VertexList vertices;
+        JPH::IndexedTriangleList triangles;
+        for (const Vec3& p : mesh.positions) vertices.push_back({p.x, p.y, p.z});
+        for (const auto& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2], 0});
+        own = JPH::MeshShapeSettings(std::move(vertices), std::move(triangles)).Create().Get();
+    }
+    [[nodiscard]] JPH::Vec3 somewhere(tests::Random& random) const {
+        const auto between = [&](float a, float b) { return a + random.unit() * (b - a); };
+        return {between(bounds.min.x, bounds.max.x), between(bounds.min.y, bounds.max.y),
+                between(bounds.min.z, bounds.max.z)};
+    }
+};
+
+const JPH::SubShapeIDCreator no_id;
+const JPH::Vec3 scales[] = {{1.0f, 1.0f, 1.0f}, {2.0f, 2.0f, 2.0f}, {1.0f, 0.5f, 2.0f}, {-1.0f, 1.0f, 1.0f}};
+
+struct Agreement {
+    unsigned both = 0, differ = 0, neither = 0;
+
+    void add(bool own, bool ours, bool same) {
+        if (!own && !ours) ++neither;
+        else if (own && ours && same) ++both;
+        else ++differ;
+    }
+    void check(unsigned least_hits) const {
+        MESSAGE(both, " agree, ", differ, " differ, ", neither, " miss");
+        CHECK(both > least_hits);
+        CHECK(differ <= 2 + (both + neither) / 200);
+    }
+};
+
+}  // namespace
+
+TEST_SUITE("jolt") {
+    TEST_CASE("engine: rays and points in Jolt agree with its own mesh") {
+        const Pair pair(tests::make_icosphere(4, 1.0, {}));
+        tests::Random random(1);
+        Agreement rays, insides;
+        for (unsigned i = 0; i < 4000; ++i) {
+            const JPH::RayCast ray(2.0f * pair.somewhere(random), 2.0f * pair.somewhere(random));
+            JPH::RayCastResult own, ours;
+            const bool own_hits = pair.own->CastRay(ray, no_id, own), our_hits = pair.ours->CastRay(ray, no_id, ours);
+            rays.add(own_hits, our_hits, std::fabs(own.mFraction - ours.mFraction) < 1e-3f);
+            if (own_hits && our_hits) {
+                const JPH::Vec3 at = ray.GetPointOnRay(ours.mFraction);
+                CHECK(pair.ours->GetSurfaceNormal(ours.mSubShapeID2, at).Dot(at) > 0.0f);
+            }
+            JPH::AllHitCollisionCollector<JPH::CastRayCollector> own_all, our_all;
+            JPH::RayCastSettings settings;
+            settings.SetBackFaceMode(i % 2 == 0 ? JPH::EBackFaceMode::CollideWithBackFaces
+                                                : JPH::EBackFaceMode::IgnoreBackFaces);
+            pair.own->CastRay(ray, settings, no_id, own_all);
+            pair.ours->CastRay(ray, settings, no_id, our_all);
+            rays.add(!own_all.mHits.empty(), !our_all.mHits.empty(), own_all.mHits.size() == our_all.mHits.size());
+            JPH::AnyHitCollisionCollector<JPH::CollidePointCollector> own_inside, our_inside;
+            const JPH::Vec3 point = 1.2f * pair.somewhere(random);
+            pair.own->CollidePoint(point, no_id, own_inside);
+            pair.ours->CollidePoint(point, no_id, our_inside);
+            insides.add(own_inside.HadHit(), our_inside.HadHit(), true);
+        }
+        rays.check(500);
+        insides.check(1000);
+    }
+
+    TEST_CASE("engine: shapes and their casts in Jolt agree with its own mesh") {
+        const Pair pair(tests::make_level(4000, 3));
+        tests::Random random(2);
+        Agreement touching, casts;
+        for (unsigned i = 0; i < 4000; ++i) {
+            const JPH::Vec3 scale = scales[i / 2 % std::size(scales)];
+            const JPH::Ref<JPH::Shape> body = i % 2 == 0 ? static_cast<JPH::Shape*>(new JPH::SphereShape(0.5f))
+                                                         : new JPH::BoxShape({0.5f, 0.4f, 0.3f});
+            const JPH::Mat44 place = JPH::Mat44::sTranslation(scale * pair.somewhere(random));
+            JPH::CollideShapeSettings settings;
+            settings.mMaxSeparationDistance = 0.1f;
+            JPH::AllHitCollisionCollector<JPH::CollideShapeCollector> own, ours;
+            const auto collide = [&](const JPH::Shape* mesh, JPH::CollideShapeCollector& collector) {
+                JPH::CollisionDispatch::sCollideShapeVsShape(body, mesh, JPH::Vec3::sOne(), scale, place,
+                                                             JPH::Mat44::sIdentity(), no_id, no_id, settings,
+                                                             collector);
+            };
+            collide(pair.own, own);
+            collide(pair.ours, ours);
+            const auto depth = [](const auto& collector) {
+                float sum = 0.0f;
+                for (const JPH::CollideShapeResult& hit : collector.mHits) sum = std::max(sum, hit.mPenetrationDepth);
+                return sum;
+            };
+            touching.add(!own.mHits.empty(), !ours.mHits.empty(), std::fabs(depth(own) - depth(ours)) < 1e-2f);
+
+            const JPH::Vec3 way = 3.0f * JPH::Vec3(random.unit() - 0.5f, random.unit() - 0.5f, -random.unit());
+            const JPH::ShapeCast cast(body, JPH::Vec3::sOne(), place, way);
+            JPH::ClosestHitCollisionCollector<JPH::CastShapeCollector> own_first, our_first;
+            const JPH::ShapeCastSettings cast_settings;
+            const auto sweep = [&](const JPH::Shape* mesh, JPH::CastShapeCollector& collector) {
+                JPH::CollisionDispatch::sCastShapeVsShapeLocalSpace(cast, cast_settings, mesh, scale, {},
+                                                                    JPH::Mat44::sIdentity(), no_id, no_id, collector);
+            };
+            sweep(pair.own, own_first);
+            sweep(pair.ours, our_first);
+            casts.add(own_first.HadHit(), our_first.HadHit(),
+                      own_first.HadHit() && std::fabs(own_first.mHit.mFraction - our_first.mHit.mFraction) < 1e-2f);
+        }
+        touching.check(500);
+        casts.check(500);
+    }
+
+    TEST_CASE("engine: the list of triangles in Jolt covers the same area") {
+        const Pair pair(tests::make_level(4000, 3));
+        for (const JPH::Vec3& scale : scales) {
+            const JPH::Quat turn = JPH::Quat::sRotation(JPH::Vec3::sAxisY(), 0.3f);
+            const JPH::Vec3 place(1.0f, 2.0f, 3.0f);
+            const auto area = [&](const JPH::Shape* mesh) {
+                JPH::AABox everything(JPH::Vec3::sReplicate(-1e4f), JPH::Vec3::sReplicate(1e4f));
+                JPH::Shape::GetTrianglesContext context;
+                mesh->GetTrianglesStart(context, everything, place, turn, scale);
+                double sum = 0.0, flux = 0.0;
+                JPH::Float3 vertices[3 * 100];
+                const JPH::PhysicsMaterial* materials[100];
+                for (int count = 1; count != 0;) {
+                    count = mesh->GetTrianglesNext(context, 100, vertices, materials);
+                    for (int i = 0; i < count; ++i) {
+                        const JPH::Vec3 a(vertices[3 * i]), b(vertices[3 * i + 1]), c(vertices[3 * i + 2]);
+                        sum += static_cast<double>((b - a).Cross(c - a).Length());
+                        flux += static_cast<double>((b - a).Cross(c - a).Dot({0.3f, 0.5f, 0.8f}));
+                    }
+                }
+                return std::pair(sum, flux);
+            };
+            const auto [own, own_flux] = area(pair.own);
+            const auto [ours, our_flux] = area(pair.ours);
+            CHECK(ours == doctest::Approx(own).epsilon(1e-4));
+            CHECK(our_flux == doctest::Approx(own_flux).epsilon(1e-3));
+        }
+    }
+}
