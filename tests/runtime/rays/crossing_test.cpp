@@ -190,8 +190,10 @@ TEST_SUITE("crossing") {
                 REQUIRE(left_less_entered(crossings) == static_cast<int>(std::lround(oracle::winding(surface, point))));
             }
         }
-        CHECK(asked > 10 * count);
-        CHECK(ties > asked / 10);
+        if (asks_enough()) {
+            CHECK(asked > 10 * count);
+            CHECK(ties > asked / 10);
+        }
         MESSAGE(asked, " rays, ", ties, " of them through an edge or a vertex");
     }
 
