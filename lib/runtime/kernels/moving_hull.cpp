@@ -181,6 +181,12 @@ public:
     [[nodiscard]] PlaneAhead plane() const {
         return {normal_, dot<Int128>(normal_, differences_.lowest_corner(normal_)) - bound_, speed_};
     }
+    /// Whether the hull reaches the triangle's own plane at the time of the contact, exactly, and so not before.
+    [[nodiscard]] bool is_reached_with(const PlaneAhead& face, const IntegerTriangle& triangle) const {
+        const Int128 gap = dot<Int128>(face.normal, triangle.corner[0]) - face.hull_end;
+        if (!(Int128(0) < gap) || !(Int128(0) < level_)) return false;
+        return compare_scaled(Unsigned256::product(gap, speed_), Unsigned256::product(level_, face.speed), 0) == 0;
+    }
     [[nodiscard]] SweepContact contact() const {
         Int128 weight[3] = {0, 0, 0};
         for (unsigned i = 0; i < 3; ++i) {
@@ -338,7 +344,7 @@ SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle,
     SweepContact contact = portal.contact();
     // Where a corner of the hull meets a side, many planes separate: the triangle's is preferred.
     const PlaneAhead face = plane_of(hull, triangle);
-    if (is_late_for(face, triangle, step)) contact.normal = to_unit(face.normal, -0x1p-30f);
+    if (portal.is_reached_with(face, triangle)) contact.normal = to_unit(face.normal, -0x1p-30f);
     return contact;
 }
 

@@ -1,6 +1,7 @@
 // The kernel of convex hulls that move: the tick of the first contact, exactly, and the contact itself, against the
 // oracle, which tries all triangles of differences.
 #include <doctest/doctest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -176,6 +177,7 @@ TEST_SUITE("moving hull") {
         std::uint64_t decided = 0;
         Random random(6);
         std::array<std::uint64_t, 3> seen{};
+        std::uint64_t landings = 0;
         const std::uint64_t count = scaled(1'500);
         for (std::uint64_t i = 0; i < count; ++i) {
             const Case<MovingHull> c = some_hull(random);
@@ -218,6 +220,23 @@ TEST_SUITE("moving hull") {
             }
             REQUIRE(*of_hull >= *of_triangle - size * Rational::of(1, -20));
 
+            // Where the hull lands on the triangle's own plane, the normal is that plane's.
+            const Point corner = exact(c.triangle.corner[0]);
+            Point face = (exact(c.triangle.corner[1]) - corner).cross(exact(c.triangle.corner[2]) - corner);
+            if (face.dot(way).sign() > 0) face = face * Rational(-1);
+            if (face.dot(way).sign() != 0) {
+                std::optional<Rational> gap;
+                for (unsigned p = 0; p < c.moving.point_count; ++p) {
+                    const Rational at = face.dot(exact(point_of(c.moving, p)) + moved - corner);
+                    gap = gap ? std::min(*gap, at) : at;
+                }
+                if (gap->sign() == 0) {
+                    const Point off = normal.cross(face);
+                    REQUIRE(off.dot(off) <= face.dot(face) * Rational::of(1, -40));
+                    ++landings;
+                }
+            }
+
             // The point lies on the triangle, and in the hull: between its ends along any axis.
             REQUIRE(contact.u >= 0.0f);
             REQUIRE(contact.v >= 0.0f);
@@ -239,7 +258,8 @@ TEST_SUITE("moving hull") {
             }
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
-        MESSAGE(decisions_made("hull that moves", decided));
+        CHECK(landings > count / 20);
+        MESSAGE(decisions_made("hull that moves", decided), ", ", landings, " on the triangle's plane");
     }
 
     TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at the tick of the oracle") {

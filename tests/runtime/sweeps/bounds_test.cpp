@@ -283,7 +283,8 @@ TEST_SUITE("bounds") {
                 const CapsuleSweep capsule = cases.capsule();
                 const auto in_lanes = detail::in_lanes(cases.blob(), capsule);
                 check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(in_lanes, cases.triangle()), capsules);
-                check(cases, capsule, detail::SeparatingDirections(in_lanes).first_contact(cases.triangle(), 1.0f), frames);
+                check(cases, capsule, detail::SeparatingDirections(in_lanes).first_contact(cases.triangle(), 1.0f),
+                      frames);
                 const BoxSweep box = cases.box();
                 const auto box_in_lanes = detail::in_lanes(cases.blob(), box);
                 check(cases, box, time_of<detail::scalar::BoxBounds>(box_in_lanes, cases.triangle()), boxes);

@@ -35,8 +35,8 @@ public:
         const std::uint64_t duplicates = blob_.duplicate_reference_count();
         return for_walks(1 + other_walks + duplicates, duplicates);
     }
-    /// For contacts: whether the middle is inside, the closest point of it, then a list. Small code searches the leaf of
-    /// each triangle of the list.
+    /// For contacts: whether the middle is inside, the closest point of it, then a list. Small code searches the leaf
+    /// of each triangle of the list.
     [[nodiscard]] const Blob& for_contacts() const {
         const std::uint64_t duplicates = blob_.duplicate_reference_count();
         return for_walks(3 + 2 * duplicates, 2 * duplicates + (detail::small_code ? blob_.triangle_count() : 0));
