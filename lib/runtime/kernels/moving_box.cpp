@@ -11,20 +11,26 @@ namespace {
 struct Share {
     Int128 numerator;
     Int128 denominator;
-    float value;  ///< within 3 roundings
+    float top, bottom;  ///< both times one power of two, rounded once
 };
 
-ESPALIER_SHARED_CODE Share share(Argument<Int128> numerator, Argument<Int128> denominator) {
-    return {numerator, denominator, to_float(numerator) / to_float(denominator)};
+template <class Number>
+ESPALIER_SHARED_CODE Share share(Argument<Number> numerator, Argument<Number> denominator) {
+    // Products of two, also of the normal's, which have up to 92 bits, stay within float32.
+    constexpr float scale = sizeof(Number) > 8 ? 0x1p-32f : 1.0f;
+    return {numerator, denominator, to_float(numerator) * scale, to_float(denominator) * scale};
 }
 bool is_narrow(Argument<Int128> a) { return a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0); }
 bool is_narrow(const Share& a) { return is_narrow(a.numerator) && is_narrow(a.denominator); }
 
+/// Covers three roundings on each side of a comparison.
+constexpr float more = 1.0f + 0x1p-20f;
+
 /// Exactly. Floats tell most often; but equal ones are no exception, as several axes often tell the same.
 ESPALIER_SHARED_CODE bool is_less(const Share& a, const Share& b) {
-    constexpr float slack = 1.0f + 0x1p-20f;
-    if (a.value * slack < b.value) return true;
-    if (b.value * slack < a.value) return false;
+    const float left = a.top * b.bottom, right = b.top * a.bottom;
+    if (left * more < right) return true;
+    if (right * more < left) return false;
     if (takes_shortcut() && is_narrow(a) && is_narrow(b)) {
         const auto word = [](const Int128& x) { return static_cast<std::int64_t>(x.low); };
         return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
@@ -44,10 +50,7 @@ struct Extents {
 class Together {
 public:
     /// Later than at that step is never.
-    explicit Together(SweepStep most)
-        : most_(most),
-          surely_before_(share_of_way(most) * (1.0f - 0x1p-20f)),
-          surely_after_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
+    explicit Together(SweepStep most) : most_(most) {}
 
     /// False when there is no such time.
     template <class Number>
@@ -62,21 +65,23 @@ public:
         const Number speed = negate_if(way, runs_down);
         const Number to_enter = runs_down ? box_low - high : low - box_high;
         const Number to_leave = runs_down ? box_high - low : high - box_low;
+        bool is_shorter = false;
         if (is_apart) {
             if (speed < to_enter) return false;
-            const Share when = share(to_enter, speed);
+            const Share when = share<Number>(to_enter, speed);
             if (is_too_late(when)) return false;
-            enter(axis, when);
+            is_shorter = enter(axis, when);
         }
-        if (to_leave < speed) leave(share(to_leave, speed));  // else it is together until the end of the way
-        return !has_enter_ || !has_leave_ || !is_less(leave_, enter_);
+        if (to_leave < speed)  // else it is together until the end of the way
+            is_shorter = leave(share<Number>(to_leave, speed)) || is_shorter;
+        return !is_shorter || !has_enter_ || !has_leave_ || !is_less(leave_, enter_);
     }
 
     [[nodiscard]] unsigned last_axis() const { return last_axis_; }
     /// The first tick at or after the first contact.
     [[nodiscard]] SweepStep step() const {
         if (!has_enter_) return 0;
-        auto ticks = to_integer(enter_.value * 0x1p24f);
+        auto ticks = to_integer(enter_.top / enter_.bottom * 0x1p24f);
         const Int128 whole = enter_.numerator << tick_bits;
         const auto is_reached = [&](std::int64_t tick) { return !(multiply(enter_.denominator, tick) < whole); };
         while (is_reached(ticks - 1)) --ticks;
@@ -87,24 +92,25 @@ public:
 private:
     /// Whether it is after the last step that counts.
     [[nodiscard]] bool is_too_late(const Share& when) const {
-        if (when.value < surely_before_) return false;
-        return when.value > surely_after_ || multiply(when.denominator, std::int64_t{most_}) < when.numerator
-                                                                                                   << tick_bits;
+        const float limit = share_of_way(most_) * when.bottom;
+        if (when.top * more < limit) return false;
+        return limit * more < when.top || multiply(when.denominator, std::int64_t{most_}) < when.numerator << tick_bits;
     }
-    void enter(unsigned axis, const Share& when) {
-        if (has_enter_ && !is_less(enter_, when)) return;
+    /// Whether this is the last to enter so far.
+    bool enter(unsigned axis, const Share& when) {
+        if (has_enter_ && !is_less(enter_, when)) return false;
         enter_ = when;
         last_axis_ = axis;
-        has_enter_ = true;
+        return has_enter_ = true;
     }
-    void leave(const Share& when) {
-        if (has_leave_ && !is_less(when, leave_)) return;
+    /// Whether this is the first to leave so far.
+    bool leave(const Share& when) {
+        if (has_leave_ && !is_less(when, leave_)) return false;
         leave_ = when;
-        has_leave_ = true;
+        return has_leave_ = true;
     }
 
     SweepStep most_;
-    float surely_before_, surely_after_;
     bool has_enter_ = false;
     bool has_leave_ = false;
     unsigned last_axis_ = 0;
@@ -122,24 +128,50 @@ Integer3 axis_of(const IntegerTriangle& triangle, unsigned axis) {
     return cross(unit, triangle.corner[(side + 1) % 3] - triangle.corner[side]);
 }
 
-/// The normal in 128 bits, the other axes in narrow numbers.
-template <class Number>
-ESPALIER_SHARED_CODE bool try_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned number,
-                                   Together& together) {
-    const auto& c = triangle.corner;
-    const Integer3 axis = axis_of(triangle, number);
+bool try_normal(const MovingBox& box, const IntegerTriangle& triangle, Together& together) {
+    const Integer3 axis = normal_of(triangle);
     const auto pick = [&](const Integer3& where_up, const Integer3& where_down) {
         return Integer3{axis.x < 0 ? where_down.x : where_up.x, axis.y < 0 ? where_down.y : where_up.y,
                         axis.z < 0 ? where_down.z : where_up.z};
     };
-    // A side is perpendicular to its products: its two corners are at the same place.
-    const unsigned side = number == 3 ? 0 : (number - 4) / 3;
-    const Number first = dot<Number>(axis, c[side]);
-    const Number second = number == 3 ? first : dot<Number>(axis, c[(side + 2) % 3]);
-    const bool is_up = first < second;
-    return together.try_axis<Number>(
-        number, {dot<Number>(axis, pick(box.low, box.high)), dot<Number>(axis, pick(box.high, box.low)),
-                 is_up ? first : second, is_up ? second : first, dot<Number>(axis, box.displacement)});
+    const auto level = dot<Int128>(axis, triangle.corner[0]);
+    return together.try_axis<Int128>(
+        3, {dot<Int128>(axis, pick(box.low, box.high)), dot<Int128>(axis, pick(box.high, box.low)), level, level,
+            dot<Int128>(axis, box.displacement)});
+}
+
+/// Box and triangle seen along a coordinate axis: a plane, in which a side's product with that axis is across the side.
+struct SeenAlong {
+    struct Place {
+        std::int64_t first, second;
+    };
+    Place corner[3], low, high, way;
+
+    SeenAlong(const MovingBox& box, const IntegerTriangle& triangle, int k)
+        : low(seen(box.low, k)), high(seen(box.high, k)), way(seen(box.displacement, k)) {
+        for (int i = 0; i < 3; ++i) corner[i] = seen(triangle.corner[i], k);
+    }
+    static Place seen(const Integer3& at, int k) {
+        return k == 0 ? Place{at.y, at.z} : k == 1 ? Place{at.z, at.x} : Place{at.x, at.y};
+    }
+};
+
+ESPALIER_SHARED_CODE bool try_side(const SeenAlong& seen, unsigned side, unsigned number, Together& together) {
+    const auto& on_side = seen.corner[side];
+    const auto& end = seen.corner[side == 2 ? 0 : side + 1];
+    const auto& opposite = seen.corner[side == 0 ? 2 : side - 1];
+    const std::int64_t first = on_side.second - end.second, second = end.first - on_side.first;
+    const auto along = [&](std::int64_t at_first, std::int64_t at_second) {
+        return dot<Narrow>(Integer3{first, second, 0}, Integer3{at_first, at_second, 0});
+    };
+    const auto &low = seen.low, &high = seen.high;
+    const bool first_down = first < 0, second_down = second < 0;
+    const Narrow one = along(on_side.first, on_side.second), other = along(opposite.first, opposite.second);
+    const bool is_up = one < other;
+    return together.try_axis<Narrow>(
+        number, {along(first_down ? high.first : low.first, second_down ? high.second : low.second),
+                 along(first_down ? low.first : high.first, second_down ? low.second : high.second),
+                 is_up ? one : other, is_up ? other : one, along(seen.way.first, seen.way.second)});
 }
 
 ESPALIER_SHARED_CODE bool try_coordinate_axis(const MovingBox& box, const IntegerTriangle& triangle, int k,
@@ -152,9 +184,10 @@ ESPALIER_SHARED_CODE bool try_coordinate_axis(const MovingBox& box, const Intege
 bool try_axes(const MovingBox& box, const IntegerTriangle& triangle, Together& together) {
     for (int k = 0; k < 3; ++k)
         if (!try_coordinate_axis(box, triangle, k, together)) return false;
-    if (!try_axis<Int128>(box, triangle, 3, together)) return false;
+    if (!try_normal(box, triangle, together)) return false;
+    const SeenAlong seen[3] = {{box, triangle, 0}, {box, triangle, 1}, {box, triangle, 2}};
     for (unsigned number = 4; number < 13; ++number)
-        if (!try_axis<Narrow>(box, triangle, number, together)) return false;
+        if (!try_side(seen[(number - 4) % 3], (number - 4) / 3, number, together)) return false;
     return true;
 }
 
