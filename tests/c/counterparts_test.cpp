@@ -389,8 +389,8 @@ std::set<std::string> functions_of(const Path& header) {
 /// The headers that espalier.h includes, one after the other, without comments.
 std::string c_headers() {
     std::string text;
-    for (const auto& entry : std::filesystem::directory_iterator(project / "lib/espalier/c"))
-        text += replaced(text_of(entry.path()), "/\\*[^]*?\\*/", "");
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "lib/espalier/c"))
+        if (entry.is_regular_file()) text += replaced(text_of(entry.path()), "/\\*[^]*?\\*/", "");
     return text;
 }
 

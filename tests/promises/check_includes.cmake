@@ -29,8 +29,8 @@ check("a public header of the runtime includes public headers and freestanding o
   "<espalier/((format|scenes)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("a public header of the baker includes public and standard headers only"
   "<espalier/(scenes/)?[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
-file(GLOB c_headers ${root}/lib/espalier/*.h ${root}/lib/espalier/c/*.h)
-check("a header for C includes headers for C and freestanding ones only" "<espalier/c/[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
+file(GLOB_RECURSE c_headers ${root}/lib/espalier/*.h)
+check("a header for C includes headers for C and freestanding ones only" "<espalier/c/(scenes/)?[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
 foreach(header IN LISTS public_headers)
   file(STRINGS ${header} baking REGEX "include.*espalier/bake\\.hpp")
   if(baking)
