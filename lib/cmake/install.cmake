@@ -42,7 +42,7 @@ install(FILES
 install_part(runtime espalier_runtime)
 install_pkg_config(runtime espalier)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/espalier DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
-  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE)
+  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE PATTERN c/bake.h EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 if(TARGET espalier_baker)
@@ -50,6 +50,8 @@ if(TARGET espalier_baker)
   install_pkg_config(baker espalier-baker)
   install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/bake.hpp
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier COMPONENT baker)
+  install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/c/bake.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier/c COMPONENT baker)
 endif()
 
 if(TARGET espalier_command)

@@ -115,6 +115,9 @@ int misbehaviour_of_deformables(const struct deformable_blob* blob);
 /* The same of moving scenes that place a deformable mesh, whose pose reaches beyond its rest along x. */
 int misbehaviour_of_deformables_in_scenes(const struct deformable_blob* blob);
 
+/* The same of the baker, which bakes a cube and stops. */
+int misbehaviour_of_baking(void);
+
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
 
 static inline void tell_yes_no(struct asking* asking, espalier_yes_no answer) { tell(asking, answer.status); }

@@ -110,7 +110,7 @@ check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${m
   "c: moving_scenes")
 
 # The baker's folders, in the order of its stages.
-check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
+check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<espalier/c/bake\\.h>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
   "base:"
   "input: base"
   "quantise: base input"
@@ -122,7 +122,8 @@ check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|bl
   "sections: base input quantise build collapse"
   "encode: base input quantise build collapse sections"
   "verify: base input quantise build collapse sections"
-  "scenes: base build optimise collapse encode verify")
+  "scenes: base build optimise collapse encode verify"
+  "c: base")
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"

@@ -118,6 +118,7 @@ check_folder_includes(tests
   "threads: platform"
   "promises: ${support} oracle"
   "c: ${support}"
+  "c/baking: ${support} c"
   "c/deformation: ${support} c"
   "c/moving_scenes: ${support} c"
   "runtime/base: ${support} oracle"
