@@ -23,6 +23,10 @@
 
 #include <espalier/c/abi.h>
 #include <espalier/c/approximate.h>
+#include <espalier/c/batches/arrays.h>
+#include <espalier/c/batches/lookups.h>
+#include <espalier/c/batches/rays.h>
+#include <espalier/c/batches/shapes.h>
 #include <espalier/c/blob.h>
 #include <espalier/c/bounds.h>
 #include <espalier/c/contact.h>

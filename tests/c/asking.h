@@ -72,6 +72,7 @@ void ask_lookups(struct asking* asking);
 void ask_rays(struct asking* asking);
 void ask_volumes(struct asking* asking);
 void ask_points(struct asking* asking);
+void ask_batches(struct asking* asking);
 void ask_sweeps(struct asking* asking);
 void ask_pairs(struct asking* asking);
 void ask_transforms(struct asking* asking);

@@ -64,6 +64,25 @@ SAME_LAYOUT(triangle_id, TriangleId)
     SAME_FIELD(C, status)
 
 SAME_FIELD(espalier_cursor, place);
+SAME_FIELD(espalier_strided_vec3, first);
+SAME_FIELD(espalier_strided_vec3, stride);
+SAME_FIELD(espalier_strided_float, first);
+SAME_FIELD(espalier_strided_float, stride);
+SAME_FIELD(espalier_strided_triangle_id, first);
+SAME_FIELD(espalier_strided_triangle_id, stride);
+SAME_FIELD(espalier_filled_lists, lists);
+SAME_FIELD(espalier_filled_lists, count);
+SAME_FIELD(espalier_filled_lists, needed);
+SAME_FIELD(espalier_filled_lists, status);
+SAME_FIELD(espalier_ray_arrays, origins);
+SAME_FIELD(espalier_ray_arrays, directions);
+SAME_FIELD(espalier_ray_arrays, t_min);
+SAME_FIELD(espalier_ray_arrays, t_max);
+SAME_FIELD(espalier_ray_arrays, culling);
+SAME_FIELD(espalier_sphere_arrays, centers);
+SAME_FIELD(espalier_sphere_arrays, radii);
+SAME_FIELD(espalier_box_arrays, min);
+SAME_FIELD(espalier_box_arrays, max);
 SAME_FIELD(espalier_vec3, x);
 SAME_FIELD(espalier_vec3, y);
 SAME_FIELD(espalier_vec3, z);
