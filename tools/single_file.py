@@ -230,7 +230,7 @@ class SingleFile:
 
 def make_header():
     header = SingleFile(skips_public_headers=False)
-    for folder in ("espalier", "espalier/scenes"):
+    for folder in ("espalier", "espalier/batches", "espalier/scenes"):
         for path in sorted((LIBRARY / folder).glob("*.hpp")):
             if path.name != "bake.hpp":
                 header.add_once(f"{folder}/{path.name}", path)

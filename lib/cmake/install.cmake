@@ -1,5 +1,6 @@
-# What `cmake --install` puts where, in three components that follow each other: `runtime` needs nothing, `baker` needs the
-# runtime and threads, `tools` is the command. Everything is found relative to where the package lies, which may be moved.
+# What `cmake --install` puts where, in components: `runtime` needs nothing, `baker` needs the runtime and threads, `shared` is a
+# library of both for other languages, whose headers come with the others, `tools` is the command. Everything is found relative to
+# where the package lies, which may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +10,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/espalier)
 function(install_part component target)
   install(TARGETS ${target} EXPORT espalier_${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component}
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT espalier_${component} NAMESPACE espalier:: FILE espalier-${component}.cmake
@@ -42,7 +44,7 @@ install(FILES
 install_part(runtime espalier_runtime)
 install_pkg_config(runtime espalier)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/espalier DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
-  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE)
+  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE PATTERN c/bake.h EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 if(TARGET espalier_baker)
@@ -50,6 +52,13 @@ if(TARGET espalier_baker)
   install_pkg_config(baker espalier-baker)
   install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/bake.hpp
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier COMPONENT baker)
+  install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/c/bake.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier/c COMPONENT baker)
+endif()
+
+if(TARGET espalier_shared)
+  install_part(shared espalier_shared)
+  install_pkg_config(shared espalier-shared)
 endif()
 
 if(TARGET espalier_command)

@@ -23,20 +23,24 @@
 
 #include <espalier/c/abi.h>
 #include <espalier/c/approximate.h>
+#include <espalier/c/batches/arrays.h>
+#include <espalier/c/batches/lookups.h>
+#include <espalier/c/batches/rays.h>
+#include <espalier/c/batches/shapes.h>
 #include <espalier/c/blob.h>
 #include <espalier/c/bounds.h>
 #include <espalier/c/contact.h>
 #include <espalier/c/deformation.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/lattice.h>
-#include <espalier/c/moving_scene.h>
 #include <espalier/c/original.h>
 #include <espalier/c/overlap.h>
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
 #include <espalier/c/rounding.h>
 #include <espalier/c/scene.h>
-#include <espalier/c/scene_pairs.h>
+#include <espalier/c/scenes/moving_scene.h>
+#include <espalier/c/scenes/pairs.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/statistics.h>
 #include <espalier/c/status.h>

@@ -5,6 +5,10 @@
 #pragma once
 
 #include <espalier/approximate.hpp>
+#include <espalier/batches/arrays.hpp>
+#include <espalier/batches/lookups.hpp>
+#include <espalier/batches/rays.hpp>
+#include <espalier/batches/shapes.hpp>
 #include <espalier/blob.hpp>
 #include <espalier/bounds.hpp>
 #include <espalier/contact.hpp>

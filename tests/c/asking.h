@@ -72,6 +72,7 @@ void ask_lookups(struct asking* asking);
 void ask_rays(struct asking* asking);
 void ask_volumes(struct asking* asking);
 void ask_points(struct asking* asking);
+void ask_batches(struct asking* asking);
 void ask_sweeps(struct asking* asking);
 void ask_pairs(struct asking* asking);
 void ask_transforms(struct asking* asking);
@@ -114,6 +115,9 @@ struct deformable_blob {
 int misbehaviour_of_deformables(const struct deformable_blob* blob);
 /* The same of moving scenes that place a deformable mesh, whose pose reaches beyond its rest along x. */
 int misbehaviour_of_deformables_in_scenes(const struct deformable_blob* blob);
+
+/* The same of the baker, which bakes a cube and stops. */
+int misbehaviour_of_baking(void);
 
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
 

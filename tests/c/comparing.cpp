@@ -86,6 +86,7 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
     both("rays", ask_rays, &Expecting::rays);
     both("volumes", ask_volumes, &Expecting::volumes);
     both("points", ask_points, &Expecting::points);
+    both("batches", ask_batches, &Expecting::batches);
     both("sweeps", ask_sweeps, &Expecting::sweeps);
     both("pairs", ask_pairs, &Expecting::pairs);
     both("transforms", ask_transforms, &Expecting::transforms);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The program of docs/examples/c, built by a C compiler alone and built by CMake from an installed package.
+# The programs of docs/examples/c, built by a C compiler alone and built by CMake from an installed package.
 # example_test.sh PROJECT RUNTIME_ARCHIVE BUILD_FOLDER CMAKE CC FOLDER
 set -euo pipefail
 project=$1 archive=$2 build=$3 cmake=$4 cc=$5 folder=$6
@@ -43,14 +43,35 @@ needed=$(readelf -d "$folder/alone" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | g
     sed -n '/^ *static espalier_\(blob\|moving_scene\)/,/^ \{0,2\}[^ ]/p' "$project/docs/embedding.md" | grep '^    '
     printf '(void)hit;\n}\n'
 } >"$folder/page.c"
+{
+    printf '#include <espalier/c/bake.h>\n#include <espalier/espalier.h>\n#include <stdio.h>\n'
+    printf 'void page(const void* positions, size_t position_count, const void* triangles, size_t triangle_count);\n'
+    printf 'void page(const void* positions, size_t position_count, const void* triangles, size_t triangle_count) {\n'
+    printf 'static espalier_blob blob;\n'
+    for first in 'espalier_vec3 origins' 'espalier_mesh_view mesh;'; do
+        sed -n "/^ *$first/,/^ \{0,2\}[^ ]/p" "$project/docs/embedding.md" | grep '^    '
+    done
+    printf '}\n'
+} >"$folder/baking_page.c"
+for call in espalier_collect_hits_arrays espalier_bake; do
+    grep -q "$call" "$folder/baking_page.c" || fail "docs/embedding.md shows no C of $call"
+done
 for call in espalier_overlaps_box espalier_scene_raycast espalier_moving_scene_view espalier_collect_candidate_pairs; do
     grep -q "$call" "$folder/page.c" || fail "docs/embedding.md shows no C of $call"
 done
-"$cc" -std=c99 -pedantic -Wall -Wextra "${WERROR:--Werror}" -I "$project/lib" -fsyntax-only "$folder/page.c" || fail "docs/embedding.md shows what is no C"
+for page in page baking_page; do
+    "$cc" -std=c99 -pedantic -Wall -Wextra "${WERROR:--Werror}" -I "$project/lib" -fsyntax-only "$folder/$page.c" ||
+        fail "docs/embedding.md shows what is no C"
+done
 
 "$cmake" --install "$build" --prefix "$folder/package" --component runtime >"$folder/install.log"
+[[ ! -e $folder/package/include/espalier/c/bake.h ]] || fail "the runtime installs the header of the baker"
+"$cmake" --install "$build" --prefix "$folder/package" --component baker >>"$folder/install.log"
 "$cmake" -S "$project/docs/examples/c" -B "$folder/example" -DCMAKE_PREFIX_PATH="$folder/package" -DCMAKE_C_COMPILER="$cc" \
     >"$folder/configure.log" || fail "CMake does not configure the example: $(cat "$folder/configure.log")"
 "$cmake" --build "$folder/example" >"$folder/build.log" 2>&1 ||
     fail "the example does not build: $(cat "$folder/build.log")"
 check "$folder/example/cast_ray"
+said=$("$folder/example/bake_and_cast")
+[[ $said == "8192 triangles in 44352 bytes, within 0.000976565 of the source
+1000 of 1000 rays hit, the highest point is at 16" ]] || fail "bake_and_cast says: $said"

@@ -303,7 +303,7 @@ void Expecting::nothing() {
     tell(raycast(blob_, std::span<const Ray>{}, {}));
     tell(occluded(blob_, std::span<const Ray>{}, {}));
     tell(original_hit(blob_, {}, {}));
-    tell(original_triangle(blob_, {}, {}));
+    tell(original_triangle(blob_, std::span<const TriangleId>{}, {}));
     tell(original_hit(std::span<const OriginalTriangle>{}, hit).status);
     tell(OpenStatus::not_a_remap);
     tell(closest_hits(blob_, ray, {}));

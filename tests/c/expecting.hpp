@@ -30,6 +30,7 @@ public:
     void rays();
     void volumes();
     void points();
+    void batches();
     void sweeps();
     void pairs();
     void transforms();

@@ -64,6 +64,25 @@ SAME_LAYOUT(triangle_id, TriangleId)
     SAME_FIELD(C, status)
 
 SAME_FIELD(espalier_cursor, place);
+SAME_FIELD(espalier_strided_vec3, first);
+SAME_FIELD(espalier_strided_vec3, stride);
+SAME_FIELD(espalier_strided_float, first);
+SAME_FIELD(espalier_strided_float, stride);
+SAME_FIELD(espalier_strided_triangle_id, first);
+SAME_FIELD(espalier_strided_triangle_id, stride);
+SAME_FIELD(espalier_filled_lists, lists);
+SAME_FIELD(espalier_filled_lists, count);
+SAME_FIELD(espalier_filled_lists, needed);
+SAME_FIELD(espalier_filled_lists, status);
+SAME_FIELD(espalier_ray_arrays, origins);
+SAME_FIELD(espalier_ray_arrays, directions);
+SAME_FIELD(espalier_ray_arrays, t_min);
+SAME_FIELD(espalier_ray_arrays, t_max);
+SAME_FIELD(espalier_ray_arrays, culling);
+SAME_FIELD(espalier_sphere_arrays, centers);
+SAME_FIELD(espalier_sphere_arrays, radii);
+SAME_FIELD(espalier_box_arrays, min);
+SAME_FIELD(espalier_box_arrays, max);
 SAME_FIELD(espalier_vec3, x);
 SAME_FIELD(espalier_vec3, y);
 SAME_FIELD(espalier_vec3, z);
@@ -355,8 +374,9 @@ std::set<std::string> names_in(const std::string& text, const char* pattern) {
 TEST_SUITE("layouts") {
     TEST_CASE("c api: espalier_abi has the size of every structure") {
         std::set<std::string> structures;
-        for (const auto& entry :
-             std::filesystem::directory_iterator(std::filesystem::path(ESPALIER_PROJECT_FOLDER) / "lib/espalier/c")) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(
+                 std::filesystem::path(ESPALIER_PROJECT_FOLDER) / "lib/espalier/c")) {
+            if (!entry.is_regular_file()) continue;
             std::ifstream file(entry.path());
             const std::string header(std::istreambuf_iterator<char>(file), {});
             structures.merge(names_in(header, "typedef struct [A-Z_]+ espalier_([a-z_0-9]+) \\{"));
@@ -383,5 +403,15 @@ TEST_SUITE("layouts") {
         CHECK(sizes.filled_baked_pairs == sizeof(espalier::FilledPairs<espalier::BakedPair>));
         CHECK(sizes.deformable == sizeof(espalier::Deformable));
         CHECK(sizes.refit_result == sizeof(espalier::RefitResult));
+    }
+
+    TEST_CASE("c api: a loaded library has its version and the size of each structure by name") {
+        CHECK(std::string(espalier_version()) == ESPALIER_VERSION);
+#define ASK(name, Cpp) CHECK(espalier_size_of(#name) == sizeof(espalier_##name));
+        ESPALIER_C_STRUCTURES(ASK, ASK)
+#undef ASK
+        for (const char* const other : {"", "blo", "blobs", "espalier_blob", "mesh_view", "Blob"})
+            CHECK_MESSAGE(espalier_size_of(other) == 0, other);
+        CHECK(espalier_size_of(nullptr) == 0);
     }
 }

@@ -62,6 +62,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/lattice/rounding_error", "runtime/lattice/rounding_formula", "runtime/rays/rounded_ray",
     "runtime/rays/rounded_ray_borders", "runtime/rays/seam_rays", "runtime/rays/seen_ray",
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
+    "runtime/batches/arrays",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
     "runtime/rays/leak", "runtime/rays/crossing", "runtime/sweeps/slide", "runtime/sweeps/bounds",
     "runtime/contacts/touch", "runtime/contacts/find", "runtime/scenes/scene", "runtime/scenes/hostile",

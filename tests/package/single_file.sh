@@ -29,13 +29,13 @@ done
 
 # The program includes parts of the library by their names: all of them are the one header.
 cd ..
-mkdir -p include/espalier/scenes
+mkdir -p include/espalier/{scenes,batches}
 ln -s ../../single/espalier.h include/espalier/espalier.h
 for header in "$project"/lib/espalier/*.hpp; do
     echo '#include "../../single/espalier.hpp"' >"include/espalier/${header##*/}"
 done
-for header in "$project"/lib/espalier/scenes/*.hpp; do
-    echo '#include "../../../single/espalier.hpp"' >"include/espalier/scenes/${header##*/}"
+for header in "$project"/lib/espalier/{scenes,batches}/*.hpp; do
+    echo '#include "../../../single/espalier.hpp"' >"include/${header#"$project"/lib/}"
 done
 ln -s "$project/lib/runtime" include/runtime  # it chooses instruction sets
 "$compiler" -std=c++20 -O1 -Iinclude "$project/tests/platform/query_answers.cpp" espalier.o -o query_answers

@@ -22,15 +22,15 @@ set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|l
 set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
-file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp ${root}/lib/espalier/scenes/*.hpp)
+file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp ${root}/lib/espalier/scenes/*.hpp ${root}/lib/espalier/batches/*.hpp)
 set(baker_headers ${root}/lib/espalier/bake.hpp)
 list(REMOVE_ITEM public_headers ${baker_headers})
 check("a public header of the runtime includes public headers and freestanding ones only"
-  "<espalier/((format|scenes)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
+  "<espalier/((format|scenes|batches)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("a public header of the baker includes public and standard headers only"
   "<espalier/(scenes/)?[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
-file(GLOB c_headers ${root}/lib/espalier/*.h ${root}/lib/espalier/c/*.h)
-check("a header for C includes headers for C and freestanding ones only" "<espalier/c/[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
+file(GLOB_RECURSE c_headers ${root}/lib/espalier/*.h)
+check("a header for C includes headers for C and freestanding ones only" "<espalier/c/((scenes|batches)/)?[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
 foreach(header IN LISTS public_headers)
   file(STRINGS ${header} baking REGEX "include.*espalier/bake\\.hpp")
   if(baking)
@@ -40,7 +40,7 @@ endforeach()
 
 file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
 check("the runtime includes public headers, its own and freestanding ones only"
-  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds|scenes/[a-z_]+)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds|(scenes|batches)/[a-z_]+)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
 # check_layers(<library> <others> <row>...): a row is "<folder>: <folder>...", the folders of lib/<library> whose files those of the
 # first may include in addition to their own. It names folders of earlier rows only, so that no two folders need each other.
@@ -83,7 +83,7 @@ endfunction()
 
 # The runtime's folders, from numbers to the families of queries.
 set(walks "base lattice kernels blob lanes answers traversal")
-check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
+check_layers(runtime "<espalier/((scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
   "base:"
   "lattice: base"
   "kernels: base lattice"
@@ -107,10 +107,11 @@ check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${m
   "asset: base lattice blob traversal"
   "contacts: ${walks} asset"
   "instruction_sets: ${walks} rays rays/batch proximity sweeps pairs scenes moving_scenes moving_scenes/box_tree"
+  "batches: base"
   "c: moving_scenes")
 
 # The baker's folders, in the order of its stages.
-check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
+check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<espalier/c/bake\\.h>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
   "base:"
   "input: base"
   "quantise: base input"
@@ -122,7 +123,8 @@ check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|bl
   "sections: base input quantise build collapse"
   "encode: base input quantise build collapse sections"
   "verify: base input quantise build collapse sections"
-  "scenes: base build optimise collapse encode verify")
+  "scenes: base build optimise collapse encode verify"
+  "c: base")
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"

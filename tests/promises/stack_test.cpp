@@ -212,6 +212,10 @@ TEST_SUITE("stack") {
                  batch_row([&](const Blob& blob, const Rays& rays) { (void)raycast(blob, rays, hits); })},
                 {"occluded, a batch", 12288,
                  batch_row([&](const Blob& blob, const Rays& rays) { (void)occluded(blob, rays, answers); })},
+                {"raycast, arrays", 17408, batch_row([&](const Blob& blob, const Rays& rays) {
+                     const RayArrays arrays = {{&rays[0].origin, sizeof(Ray)}, {&rays[0].direction, sizeof(Ray)}};
+                     (void)raycast(blob, arrays, hits);
+                 })},
                 {"for_each_hit", 2240, ray_row([](const Blob& blob, const Ray& ray) {
                      (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
                  })},

@@ -1,6 +1,6 @@
 # libFuzzer and AFL++.
 
-fuzz_targets=(open tree bake scene moving refit import)
+fuzz_targets=(open tree bake bake_c scene moving refit import)
 
 fuzz() {
     local engine=libfuzzer small_code="" seconds target found=0

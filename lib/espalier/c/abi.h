@@ -3,6 +3,7 @@
 #ifndef ESPALIER_C_ABI_H
 #define ESPALIER_C_ABI_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include <espalier/c/attributes.h>
@@ -17,8 +18,15 @@ extern "C" {
 #define ESPALIER_VERSION_MINOR 1
 #define ESPALIER_VERSION_PATCH 0
 
+/* Returns the version of the library, as ESPALIER_VERSION is that of the headers: static. Before 1.0 two versions that
+ * differ in the second number differ in structures and functions. */
+const char* espalier_version(void);
+/* Returns the size in bytes that a structure of espalier.h has in the library, by its name without espalier_, such as
+ * "ray_hit"; 0 for other names. For callers that load the library and lay out structures themselves. */
+size_t espalier_size_of(const char* name);
+
 /* The version of the library and the sizes of its structures in bytes, each under its name. A later version may add
- * sizes: compare the version first. */
+ * sizes; a caller that lacks them must not call it: compare espalier_version() first. */
 #define ESPALIER_SIZE_(name, Cpp) uint16_t name;
 typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t version_major, version_minor, version_patch;
@@ -40,6 +48,8 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t instance_pair, baked_pair, pair_filter, filled_instance_pairs, filled_baked_pairs;
     uint16_t deformable, refit_result;
     uint16_t convex_hull;
+    uint16_t strided_vec3, strided_float, strided_triangle_id, filled_lists;
+    uint16_t ray_arrays, sphere_arrays, box_arrays;
 } espalier_abi_sizes;
 #undef ESPALIER_SIZE_
 

@@ -5,7 +5,7 @@
  *
  * Shapes and results are in world space. Every query takes into account the instances whose mask shares a bit with
  * `mask` (UINT32_MAX for all), and of these the triangles that the filter keeps. Visitors are called in ascending order
- * of instances; for the view of a moving scene (moving_scene.h) in the order of its tree. */
+ * of instances; for the view of a moving scene (scenes/moving_scene.h) in the order of its tree. */
 #ifndef ESPALIER_C_SCENE_H
 #define ESPALIER_C_SCENE_H
 

@@ -8,7 +8,7 @@
 #include <espalier/c/blob.h>
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
-#include <espalier/c/scene_pairs.h>
+#include <espalier/c/scenes/pairs.h>
 #include <espalier/c/transform.h>
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// espalier/c/moving_scene.h: scenes whose instances move.
+// espalier/c/scenes/moving_scene.h: scenes whose instances move.
 #include <cstdint>
 
 #include <runtime/c/abi.hpp>

@@ -1,5 +1,4 @@
-// Claims about moving_scene.h and scene_pairs.h: changed and queried from C, a moving scene answers what it answers
-// C++.
+// Claims about c/scenes: changed and queried from C, a moving scene answers what it answers C++.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Tests that no argument of moving_scene.h and scene_pairs.h does harm, and that hostile ones get the bits of C++.
+// Tests that no argument of c/scenes does harm, and that hostile ones get the bits of C++.
 // Worth most under sanitizers.
 #include <doctest/doctest.h>
 

@@ -24,6 +24,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds, bool s
         exercise_sweeps(run);
         exercise_pairs(run);
         exercise_steps(run);
+        if (i % 4 == 0) exercise_arrays(run);
     }
     run.verdict.require(measured.is_within_bounds(), "a query took more steps than it may");
     run.verdict.speak();

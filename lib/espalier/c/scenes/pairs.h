@@ -6,15 +6,15 @@
  * page before it. Both instances of a pair have masks that share a bit.
  *
  * Threads. The pairs of a scene with itself use its block for sorting: no other thread may use that scene meanwhile. */
-#ifndef ESPALIER_C_SCENE_PAIRS_H
-#define ESPALIER_C_SCENE_PAIRS_H
+#ifndef ESPALIER_C_SCENES_PAIRS_H
+#define ESPALIER_C_SCENES_PAIRS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <espalier/c/attributes.h>
-#include <espalier/c/moving_scene.h>
+#include <espalier/c/scenes/moving_scene.h>
 #include <espalier/c/scene.h>
 #include <espalier/c/status.h>
 

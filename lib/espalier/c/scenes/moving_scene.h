@@ -7,8 +7,8 @@
  * The queries are those of scene.h: espalier_moving_scene_view() makes the espalier_scene that they take.
  *
  * Threads. Any number of threads may query a scene that no thread changes. */
-#ifndef ESPALIER_C_MOVING_SCENE_H
-#define ESPALIER_C_MOVING_SCENE_H
+#ifndef ESPALIER_C_SCENES_MOVING_SCENE_H
+#define ESPALIER_C_SCENES_MOVING_SCENE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -136,7 +136,7 @@ void espalier_moving_scene_repack(espalier_moving_scene* scene);
  * is worth a repack. Below 1 if instances have come closer together since. INFINITY before the first one; 1 without
  * instances. */
 float espalier_moving_scene_quality(const espalier_moving_scene* scene);
-/* Ends a step: no instance counts as moved until it is moved or inserted again (scene_pairs.h). */
+/* Ends a step: no instance counts as moved until it is moved or inserted again (scenes/pairs.h). */
 void espalier_moving_scene_end_step(espalier_moving_scene* scene);
 
 /* Returns the handle of the instance in a slot. Refuses a slot that is free (ESPALIER_QUERY_NOT_FOUND) or never was

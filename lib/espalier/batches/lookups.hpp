@@ -1,0 +1,32 @@
+// Batches of lookups of triangles whose ids lie in an array, such as in the hits of a batch: their sources, materials
+// and corners.
+//
+// arrays.hpp has what all batches refuse. A batch is as long as its results. Thread safety: any number of threads may
+// query one blob. No call allocates.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <espalier/batches/arrays.hpp>
+#include <espalier/blob.hpp>
+#include <espalier/original.hpp>
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
+#include <espalier/types.hpp>
+#include <espalier/walk.hpp>
+
+namespace espalier {
+
+/// Writes what original_triangle() returns for each triangle.
+Filled original_triangle(const Blob& blob, const Strided<TriangleId>& triangles,
+                         std::span<Result<OriginalTriangle>> originals) noexcept;
+
+/// Writes what material() returns for each triangle.
+Filled material(const Blob& blob, const Strided<TriangleId>& triangles, std::span<std::uint16_t> materials) noexcept;
+
+/// Writes what triangle_at() returns for each triangle.
+Filled triangle_at(const Blob& blob, const Strided<TriangleId>& triangles,
+                   std::span<Result<Triangle>> corners) noexcept;
+
+}  // namespace espalier

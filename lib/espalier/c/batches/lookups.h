@@ -1,0 +1,32 @@
+/* Batches of lookups of triangles whose ids lie in an array, such as in the hits of a batch: their sources, materials
+ * and corners. arrays.h has what all batches refuse. Counterpart of batches/lookups.hpp. */
+#ifndef ESPALIER_C_BATCHES_LOOKUPS_H
+#define ESPALIER_C_BATCHES_LOOKUPS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <espalier/c/batches/arrays.h>
+#include <espalier/c/blob.h>
+#include <espalier/c/original.h>
+#include <espalier/c/status.h>
+#include <espalier/c/walk.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Writes what espalier_original_triangle_of(), espalier_material() or espalier_triangle_at() returns for each triangle.
+ */
+espalier_filled espalier_original_triangle_of_arrays(const espalier_blob* blob, espalier_strided_triangle_id triangles,
+                                                     espalier_original_triangle_result* originals, size_t count);
+espalier_filled espalier_material_arrays(const espalier_blob* blob, espalier_strided_triangle_id triangles,
+                                         uint16_t* materials, size_t count);
+espalier_filled espalier_triangle_at_arrays(const espalier_blob* blob, espalier_strided_triangle_id triangles,
+                                            espalier_triangle_result* corners, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
