@@ -64,6 +64,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
     "runtime/rays/leak", "runtime/rays/crossing", "runtime/sweeps/slide", "runtime/sweeps/bounds",
+    "runtime/sweeps/start",
     "runtime/contacts/touch", "runtime/contacts/find", "runtime/scenes/scene", "runtime/scenes/hostile",
     "runtime/scenes/loop", "runtime/scenes/gap", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
     "runtime/scenes/modes", "runtime/scenes/rules",
