@@ -11,12 +11,11 @@ void try_way(const WideVector& axis, const Span<Int128>& of_shape, const Integer
     const Vec3 scaled = times(rounded, 1.0f / size);
     const float length = square_root(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
     const Vec3 unit = times(scaled, 1.0f / length);
-    const auto keep = [&](const Int128& way, bool is_turned) {
+    for (const bool is_turned : {false, true}) {
+        const Int128 way = is_turned ? of_shape.high - of_triangle.low : of_triangle.high - of_shape.low;
         const float depth = to_float(way) / size / length;
         if (depth < best.depth) best = {times(unit, is_turned ? -1.0f : 1.0f), depth, is_turned ? -axis : axis};
-    };
-    keep(of_triangle.high - of_shape.low, false);
-    keep(of_shape.high - of_triangle.low, true);
+    }
 }
 
 WayOut way_out(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
@@ -24,14 +23,12 @@ WayOut way_out(const UnitSegment& segment, const LatticeTriangle& triangle) noex
     Integer3 corner[3];
     for (int i = 0; i < 3; ++i) corner[i] = corner_on_grid(triangle, i, segment.fraction_bits) - segment.from;
     WayOut best;
-    const auto try_across = [&](const WideVector& axis) {
+    for (int side = -1; side < 3; ++side) {
+        const WideVector axis = side < 0 ? wide_normal_of(triangle) : wide_cross(along, side_from(triangle, side));
         const Int128 end = dot(axis, along), zero = 0;
         const Span<Int128> of_segment = {end.is_negative() ? end : zero, end.is_negative() ? zero : end};
         try_way(axis, of_segment, corner, best);
-    };
-    const Integer3 normal = normal_of(integer_triangle(triangle));
-    try_across({normal.x, normal.y, normal.z});
-    for (int side = 0; side < 3; ++side) try_across(wide_cross(along, side_from(triangle, side)));
+    }
     if (best.depth == infinity) best.depth = 0.0f;
     best.depth *= power_of_two(-segment.fraction_bits);
     return best;

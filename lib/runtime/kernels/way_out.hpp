@@ -16,6 +16,11 @@ struct WayOut {
     WideVector axis = {0, 0, 0};  ///< along the normal, exactly; zero where no direction was tried
 };
 
+/// Returns the triangle's normal, for lattice steps.
+inline WideVector wide_normal_of(const LatticeTriangle& triangle) {
+    return wide_cross(side_from(triangle, 0), side_from(triangle, 1));
+}
+
 /// Tries both senses of a direction, unless it is zero. `of_shape` is what the shape takes up along it; the corners are
 /// counted from the same point.
 void try_way(const WideVector& axis, const Span<Int128>& of_shape, const Integer3* corner, WayOut& best) noexcept;

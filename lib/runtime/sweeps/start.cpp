@@ -21,17 +21,16 @@ struct EdgesOfBox {
     }
 };
 
-WideVector wide(const Integer3& a) { return {a.x, a.y, a.z}; }
-
 /// Tries all directions that can separate a box and a triangle: normals of faces, and products of edges and sides.
 WayOut way_out_of_box(const EdgesOfBox& box, const LatticeTriangle& triangle, int fraction_bits) {
     const IntegerTriangle seen = integer_triangle(triangle, fraction_bits);
     WayOut best;
-    const auto try_out = [&](const WideVector& axis) { try_way(axis, box.along(axis), seen.corner, best); };
-    try_out(wide(normal_of(integer_triangle(triangle))));
-    for (int i = 0; i < 3; ++i) {
-        try_out(wide_cross(box.edge[i == 2 ? 0 : i + 1], box.edge[i == 0 ? 2 : i - 1]));
-        for (int side = 0; side < 3; ++side) try_out(wide_cross(box.edge[i], side_from(triangle, side)));
+    for (int number = -1; number < 12; ++number) {
+        const int i = number / 4, side = number % 4 - 1;
+        const WideVector axis = number < 0 ? wide_normal_of(triangle)
+                                : side < 0 ? wide_cross(box.edge[i == 2 ? 0 : i + 1], box.edge[i == 0 ? 2 : i - 1])
+                                           : wide_cross(box.edge[i], side_from(triangle, side));
+        try_way(axis, box.along(axis), seen.corner, best);
     }
     return best;
 }
@@ -41,7 +40,12 @@ WayOut way_out_of_hull(const HullSweep& sweep, const LatticeTriangle& triangle) 
     const IntegerTriangle seen = integer_triangle(triangle, sweep.fraction_bits);
     const Integer3 normal = normal_of(integer_triangle(triangle));
     WayOut best;
-    const auto try_out = [&](const WideVector& axis) {
+    for (int number = -1; number < 6; ++number) {
+        Integer3 unit = {0, 0, 0};
+        unit[number / 2] = 1;
+        const WideVector axis = number < 0        ? wide_normal_of(triangle)
+                                : number % 2 == 0 ? wide_cross(normal, side_from(triangle, number / 2))
+                                                  : WideVector{unit.x, unit.y, unit.z};
         Span<Int128> span{};
         for (unsigned i = 0; i < sweep.moving.point_count; ++i) {
             const auto& point = sweep.moving.point[i];
@@ -50,13 +54,6 @@ WayOut way_out_of_hull(const HullSweep& sweep, const LatticeTriangle& triangle) 
             if (i == 0 || span.high < at) span.high = at;
         }
         try_way(axis, span, seen.corner, best);
-    };
-    try_out(wide(normal));
-    for (int i = 0; i < 3; ++i) {
-        try_out(wide_cross(normal, side_from(triangle, i)));
-        Integer3 unit = {0, 0, 0};
-        unit[i] = 1;
-        try_out(wide(unit));
     }
     return best;
 }
