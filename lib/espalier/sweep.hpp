@@ -60,8 +60,8 @@ struct SweepOptions {
 /// Refuses a blob that is not open (not_open); a NaN, an infinity, a negative radius or skin or a hull with more than
 /// max_hull_vertices vertices (invalid_argument); a start, a displacement or a radius of 2^34 lattice steps or more,
 /// or of 2^30 for an OrientedBox or a hull, and a capsule whose axis is longer than 2^25 steps along x, y or z
-/// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way;
-/// docs/queries.md, Bounded, has the bound.
+/// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way, and O(k)
+/// for k triangles that the shape touches at the start; docs/queries.md, Bounded, has the bound.
 SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, const SweepOptions& options = {}) noexcept;
 SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, const SweepOptions& options = {}) noexcept;
 SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, const SweepOptions& options = {}) noexcept;
@@ -94,8 +94,8 @@ SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Triangle
 // Contact. Whether a triangle is touched on the way, the ends included, is decided in integers; touching at one instant
 // counts. `t` is a multiple of 2^-24 below the exact time of the first contact, and by no more than 2^-24: at t the
 // rounded shape does not touch the triangle yet. With a skin, t is such a multiple that the rounded shape is no nearer
-// than the skin to any point of the triangle. It is farther by no more than 2^-18 of the skin and three ticks, 2^-24 of
-// the way each; where the displacement leads within 2^-16 along the plane of the contact, t may be 0.
+// than the skin to any point of the triangle. It is farther by no more than three ticks, 2^-24 of the way each, and
+// 2^-17 of the skin over the sine of the angle between displacement and plane; where it is below 2^-19, t may be 0.
 //
 // Options. Culling is decided in integers, and so is whether a sphere or a capsule leaves a triangle. Of other shapes
 // the ways out are exact, and their lengths are compared as floats, within 2^-21; then the sign of the displacement is
