@@ -247,11 +247,11 @@ TEST_SUITE("moving hull") {
             const float weights[3] = {1.0f - contact.u - contact.v, contact.u, contact.v};
             const unsigned of_part = detail::corners_of(contact.feature);
             Case<MovingHull> part = c;
-            for (unsigned corner = 0; corner < 3; ++corner) {
-                if ((of_part >> corner & 1u) != 0) continue;
-                REQUIRE(std::fabs(weights[corner]) <= 0x1p-20f);
+            for (unsigned outside = 0; outside < 3; ++outside) {
+                if ((of_part >> outside & 1u) != 0) continue;
+                REQUIRE(std::fabs(weights[outside]) <= 0x1p-20f);
                 for (unsigned other = 0; other < 3; ++other)
-                    if ((of_part >> other & 1u) != 0) part.triangle.corner[corner] = c.triangle.corner[other];
+                    if ((of_part >> other & 1u) != 0) part.triangle.corner[outside] = c.triangle.corner[other];
             }
             if (contact.feature != Feature::face) REQUIRE(exact_first_contact(part) == time);
             const Point point = weighted(c.triangle, contact);

@@ -584,12 +584,12 @@ TEST_SUITE("sweep") {
                 REQUIRE(kept.t <= hit.t);
                 if (!hit || kept.t == 0.0f) return;
                 const Vec3& n = hit.normal;
-                const double speed =
-                    -(double{way.x} * double{n.x} + double{way.y} * double{n.y} + double{way.z} * double{n.z});
-                const double back = (double{hit.t} - double{kept.t}) * speed;
-                REQUIRE(back >= double{skin} * (1.0 - 0x1p-18));
-                const double length = std::sqrt(double{way.x * way.x + way.y * way.y + way.z * way.z});
-                REQUIRE(back <= double{skin} * (1.0 + 0x1p-17 * length / speed) + 0x1p-22 * length);
+                const auto wide = [](float value) { return static_cast<double>(value); };
+                const double speed = -(wide(way.x) * wide(n.x) + wide(way.y) * wide(n.y) + wide(way.z) * wide(n.z));
+                const double back = (wide(hit.t) - wide(kept.t)) * speed, least = wide(skin);
+                REQUIRE(back >= least * (1.0 - 0x1p-18));
+                const double length = std::sqrt(wide(way.x * way.x + way.y * way.y + way.z * way.z));
+                REQUIRE(back <= least * (1.0 + 0x1p-17 * length / speed) + 0x1p-22 * length);
                 ++stopped;
             };
             check(Sphere{from, 0.5f});
