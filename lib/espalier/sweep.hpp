@@ -4,6 +4,7 @@
 // call allocates. Numerics are described at the end of this file.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include <espalier/blob.hpp>
@@ -25,30 +26,60 @@ struct [[nodiscard]] SweepHit {
     Vec3 face_normal;  ///< unit length, pointing away from the front of the triangle; zero for one without area
     TriangleId triangle;                         ///< of equally early ones, the one with the lowest index
     QueryStatus status = QueryStatus::not_open;  ///< ok, not_found, or why the query was refused
-    std::uint8_t reserved[2] = {};
-    /// The shape touches at the start. Then `triangle` is the one with the lowest index of those that it touches there,
-    /// `point` is the closest one to the shape's middle, and `normal` leads from there to the middle.
+    Feature feature = Feature::face;             ///< the part of the triangle that holds `point`
+    std::uint8_t reserved = 0;
+    /// The shape touches at the start. Then `triangle` is the one that it is in deepest, of equally deep ones the one
+    /// with the lowest index; `point` is the closest one to the shape's middle, and `normal` leads from there to the
+    /// middle.
     bool starts_overlapping = false;
 
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
+/// Selects the triangles that count, and where the shape stops.
+struct SweepOptions {
+    TriangleFilter filter = {};  ///< counts the triangles that it keeps
+    /// Ignores triangles that show their back: the displacement leads along their normal. `front` ignores those that it
+    /// leads against. One in the plane of a triangle leads neither way.
+    FaceCulling culling = FaceCulling::none;
+    /// Ignores triangles that the shape touches at the start and that the displacement leads it no deeper into. For a
+    /// sphere or a capsule, center and axis do not touch the triangle and come no nearer to it. For another shape, the
+    /// displacement does not lead against the shortest way out of the triangle.
+    bool ignore_leaving = false;
+    /// Stops the shape earlier, so far from the plane through the contact across its normal, or at the start if it is
+    /// nearer there. A length from 0 on. It moves no shape away, and keeps none from a surface that the sweep misses.
+    float skin = 0.0f;
+};
+
 /// Returns the first contact of the shape as it moves from its place by `displacement`.
 ///
 /// A radius, a displacement, or the size of a box, a hull or an axis may be 0. A Box whose min is above its max and a
-/// hull without vertices are empty and touch nothing. Only triangles that the filter keeps count. A hull moves and does
-/// not turn: its vertices are where it starts.
+/// hull without vertices are empty and touch nothing. Only triangles that the options leave count. A hull moves and
+/// does not turn: its vertices are where it starts.
 ///
-/// Refuses a blob that is not open (not_open); a NaN, an infinity, a negative radius or a hull with more than
+/// Refuses a blob that is not open (not_open); a NaN, an infinity, a negative radius or skin or a hull with more than
 /// max_hull_vertices vertices (invalid_argument); a start, a displacement or a radius of 2^34 lattice steps or more,
 /// or of 2^30 for an OrientedBox or a hull, and a capsule whose axis is longer than 2^25 steps along x, y or z
-/// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way;
-/// docs/queries.md, Bounded, has the bound.
-SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, TriangleFilter filter = {}) noexcept;
-SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, TriangleFilter filter = {}) noexcept;
-SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, TriangleFilter filter = {}) noexcept;
-SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, TriangleFilter filter = {}) noexcept;
-SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, TriangleFilter filter = {}) noexcept;
+/// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way, and O(k)
+/// for k triangles that the shape touches at the start; docs/queries.md, Bounded, has the bound.
+SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, const SweepOptions& options = {}) noexcept;
+SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, const SweepOptions& options = {}) noexcept;
+SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, const SweepOptions& options = {}) noexcept;
+SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, const SweepOptions& options = {}) noexcept;
+SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, const SweepOptions& options = {}) noexcept;
+
+/// A shape that sweeps take.
+template <class Shape>
+concept SweptShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, Box> ||
+    std::same_as<Shape, OrientedBox> || std::same_as<Shape, ConvexHull>;
+
+/// Returns the first contact with a triangle that the filter keeps.
+template <SweptShape Shape>
+SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, TriangleFilter filter) noexcept {
+    SweepOptions options;
+    options.filter = filter;
+    return sweep(blob, shape, displacement, options);
+}
 
 }  // namespace espalier
 
@@ -57,12 +88,26 @@ SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, Tria
 // Rounding. Center, corners or vertices, half axes, displacement and radius are rounded once onto a grid finer than the
 // asset's lattice: to multiples of 2^-f lattice steps, where f <= 6 is the largest for which everything, measured from
 // the start, is below 2^24 of them (docs/numerics.md). The rounded sweep is answered exactly. A sweep that continues at
-// a contact is rounded anew and may start with an overlap: rounding_error() with a displacement bounds how far to move
-// away before. docs/queries.md has an example, Slide along a surface.
+// a contact is rounded anew and may start with an overlap: rounding_error() with a displacement bounds how much skin
+// prevents that. docs/queries.md has an example, Slide along a surface.
 //
 // Contact. Whether a triangle is touched on the way, the ends included, is decided in integers; touching at one instant
 // counts. `t` is a multiple of 2^-24 below the exact time of the first contact, and by no more than 2^-24: at t the
-// rounded shape does not touch the triangle yet.
+// rounded shape does not touch the triangle yet. With a skin, t is such a multiple that the rounded shape is no nearer
+// than the skin to any point of the triangle. It is farther by no more than three ticks, 2^-24 of the way each, and
+// 2^-17 of the skin over the sine of the angle between displacement and plane; where it is below 2^-19, t may be 0.
+//
+// Options. Culling is decided in integers, and so is whether a sphere or a capsule leaves a triangle. Of other shapes
+// the ways out are exact, and their lengths are compared as floats, within 2^-21; then the sign of the displacement is
+// exact. Those of a Box and an OrientedBox are all directions that can separate it from the triangle; those of a hull
+// are the normals of the triangle and of its sides within its plane, and the coordinate axes.
+//
+// Start. How deep a shape is in a triangle is the length of the shortest way out, as find_contacts() has it: of spheres
+// and capsules less deep the farther center or axis are from the triangle. Compared as floats, within 2^-21.
+//
+// Feature. Exact: of a sphere or a capsule that of the point at t, as closest_point() has it; of a Box what of the
+// triangle is nearest along the normal; of an OrientedBox and a hull the smallest part with the exact point; at the
+// start that of the point.
 //
 // Results. The coordinates of `point` are within 14 ulp of the largest coordinate of the asset's bounds, those of the
 // normals within 4 ulp of 1, for the shape at t. The part of a triangle that a box touches is that in the box grown by

@@ -166,6 +166,7 @@ static inline void tell_sweep_hit(struct asking* asking, espalier_sweep_hit hit)
     tell_point(asking, hit.face_normal);
     tell(asking, hit.triangle);
     tell(asking, hit.status);
+    tell(asking, hit.feature);
     tell(asking, hit.starts_overlapping);
 }
 

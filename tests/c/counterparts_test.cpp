@@ -137,6 +137,7 @@ const char* const table = R"(
     Shape: Sphere Capsule Box OrientedBox ConvexHull
     rounding_error(Blob, Shape, Vec3)                             espalier_rounding_error_sweep_shape
     sweep(Blob, Shape, Vec3, TriangleFilter)                      espalier_sweep_shape
+    sweep(Blob, Shape, Vec3, SweepOptions)                        espalier_sweep_shape_with_options
 
     Shape: Sphere Capsule OrientedBox
     find_contacts(Blob, Shape, float, span<Contact>)              espalier_find_contacts_shape

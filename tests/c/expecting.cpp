@@ -36,6 +36,7 @@ void Expecting::tell(const SweepHit& hit) {
     tell(hit.face_normal);
     tell(hit.triangle);
     tell(hit.status);
+    tell(hit.feature);
     tell(hit.starts_overlapping);
 }
 

@@ -95,7 +95,14 @@ void Expecting::points() {
 template <class Shape>
 void Expecting::moving(const Shape& shape) {
     tell(sweep(blob_, shape, direction(0)));
-    tell(sweep(blob_, shape, direction(0), [&](TriangleId triangle) { return counts(triangle); }));
+    const auto filter = [&](TriangleId triangle) { return counts(triangle); };
+    tell(sweep(blob_, shape, direction(0), filter));
+    SweepOptions options;
+    if ((asked_.bits & 4) != 0) options.filter = filter;
+    options.skin = asked_.lengths[1];
+    options.culling = static_cast<FaceCulling>(asked_.bits & 3);
+    options.ignore_leaving = (asked_.bits & 8) != 0;
+    tell(sweep(blob_, shape, direction(0), options));
 }
 
 void Expecting::sweeps() {

@@ -172,6 +172,7 @@ SAME_FIELD(espalier_sweep_hit, normal);
 SAME_FIELD(espalier_sweep_hit, face_normal);
 SAME_FIELD(espalier_sweep_hit, triangle);
 SAME_FIELD(espalier_sweep_hit, status);
+SAME_FIELD(espalier_sweep_hit, feature);
 SAME_FIELD(espalier_sweep_hit, reserved);
 SAME_FIELD(espalier_sweep_hit, starts_overlapping);
 SAME_FIELD(espalier_quaternion, x);

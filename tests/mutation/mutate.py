@@ -65,6 +65,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/batches/arrays",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
     "runtime/rays/leak", "runtime/rays/crossing", "runtime/sweeps/slide", "runtime/sweeps/bounds",
+    "runtime/sweeps/start",
     "runtime/contacts/touch", "runtime/contacts/find", "runtime/scenes/scene", "runtime/scenes/hostile",
     "runtime/scenes/loop", "runtime/scenes/gap", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
     "runtime/scenes/modes", "runtime/scenes/rules",

@@ -59,7 +59,7 @@ inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
 /// A miss enters as the zeros of triangle 0, as it did when golden.txt was recorded.
 template <class Shape>
 void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers& answers) {
-    answers.calls += 3;
+    answers.calls += 4;
     const SweepHit filtered =
         sweep(blob, shape, displacement, [](TriangleId triangle) { return triangle.index % 3 != 0; });
     answers.fingerprint.add(bool(filtered));
@@ -71,7 +71,16 @@ void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers&
     answers.fingerprint.add(hit.point);
     answers.fingerprint.add(hit.normal);
     answers.fingerprint.add(hit.starts_overlapping);
+    answers.fingerprint.add(static_cast<std::uint32_t>(hit.feature));
     add_triangle(answers.fingerprint, blob, hit ? hit.triangle : TriangleId{0});
+    SweepOptions options;
+    options.culling = FaceCulling::back;
+    options.ignore_leaving = true;
+    options.skin = 0.125f;
+    const SweepHit kept = sweep(blob, shape, displacement, options);
+    answers.fingerprint.add(kept.status);
+    answers.fingerprint.add(kept.t);
+    answers.fingerprint.add(kept.starts_overlapping);
 }
 
 inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {

@@ -130,7 +130,7 @@ check_folder_includes(tests
   "runtime/rays: ${support} support/exact oracle platform"
   "runtime/proximity: ${support} support/exact"
   "runtime/overlap: ${support} support/exact oracle"
-  "runtime/sweeps: ${support}"
+  "runtime/sweeps: ${support} oracle"
   "runtime/contacts: ${support} support/exact oracle"
   "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"

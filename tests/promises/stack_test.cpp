@@ -158,7 +158,10 @@ TEST_SUITE("stack") {
                         const auto moving = make(maker);
                         SweepHit sweep_hit;
                         most = std::max(most, stack_use([&] {
-                                            sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement);
+                                            sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement,
+                                                              SweepOptions{.culling = FaceCulling::back,
+                                                                           .ignore_leaving = i % 2 == 0,
+                                                                           .skin = 0.125f});
                                         }));
                     }
                 }

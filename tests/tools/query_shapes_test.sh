@@ -112,6 +112,13 @@ run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
 out_has "no contact"
 run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 1 --json
 json '.t == 0 and .starts_overlapping'
+run 0 query box.espl sweep-sphere 0.5 1 3.5 1 0 0 1 --ignore-leaving --json
+json '.status == "ok" and .hit == false'
+run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --skin 0.5 --json
+json '.t <= 0.375 and .t > 0.374999 and (.feature | startswith("edge"))'  # the middle of the top is on a diagonal
+run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 4 --culling back
+out_has "no contact"
+run 6 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --skin -1
 run 6 query box.espl sweep-sphere 0.5 1 3 -1 0 0 1 --json
 json '.status == "invalid_argument" and (has("hit") | not)'
 run 6 query box.espl sweep-box 0 0 0 1 1 1 0 0 1e30

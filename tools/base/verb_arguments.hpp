@@ -136,6 +136,8 @@ struct QueryArguments {
     bool all = false;
     bool crossings = false;
     bool few = false;
+    bool ignore_leaving = false;
+    std::string skin = "0";
     std::optional<std::uint32_t> first;
     std::string accuracy;  ///< empty: exact
     std::optional<std::uint32_t> limit;

@@ -48,6 +48,13 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
             "--crossings", arguments.crossings,
             of(option_crossings, "Every crossing of the surface, once also at shared edges and vertices")));
     }
+    if (takes(option_sweep)) {
+        verb->add_flag("--ignore-leaving", arguments.ignore_leaving,
+                       "Ignores triangles that are touched at the start and that the shape gets no deeper into");
+        verb->add_option("--skin", arguments.skin, "How far the shape stops from the plane of the contact")
+            ->capture_default_str()
+            ->type_name("DISTANCE");
+    }
     if (takes(option_few)) verb->add_flag("--few", arguments.few, "The four or fewer that support the body best");
     if (takes(option_first)) {
         modes.push_back(

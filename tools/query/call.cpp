@@ -43,7 +43,7 @@ struct GivenOption {
     bool is_given;
 };
 
-std::array<GivenOption, 8> given_options(const QueryArguments& arguments) {
+std::array<GivenOption, 11> given_options(const QueryArguments& arguments) {
     return {{{option_any, "--any", arguments.any},
              {option_all, "--all", arguments.all},
              {option_crossings, "--crossings", arguments.crossings},
@@ -51,7 +51,10 @@ std::array<GivenOption, 8> given_options(const QueryArguments& arguments) {
              {option_accuracy, "--accuracy", !arguments.accuracy.empty()},
              {option_limit, "--limit", arguments.limit.has_value()},
              {option_from, "--from", arguments.from != 0},
-             {option_mask, "--mask", !arguments.mask.empty()}}};
+             {option_mask, "--mask", !arguments.mask.empty()},
+             {option_culling, "--culling", arguments.culling != FaceCulling::none},
+             {option_sweep, "--ignore-leaving", arguments.ignore_leaving},
+             {option_sweep, "--skin", arguments.skin != "0"}}};
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ enum QueryOption : unsigned {
     option_depth = 1u << 11,
     option_mask = 1u << 12,  // of scenes
     option_work_limit = 1u << 13,
-    option_few = 1u << 14,  // of contacts
+    option_few = 1u << 14,    // of contacts
+    option_sweep = 1u << 15,  // what a sweep ignores, and its skin
 };
 
 struct QueryKind {

@@ -139,7 +139,7 @@ Answer lattice_segment_answer(QueryCall& call) {
 QueryKinds ray_kinds() {
     constexpr unsigned options =
         option_culling | option_any | option_all | option_crossings | option_first | option_accuracy;
-    constexpr unsigned scene_options = option_any | option_all | option_mask;
+    constexpr unsigned scene_options = option_culling | option_any | option_all | option_mask;
     return {
         {"Rays",
          "ray",

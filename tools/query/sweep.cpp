@@ -2,6 +2,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/choices.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {
@@ -21,6 +22,7 @@ Answer hit_answer(const QueryCall& call, const SweepHit& hit, InstanceId instanc
     else answer.record.triangle(call.blob(), hit.triangle, "touches ");
     answer.record.add("t", hit.t).add("point", hit.point);
     answer.record.add("normal", hit.normal).add("face_normal", hit.face_normal);
+    answer.record.add("feature", name_in(feature_choices, hit.feature));
     answer.record.add("starts_overlapping", hit.starts_overlapping);
     return answer;
 }
@@ -33,7 +35,11 @@ Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacemen
             return hit_answer(call, *found, found.instance);
         }
     }
-    return hit_answer(call, sweep(call.blob(), shape, displacement));
+    SweepOptions options;
+    options.culling = call.options().culling;
+    options.ignore_leaving = call.options().ignore_leaving;
+    options.skin = length_argument(call.options().skin, "--skin");
+    return hit_answer(call, sweep(call.blob(), shape, displacement, options));
 }
 
 Answer sphere_answer(QueryCall& call) {
@@ -76,12 +82,13 @@ Answer hull_answer(QueryCall& call) {
 
 QueryKinds sweep_kinds() {
     constexpr const char* family = "Sweeps; t is the part of the displacement until contact";
+    constexpr unsigned options = option_culling | option_sweep;
     return {
         {family,
          "sweep-sphere",
          "What a moving sphere touches first",
          {point_word("center"), length_word("radius"), point_word("displacement")},
-         0,
+         options,
          sphere_answer,
          false,
          option_mask},
@@ -89,7 +96,7 @@ QueryKinds sweep_kinds() {
          "sweep-capsule",
          "What a moving capsule touches first",
          {point_word("from"), point_word("to"), length_word("radius"), point_word("displacement")},
-         0,
+         options,
          capsule_answer,
          false,
          option_mask},
@@ -97,20 +104,20 @@ QueryKinds sweep_kinds() {
          "sweep-box",
          "What a moving axis-aligned box touches first",
          {point_word("min"), point_word("max"), point_word("displacement")},
-         0,
+         options,
          box_answer},
         {family,
          "sweep-oriented-box",
          "What a moving box of any orientation touches first; half axes lead from center to faces",
          {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
           point_word("displacement")},
-         0,
+         options,
          oriented_box_sweep_answer},
         {family,
          "sweep-hull",
          "What a moving convex hull touches first: its displacement, then each vertex",
          {point_word("vector")},
-         0,
+         options,
          hull_answer,
          true},
     };

@@ -23,7 +23,8 @@ typedef struct ESPALIER_SHARED_ espalier_sweep_hit {
     espalier_vec3 point, normal, face_normal;
     espalier_triangle_id triangle;
     espalier_query_status status;
-    uint8_t reserved[2];
+    espalier_feature feature;
+    uint8_t reserved;
     bool starts_overlapping;
 } espalier_sweep_hit;
 
@@ -37,6 +38,32 @@ espalier_sweep_hit espalier_sweep_oriented_box(const espalier_blob* blob, const 
                                                espalier_vec3 displacement);
 espalier_sweep_hit espalier_sweep_convex_hull(const espalier_blob* blob, const espalier_convex_hull* hull,
                                               espalier_vec3 displacement);
+
+/* Selects the triangles that count, and where the shape stops. All zero, it selects all triangles and no skin. */
+typedef struct ESPALIER_SHARED_ espalier_sweep_options {
+    espalier_triangle_filter filter; /* null keeps all */
+    void* user;                      /* passed to `filter` */
+    float skin;
+    espalier_face_culling culling;
+    bool ignore_leaving;
+    uint8_t reserved[2];
+} espalier_sweep_options;
+
+/* Returns the first contact under some options. */
+espalier_sweep_hit espalier_sweep_sphere_with_options(const espalier_blob* blob, const espalier_sphere* sphere,
+                                                      espalier_vec3 displacement,
+                                                      const espalier_sweep_options* options);
+espalier_sweep_hit espalier_sweep_capsule_with_options(const espalier_blob* blob, const espalier_capsule* capsule,
+                                                       espalier_vec3 displacement,
+                                                       const espalier_sweep_options* options);
+espalier_sweep_hit espalier_sweep_box_with_options(const espalier_blob* blob, const espalier_box* box,
+                                                   espalier_vec3 displacement, const espalier_sweep_options* options);
+espalier_sweep_hit espalier_sweep_oriented_box_with_options(const espalier_blob* blob, const espalier_oriented_box* box,
+                                                            espalier_vec3 displacement,
+                                                            const espalier_sweep_options* options);
+espalier_sweep_hit espalier_sweep_convex_hull_with_options(const espalier_blob* blob, const espalier_convex_hull* hull,
+                                                           espalier_vec3 displacement,
+                                                           const espalier_sweep_options* options);
 
 /* Returns the first contact with a triangle that the filter keeps. */
 espalier_sweep_hit espalier_sweep_sphere_filtered(const espalier_blob* blob, const espalier_sphere* sphere,

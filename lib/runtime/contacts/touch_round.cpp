@@ -3,6 +3,7 @@
 #include <runtime/kernels/face.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
+#include <runtime/kernels/way_out.hpp>
 
 namespace espalier::detail::contacts {
 
@@ -44,47 +45,6 @@ Vec3 direction_from(Feature feature, const OriginRelative& t, const LatticeTrian
             break;
     }
     return direction_of(-c);
-}
-
-/// A direction in which the shape can leave the triangle, and how far it has to go.
-struct WayOut {
-    Vec3 normal;
-    float depth = infinity;
-};
-
-/// Tries both senses of a direction that is not zero. Segment and corners are counted from the segment's start.
-void try_way(const WideVector& axis, const Integer3& along, const Integer3* corner, WayOut& best) {
-    if (is_zero(axis)) return;
-    const Int128 end = dot(axis, along), zero = 0;
-    const Span<Int128> of_segment = {end.is_negative() ? end : zero, end.is_negative() ? zero : end};
-    const Span<Int128> of_triangle = span_of(dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2]));
-    const Vec3 rounded = {to_float(axis.x), to_float(axis.y), to_float(axis.z)};
-    const float size = largest(rounded);
-    const Vec3 scaled = rounded * (1.0f / size);
-    const float length = square_root(dot(scaled, scaled));
-    const Vec3 unit = scaled * (1.0f / length);
-    const auto keep = [&](const Int128& way, float sense) {
-        const float depth = to_float(way) / size / length;
-        if (depth < best.depth) best = {unit * sense, depth};
-    };
-    keep(of_triangle.high - of_segment.low, 1.0f);
-    keep(of_segment.high - of_triangle.low, -1.0f);
-}
-
-/// Returns the shortest way out of the triangle for a segment that shares a point with it: across the face, or across
-/// the segment and a side.
-WayOut way_out(const UnitSegment& segment, const LatticeTriangle& triangle) {
-    const Integer3 along = segment.to - segment.from;
-    Integer3 corner[3];
-    for (int i = 0; i < 3; ++i) corner[i] = corner_on_grid(triangle, i, segment.fraction_bits) - segment.from;
-    WayOut best;
-    const Integer3 normal = normal_of(integer_triangle(triangle));
-    try_way({normal.x, normal.y, normal.z}, along, corner, best);
-    for (int side = 0; side < 3; ++side) try_way(wide_cross(along, side_from(triangle, side)), along, corner, best);
-    // A point on the triangle, or a segment and a triangle on one line.
-    if (best.depth == infinity) best = {front_of(triangle), 0.0f};
-    best.depth *= power_of_two(-segment.fraction_bits);
-    return best;
 }
 
 /// Returns the direction from the nearest feature to the inside of the segment; zero if there is none.
@@ -151,7 +111,7 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     first.feature = distance.feature;
     if (distance.squared == 0.0f) {
         const WayOut out = way_out(segment, triangle);
-        first.normal = out.normal;
+        first.normal = is_zero(out.axis) ? front_of(triangle) : out.normal;
         first.distance = -out.depth;
     } else {
         const bool at_from = distance.along <= 0.0f, at_to = distance.along >= 1.0f;

@@ -2,6 +2,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/base/wide_difference.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 namespace espalier::detail {
 
@@ -232,6 +233,16 @@ private:
     unsigned count_ = 3;
 };
 
+/// Returns what of the triangle is least far along an axis.
+Feature nearest_feature(const IntegerTriangle& triangle, const Integer3& axis) {
+    const Int128 at[3] = {dot<Int128>(axis, triangle.corner[0]), dot<Int128>(axis, triangle.corner[1]),
+                          dot<Int128>(axis, triangle.corner[2])};
+    unsigned nearest = 0;
+    for (unsigned i = 0; i < 3; ++i)
+        nearest |= at[i == 2 ? 0 : i + 1] < at[i] || at[i == 0 ? 2 : i - 1] < at[i] ? 0 : 1u << i;
+    return feature_of_corners(nearest);
+}
+
 Weights middle_of_overlap(const MovingBox& box, const IntegerTriangle& triangle, std::int64_t tick) {
     Clipped clipped;
     for (int k = 0; k < 3; ++k) {
@@ -268,8 +279,9 @@ SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, S
     Together together(step);
     (void)try_axes(box, triangle, together);
     const Integer3 axis = axis_of(triangle, together.last_axis());
-    const float sign = dot<Int128>(axis, box.displacement).is_negative() ? 0x1p-30f : -0x1p-30f;
-    return {middle_of_overlap(box, triangle, tick_before(step)), to_unit(axis, sign)};
+    const bool runs_down = dot<Int128>(axis, box.displacement).is_negative();
+    return {middle_of_overlap(box, triangle, tick_before(step)), to_unit(axis, runs_down ? 0x1p-30f : -0x1p-30f),
+            nearest_feature(triangle, runs_down ? -axis : axis)};
 }
 
 }  // namespace espalier::detail

@@ -1,5 +1,6 @@
 // The kernel of capsules that move: eight triangles and a sphere. Widths and roundings: docs/numerics.md.
 #include <runtime/kernels/moving_shapes.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 namespace espalier::detail {
 
@@ -49,6 +50,14 @@ private:
     bool is_turned_ = false;
 };
 
+/// Returns the part of the triangle that a part of a face of its prism lies over: what its corners come from.
+Feature feature_below(const std::uint8_t* face, Feature on_face) {
+    const unsigned part = corners_of(on_face);
+    unsigned below = 0;
+    for (unsigned i = 0; i < 3; ++i) below |= (part >> i & 1u) << (face[i] & 3u);
+    return feature_of_corners(below);
+}
+
 }  // namespace
 
 SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept {
@@ -62,6 +71,20 @@ SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& tri
     return first;
 }
 
+bool leaves_at_start(const MovingCapsule& capsule, const IntegerTriangle& triangle) noexcept {
+    // The axis is as far from the triangle as its start is from the prism: as from the nearest of the faces.
+    Integer3 points[6];
+    for (unsigned i = 0; i < 3; ++i) {
+        points[i] = triangle.corner[i];
+        points[3 + i] = triangle.corner[i] - capsule.axis;
+    }
+    for (unsigned face = 0; face < 8; ++face) {
+        const Departure departure = departure_from(capsule.sphere, face_of_prism(capsule, triangle, face), points, 6);
+        if (departure != Departure::is_elsewhere) return departure == Departure::leaves;
+    }
+    return false;  // inside of the prism: the axis passes through the triangle
+}
+
 SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
     // Of the faces that are met first the earliest, as above. A sphere has one.
     Faces faces(capsule, triangle);
@@ -71,7 +94,8 @@ SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& tri
     const float weights[3] = {1.0f - on_face.u - on_face.v, on_face.u, on_face.v};
     float of_corner[3] = {0.0f, 0.0f, 0.0f};
     for (unsigned i = 0; i < 3; ++i) of_corner[faces_of_prism[faces.number()][i] & 3u] += weights[i];
-    return {{of_corner[1], of_corner[2]}, on_face.normal};
+    return {
+        {of_corner[1], of_corner[2]}, on_face.normal, feature_below(faces_of_prism[faces.number()], on_face.feature)};
 }
 
 }  // namespace espalier::detail

@@ -2,6 +2,7 @@
 #include <runtime/kernels/moving_hull.hpp>
 
 #include <runtime/base/bits.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 namespace espalier::detail {
 
@@ -195,7 +196,8 @@ public:
         }
         const float whole = to_float(speed_);
         return {{flush_subnormal(to_float(weight[1]) / whole), flush_subnormal(to_float(weight[2]) / whole)},
-                to_unit(separating_normal(), -0x1p-30f)};
+                to_unit(separating_normal(), -0x1p-30f),
+                feature_of(weight[0].is_zero(), weight[1].is_zero(), weight[2].is_zero())};
     }
 
 private:

@@ -38,7 +38,8 @@ inline SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& tr
 }
 
 /// For a first contact at that step, which is not 0: a point of the triangle that the hull touches then, and the normal
-/// of a plane that separates the two until then: the triangle's, if that does.
+/// of a plane that separates the two until then: the triangle's, if that does. The feature is the smallest part of the
+/// triangle with the exact point.
 SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep step) noexcept;
 
 }  // namespace espalier::detail

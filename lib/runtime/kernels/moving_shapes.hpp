@@ -27,7 +27,8 @@ constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : ste
 
 /// Where a moving shape touches a triangle.
 struct SweepContact : Weights {
-    Vec3 normal;  ///< unit, from the triangle towards the shape
+    Vec3 normal;      ///< unit, from the triangle towards the shape
+    Feature feature;  ///< the part of the triangle that holds the point
 };
 
 /// Starts at 0: triangles are seen from its centre's start. Coordinates of triangles and displacement stay below 2^35,
@@ -46,6 +47,17 @@ SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& trian
 /// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept;
 
+/// How a point that begins to move is to a face of a convex body.
+enum class Departure : std::uint8_t {
+    touches,
+    is_elsewhere,  ///< another face is nearer to the point
+    closes,
+    leaves,  ///< gets no nearer
+};
+/// Returns it for the start of the sphere's centre, of a body that is the hull of the points.
+Departure departure_from(const MovingSphere& sphere, const IntegerTriangle& face, const Integer3* points,
+                         unsigned count) noexcept;
+
 /// A capsule. Seen from the sphere at the start of its axis, the triangle is swept along the axis backwards: a prism,
 /// whose faces the sphere meets or does not. Triangles are seen from the start of the axis at the start of the way. The
 /// axis stays below 2^25, the rest is bounded as in MovingSphere.
@@ -56,6 +68,9 @@ struct MovingCapsule {
 
 /// Like that of a sphere, for a capsule that does not touch at the start.
 SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// Returns whether the axis does not touch the triangle at the start, and does not come nearer from there on.
+bool leaves_at_start(const MovingCapsule& capsule, const IntegerTriangle& triangle) noexcept;
 
 /// Returns one of the eight faces of the prism.
 IntegerTriangle face_of_prism(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face);
@@ -82,7 +97,8 @@ SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, S
 
 /// For a first contact at that step, which is not 0: the middle of what of the triangle lies in the box at the tick
 /// before, grown by what it moves in a tick and by roundings; and the axis that is the last to separate, of several the
-/// first in the order x, y, z, the triangle's normal, then products of sides and axes.
+/// first in the order x, y, z, the triangle's normal, then products of sides and axes. The feature is what of the
+/// triangle is nearest along that axis, exactly.
 SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept;
 
 }  // namespace espalier::detail

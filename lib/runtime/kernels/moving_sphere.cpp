@@ -2,6 +2,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/base/wide_difference.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 
 namespace espalier::detail {
 
@@ -69,7 +70,8 @@ public:
             case Part::corner: {
                 const Integer3& p = seen_[number_];
                 return {weights_on_side(static_cast<int>(number_), 0.0f),
-                        is_zero(p) ? normal_against_displacement() : unit_along(p, false)};
+                        is_zero(p) ? normal_against_displacement() : unit_along(p, false),
+                        vertex_of(static_cast<int>(number_))};
             }
             case Part::side: {
                 const float along = to_float(forward_) * 0x1p-24f / to_float(length_[number_]);
@@ -82,15 +84,27 @@ public:
                 };
                 const Integer3& side = side_[number_];
                 const Vec3 off = {across(p.x, side.x), across(p.y, side.y), across(p.z, side.z)};
-                return {at, off == Vec3{} ? normal_against_displacement() : to_unit(off)};
+                return {at, off == Vec3{} ? normal_against_displacement() : to_unit(off),
+                        edge_of(static_cast<int>(number_))};
             }
             default: {
                 const float whole = to_float(dot<Int128>(normal_, normal_)) * 0x1p-36f;
                 const Int128 above = dot<Int128>(normal_, seen_[0]);
                 return {{flush_subnormal(weight(2) / whole), flush_subnormal(weight(0) / whole)},
-                        above.is_zero() ? normal_against_displacement() : unit_along(normal_, above.is_negative())};
+                        above.is_zero() ? normal_against_displacement() : unit_along(normal_, above.is_negative()),
+                        Feature::face};
             }
         }
+    }
+
+    /// The nearest point of the face is that of the body exactly if no point of the body is beyond the plane through
+    /// it, across the way to the centre.
+    [[nodiscard]] Departure departure(const Integer3* points, unsigned count) {
+        const Probe start = probe(0);
+        if (start.touches) return Departure::touches;
+        for (unsigned i = 0; i < count; ++i)
+            if (is_beyond(points[i])) return Departure::is_elsewhere;
+        return start.closing ? Departure::closes : Departure::leaves;
     }
 
 private:
@@ -131,6 +145,22 @@ private:
         if (takes_shortcut(is_narrow_)) return Int128(0) < dot<Int128>(inward_[i], seen_[i]);
         return compare_products(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
                                 dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0])) > 0;
+    }
+    /// Whether a point is nearer to the centre than the part, along the way between those two.
+    [[nodiscard]] bool is_beyond(const Integer3& point) const {
+        const Integer3 ahead = point - triangle_.corner[number_];
+        switch (part_) {
+            case Part::corner:
+                return Int128(0) < dot<Int128>(seen_[number_], ahead);
+            case Part::side:
+                return compare_products(dot<Int128>(seen_[number_], ahead), Int128(length_[number_]), forward_,
+                                        dot<Int128>(side_[number_], ahead)) > 0;
+            default: {
+                const Int128 above = dot<Int128>(normal_, seen_[0]);
+                const Int128 of_point = dot<Int128>(normal_, point - triangle_.corner[0]);
+                return sign(of_point) == sign(above);
+            }
+        }
     }
     [[nodiscard]] float weight(unsigned i) const {
         if (takes_shortcut(is_narrow_)) return to_float(dot<Int128>(inward_[i], seen_[i])) * 0x1p-60f;
@@ -317,6 +347,11 @@ SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& trian
 
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept {
     return Approach(sphere, triangle).contact_at(tick);
+}
+
+Departure departure_from(const MovingSphere& sphere, const IntegerTriangle& face, const Integer3* points,
+                         unsigned count) noexcept {
+    return Approach({sphere.displacement, 0}, face).departure(points, count);
 }
 
 }  // namespace espalier::detail

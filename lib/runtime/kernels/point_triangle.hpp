@@ -83,6 +83,16 @@ inline Feature feature_of(bool no_a, bool no_b, bool no_c) {
     return no_a ? Feature::edge_bc : Feature::face;
 }
 
+/// Returns the smallest part of the triangle with some of its corners, one bit for each, of which at least one is set.
+inline Feature feature_of_corners(unsigned corners) {
+    return feature_of((corners & 1u) == 0, (corners & 2u) == 0, (corners & 4u) == 0);
+}
+/// Returns the corners of a part of the triangle, one bit for each.
+inline unsigned corners_of(Feature part) {
+    constexpr std::uint8_t corners[7] = {7, 3, 6, 5, 1, 2, 4};
+    return corners[static_cast<unsigned>(part)];
+}
+
 /// The distance from the origin of `triangle` to it (also to one without area: then to its longest side).
 PointDistance distance_to(const OriginRelative& triangle, int fraction_bits) noexcept;
 inline PointDistance distance_to(const RoundedPoint& point, const LatticeTriangle& triangle) noexcept {

@@ -91,6 +91,7 @@ struct CapsuleMover {
         if (in_lanes.is_sphere)
             return first_contact(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most, least);
         if (least == 0 && touches_at_start(sweep, triangle)) return 0;
+        if (most == 0) return no_contact;
         if (!has_bounds<CapsuleSweep> || in_lanes.is_far) return first_contact_after_start(sweep, triangle, most);
         return contact_of_prism(sweep, in_lanes, triangle, least, most);
     }
@@ -164,6 +165,7 @@ struct MovingShape {
     const InLanes& in_lanes;
     typename Mover::Memory& memory;
     const typename Mover::Frame& frame;
+    const SweepOptions& options;
 
     [[gnu::always_inline]] unsigned cull(const Node& node, float limit, Keys keys) const {
         return slab_test(node, lanes_, limit, keys);
@@ -239,22 +241,22 @@ private:
     void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float time,
                Closest<FoundContact>& answer) const {
         const std::uint32_t index = owner_index(leaf, slot);
-        if (answer.rules_out(0.0f, index)) return;
-        // Of equal steps the lowest index counts.
-        const SweepStep most = !answer.found()             ? whole_way
-                               : index < answer.best.index ? answer.best.step
-                                                           : answer.best.step - 1;
+        // Of equal steps the lowest index counts, at the start the deepest triangle.
+        const SweepStep most = !answer.found()                                      ? whole_way
+                               : index < answer.best.index || answer.best.step == 0 ? answer.best.step
+                                                                                    : answer.best.step - 1;
         const SweepStep step =
             Mover::contact(sweep, in_lanes, memory, triangle, has_bounds<Sweep> ? step_before(time) : 0, most);
-        if (step != no_contact) answer.take({{index}, step, triangle});
+        if (step == no_contact || is_left_out(sweep, triangle, step, options)) return;
+        answer.take(found_contact(sweep, triangle, index, step));
     }
 };
 
 template <class Mover>
 inline FoundContact find_first_contact(const BlobData& blob, const typename Mover::Sweep& sweep,
-                                       const TriangleFilter* filter) {
+                                       const SweepOptions& options) {
     FoundContact best;
-    Closest<FoundContact> answer(best, filter);
+    Closest<FoundContact> answer(best, options.filter ? &options.filter : nullptr);
     answer.limit = 1.0f;
     const auto shape_in_lanes = in_lanes(blob, sweep);
     typename Mover::Memory memory;
@@ -262,18 +264,18 @@ inline FoundContact find_first_contact(const BlobData& blob, const typename Move
     with_leaves_of(blob, [&]<class Leaf>() {
         using Node = typename Leaf::Node;
         const auto box_in_lanes = spread_sweep<RayLanesOf<Node>>(blob, sweep);
-        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes, memory, frame};
+        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes, memory, frame, options};
         find_nearest_first_in<Leaf>(blob, shape, answer);
     });
     return best;
 }
 
-FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const TriangleFilter* filter) {
-    return find_first_contact<CapsuleMover>(blob, sweep, filter);
+FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const SweepOptions& options) {
+    return find_first_contact<CapsuleMover>(blob, sweep, options);
 }
-FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter) {
-    return find_first_contact<BoxMover>(blob, sweep, filter);
+FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const SweepOptions& options) {
+    return find_first_contact<BoxMover>(blob, sweep, options);
 }
-FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const TriangleFilter* filter) {
-    return find_first_contact<HullMover>(blob, sweep, filter);
+FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const SweepOptions& options) {
+    return find_first_contact<HullMover>(blob, sweep, options);
 }

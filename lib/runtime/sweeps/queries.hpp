@@ -8,12 +8,13 @@
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
+#include <runtime/sweeps/start.hpp>
 
-#define ESPALIER_DECLARE_SWEEPS(instruction_set)                                                               \
-    namespace instruction_set {                                                                                \
-    FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const TriangleFilter* filter); \
-    FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter);     \
-    FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const TriangleFilter* filter);    \
+#define ESPALIER_DECLARE_SWEEPS(instruction_set)                                                              \
+    namespace instruction_set {                                                                               \
+    FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const SweepOptions& options); \
+    FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const SweepOptions& options);     \
+    FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const SweepOptions& options);    \
     }
 
 namespace espalier::detail {
@@ -21,13 +22,19 @@ namespace espalier::detail {
 struct FoundContact : Found {
     SweepStep step = no_contact;
     LatticeTriangle triangle;
+    float gap = 0.0f;  ///< of a contact at the start: the smaller, the deeper
 
     [[nodiscard]] float key() const { return share_of_way(step); }
     [[nodiscard]] float limit(float) const { return key(); }
 };
+/// Whether a is earlier than b, or deeper at the start, or as early and as deep and of a lower index.
+inline bool comes_before(const FoundContact& a, const FoundContact& b) {
+    if (a.step != b.step) return a.step < b.step;
+    return a.gap < b.gap || (a.gap == b.gap && a.index < b.index);
+}
 
-// first_contact: the smallest step, of equal ones the lowest index; no_contact when there is none. The blob is not
-// empty.
+// first_contact: the one that comes before all others which the options leave; no_contact when there is none. The blob
+// is not empty.
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SWEEPS)
 
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
@@ -68,21 +75,56 @@ inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTri
     return contact_at(MovingSphere{sweep.displacement, 0}, sweep.seen_from(sweep.middle(), triangle), 0);
 }
 
-/// Returns a contact as the caller receives it.
+/// Whether the way leads along the normal of a face that is culled, or against it, exactly.
+ESPALIER_SHARED_CODE inline bool is_culled(const LatticeSweep& sweep, const LatticeTriangle& triangle,
+                                           FaceCulling culling) {
+    const int along = sign(dot<Int128>(normal_of(integer_triangle(triangle)), sweep.displacement));
+    return culling == FaceCulling::back ? along > 0 : culling == FaceCulling::front && along < 0;
+}
+/// Whether the options leave out a triangle that the shape first touches at that step, apart from the filter.
 template <class Sweep>
-SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found) noexcept {
+bool is_left_out(const Sweep& sweep, const LatticeTriangle& triangle, SweepStep step, const SweepOptions& options) {
+    if (options.culling != FaceCulling::none && is_culled(sweep, triangle, options.culling)) return true;
+    return step == 0 && options.ignore_leaving && leaves_at_start(sweep, triangle);
+}
+template <class Sweep>
+FoundContact found_contact(const Sweep& sweep, const LatticeTriangle& triangle, std::uint32_t index, SweepStep step) {
+    return {{index}, step, triangle, step == 0 ? gap_at_start(sweep, triangle) : 0.0f};
+}
+
+/// Returns the last tick before a contact at which the shape is no nearer than the skin, in lattice steps, to the plane
+/// of the contact; the start if it is nearer there.
+ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep, SweepStep step, const Vec3& normal,
+                                                       float skin) {
+    const std::uint32_t tick = tick_before(step);
+    if (!(skin > 0.0f) || tick == 0) return tick;
+    const float scale = power_of_two(-sweep.fraction_bits);
+    const auto& [x, y, z] = sweep.displacement;
+    const Vec3 way = {to_float(x) * scale, to_float(y) * scale, to_float(z) * scale};
+    // The normal is within 4 ulp, so the shape is at least as fast as this.
+    const float error = (absolute(way.x) + absolute(way.y) + absolute(way.z)) * 0x1p-20f;
+    const float speed = -(way.x * normal.x + way.y * normal.y + way.z * normal.z) - error;
+    const float ticks = skin / speed * (0x1p24f * (1.0f + 0x1p-20f)) + 1.0f;
+    if (!(speed > 0.0f) || !(ticks < static_cast<float>(tick))) return 0;
+    return tick - static_cast<std::uint32_t>(ticks);
+}
+
+/// Returns a contact as the caller receives it, the shape stopped so far before it (lattice steps).
+template <class Sweep>
+SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found, float skin = 0.0f) noexcept {
     const bool at_start = found.step == 0;
     const SweepContact contact =
         at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.step);
     float point[3];
     point_of(found.triangle, contact.u, contact.v, point);
     SweepHit hit;
-    hit.t = share_of_way(tick_before(found.step));
+    hit.t = share_of_way(tick_at_skin(sweep, found.step, contact.normal, skin));
     hit.point = to_world(blob, point[0], point[1], point[2]);
     hit.normal = contact.normal;
     hit.face_normal = face_normal_of(found.triangle);
     hit.triangle = TriangleId{found.index};
     hit.status = QueryStatus::ok;
+    hit.feature = contact.feature;
     hit.starts_overlapping = at_start;
     return hit;
 }

@@ -41,6 +41,8 @@ struct LatticeSweep : MovingBox {
 struct CapsuleSweep : LatticeSweep {
     Integer3 from;
     MovingCapsule moving;
+
+    [[nodiscard]] UnitSegment axis() const { return {from, from + moving.axis, fraction_bits}; }
 };
 struct BoxSweep : LatticeSweep {};
 /// Also of an oriented box: the hull of its corners.
@@ -64,7 +66,7 @@ struct HullSweep : LatticeSweep {
 /// Whether the shape touches the triangle at the start.
 inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
     if (!boxes_meet_at_start(sweep, triangle)) return false;
-    const UnitSegment axis = {sweep.from, sweep.from + sweep.moving.axis, sweep.fraction_bits};
+    const UnitSegment axis = sweep.axis();
     // The radius came from a float and is one still.
     const float radius = to_float(sweep.moving.sphere.radius) * power_of_two(-sweep.fraction_bits);
     return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);

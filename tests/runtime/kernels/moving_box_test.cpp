@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include <runtime/kernels/moving_shapes.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"
@@ -101,7 +103,7 @@ std::optional<Rational> exact_first_contact(const Case<MovingBox>& c) {
 
 TEST_SUITE("moving box") {
     TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
-        std::uint64_t decided = 0;
+        std::uint64_t decided = 0, along_axes = 0;
         Random random(5);
         std::array<std::uint64_t, 3> seen{};
         const std::uint64_t count = scaled(1'500);
@@ -149,6 +151,18 @@ TEST_SUITE("moving box") {
             REQUIRE(contact.u >= -0x1p-20f);
             REQUIRE(contact.v >= -0x1p-20f);
             REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
+            // The feature is what is nearest along the normal, which is exact along a coordinate axis.
+            const float along[3] = {contact.normal.x, contact.normal.y, contact.normal.z};
+            for (int k = 0; k < 3; ++k) {
+                if (std::fabs(along[k]) != 1.0f) continue;
+                ++along_axes;
+                std::int64_t nearest = c.triangle.corner[0].*axes[k];
+                for (const Integer3& corner : c.triangle.corner)
+                    nearest = along[k] > 0.0f ? std::max(nearest, corner.*axes[k]) : std::min(nearest, corner.*axes[k]);
+                for (unsigned corner = 0; corner < 3; ++corner)
+                    REQUIRE((detail::corners_of(contact.feature) >> corner & 1u) ==
+                            (c.triangle.corner[corner].*axes[k] == nearest ? 1u : 0u));
+            }
             for (int k = 0; k < 3; ++k) {
                 const auto axis = axes[k];
                 const Rational low = Rational(c.moving.low.*axis) + moved[k];
@@ -163,6 +177,7 @@ TEST_SUITE("moving box") {
             }
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        CHECK(along_axes > count / 20);
         MESSAGE(decisions_made("box that moves", decided));
     }
 }

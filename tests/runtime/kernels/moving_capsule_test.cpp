@@ -85,6 +85,7 @@ TEST_SUITE("moving capsule") {
             const std::array<Point, 1> named = {point};
             const Rational distance = oracle::squared_distance(axis, exact(c.triangle));
             const Rational from_point = oracle::squared_distance(axis, named);
+            REQUIRE(oracle::squared_distance(axis, moving::corners_of(c.triangle, contact.feature)) == distance);
             // The other end of the shortest connection: along the normal.
             const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
             // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.
@@ -95,5 +96,30 @@ TEST_SUITE("moving capsule") {
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
         MESSAGE(decisions_made("capsule that moves", decided));
+    }
+
+    TEST_CASE("kernel: a capsule leaves a triangle exactly if its axis gets no nearer") {
+        Random random(41);
+        std::array<std::uint64_t, 3> seen{};
+        const std::uint64_t count = scaled(400);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Case<MovingCapsule> c = some_capsule(random);
+            if (random.coin()) c.moving.axis = {0, 0, 0};
+            CAPTURE(i);
+            // Near the triangle; then the axis comes nearer within the shortest time, or never.
+            if (random.coin())
+                for (Integer3& corner : c.triangle.corner) corner = plus(corner, Scene(random).some_point(3));
+            const auto distance_at = [&](const Rational& time) {
+                const Point start = exact(c.moving.sphere.displacement) * time;
+                const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
+                return oracle::squared_distance(axis, exact(c.triangle));
+            };
+            const Rational before = distance_at(0), soon = distance_at(Rational::of(1, -240));
+            const bool leaves = before.sign() > 0 && soon >= before;
+            REQUIRE(leaves_at_start(c.moving, c.triangle) == leaves);
+            ++seen[before.sign() == 0 ? 0 : leaves ? 1 : 2];
+        }
+        if (asks_enough())
+            for (const std::uint64_t number : seen) CHECK(number > count / 100);
     }
 }

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <runtime/kernels/moving_hull.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/convex_hull.hpp"
@@ -241,6 +243,17 @@ TEST_SUITE("moving hull") {
             REQUIRE(contact.u >= 0.0f);
             REQUIRE(contact.v >= 0.0f);
             REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
+            // The part of the triangle with the exact point alone is touched at the same time.
+            const float weights[3] = {1.0f - contact.u - contact.v, contact.u, contact.v};
+            const unsigned of_part = detail::corners_of(contact.feature);
+            Case<MovingHull> part = c;
+            for (unsigned outside = 0; outside < 3; ++outside) {
+                if ((of_part >> outside & 1u) != 0) continue;
+                REQUIRE(std::fabs(weights[outside]) <= 0x1p-20f);
+                for (unsigned other = 0; other < 3; ++other)
+                    if ((of_part >> other & 1u) != 0) part.triangle.corner[outside] = c.triangle.corner[other];
+            }
+            if (contact.feature != Feature::face) REQUIRE(exact_first_contact(part) == time);
             const Point point = weighted(c.triangle, contact);
             for (unsigned axis = 0; axis < 8; ++axis) {
                 const Point along = axis == 0 ? normal : exact(Scene(random).some_point(4));

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <runtime/kernels/moving_shapes.hpp>
 
@@ -227,6 +229,27 @@ void require_right_limits(const Case<Moving>& c, SweepStep step, Random& random)
     const SweepStep near = step == no_contact ? whole_way : step;
     for (const SweepStep most : {near, near == 0 ? 0 : near - 1, random.below(whole_way + 1)})
         REQUIRE(first_contact(c.moving, c.triangle, most) == (step <= most ? step : no_contact));
+}
+
+/// The corners of a part of the triangle.
+inline std::vector<Point> corners_of(const IntegerTriangle& triangle, Feature part) {
+    const std::vector<std::vector<int>> corners = {{0, 1, 2}, {0, 1}, {1, 2}, {2, 0}, {0}, {1}, {2}};
+    std::vector<Point> result;
+    for (const int i : corners[static_cast<std::size_t>(part)]) result.push_back(exact(triangle)[std::size_t(i)]);
+    return result;
+}
+/// Whether the parts that a part of the triangle ends in are farther away than it is.
+template <class Points>
+bool is_smallest_part(const Points& shape, const IntegerTriangle& triangle, Feature part) {
+    const std::vector<Point> corners = corners_of(triangle, part);
+    const Rational distance = oracle::squared_distance(shape, corners);
+    if (corners.size() == 1) return true;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        std::vector<Point> less = corners;
+        less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
+        if (oracle::squared_distance(shape, less) <= distance) return false;
+    }
+    return true;
 }
 
 /// Whether a coordinate of a / |a| is within 4 ulp of 1 of the number.

@@ -114,6 +114,10 @@ TEST_SUITE("moving sphere") {
             for (int k = 0; k < 3; ++k) REQUIRE(oracle::absolute(off[k]) <= allowed);
             REQUIRE(contact.u >= 0.0f);
             REQUIRE(contact.v >= 0.0f);
+            const std::array<Point, 1> at = {center};
+            REQUIRE(oracle::squared_distance(at, moving::corners_of(c.triangle, contact.feature)) ==
+                    closest.squared_distance);
+            REQUIRE(is_smallest_part(at, c.triangle, contact.feature));
             if (closest.squared_distance.sign() != 0) {
                 ++apart;
                 require_unit_along(center - closest.point, contact.normal);

@@ -28,6 +28,7 @@ float largest(const OrientedBox& box) { return largest(box.center); }
 struct Seen {
     std::uint64_t contacts = 0;
     std::uint64_t overlapping = 0;  ///< without a push
+    std::uint64_t kept = 0;         ///< away by a skin
 };
 
 /// Sweeps the shape, moves it away from the contact by the documented skin, and requires that it does not touch.
@@ -43,14 +44,21 @@ void slide(const Blob& blob, const Shape& start, const Vec3& way, const Vec3& ne
     REQUIRE(before);
     REQUIRE(after);
     const float additions = 0x1p-21f * std::max(largest(start), largest(translated(start, way)));
-    const Shape pushed = translated(stopped, times(hit.normal, before.value + after.value + additions));
+    const float skin = before.value + after.value + additions;
+    const Shape pushed = translated(stopped, times(hit.normal, skin));
     REQUIRE_FALSE(sweep(blob, pushed, next, only_it).starts_overlapping);
+    // Or stopped as much earlier.
+    const SweepHit kept = sweep(blob, start, way, SweepOptions{.skin = skin});
+    REQUIRE(kept.triangle == hit.triangle);
+    if (kept.t == 0.0f) return;
+    ++seen.kept;
+    REQUIRE_FALSE(sweep(blob, translated(start, times(way, kept.t)), next, only_it).starts_overlapping);
 }
 
 }  // namespace
 
 TEST_SUITE("slide") {
-    TEST_CASE("sweep: a body that is moved away by the bounds of both sweeps does not start in the contact") {
+    TEST_CASE("sweep: a body that keeps away by the bounds of both sweeps does not start in the contact") {
         for (const float offset : {0.0f, 1000.0f}) {
             for (const float coarseness : {0x1p-12f, 0x1p-4f}) {
                 BakeOptions options;
@@ -75,6 +83,7 @@ TEST_SUITE("slide") {
                 for (const Seen& seen : {spheres, capsules, boxes, oriented}) {
                     CHECK(seen.contacts > 100);
                     CHECK(seen.overlapping > 0);
+                    CHECK(seen.kept > 100);
                 }
             }
         }

@@ -1,6 +1,7 @@
 // Claims about sweeps: they equal the loop over all triangles, agree with the overlap queries, and have manners.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,11 +9,14 @@
 #include <string>
 #include <vector>
 
+#include <espalier/contact.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/sweep.hpp>
 #include <runtime/sweeps/queries.hpp>
 
 #include "support/base/calls.hpp"
+#include "support/base/random.hpp"
 #include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/test_blobs.hpp"
@@ -34,19 +38,40 @@ detail::BoxSweep rounded_of(const Box&) { return {}; }
 detail::HullSweep rounded_of(const OrientedBox&) { return {}; }
 detail::HullSweep rounded_of(const OwnedHull&) { return {}; }
 
-/// What the loop says, of all triangles and of those that the filter leaves.
+constexpr unsigned option_sets = 6;
+
+/// All triangles, then those that the filter leaves, then other options.
+SweepOptions options_of(unsigned number, float skin) {
+    SweepOptions options;
+    if (number == 1 || number == 5) options.filter = third_is_left_out;
+    if (number == 2 || number == 5) options.culling = FaceCulling::back;
+    if (number == 3) options.culling = FaceCulling::front;
+    options.ignore_leaving = number >= 3;
+    if (number == 4 || number == 5) options.skin = skin;
+    return options;
+}
+
+/// What the loop says.
 template <class Shape>
-std::array<SweepHit, 2> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving) {
+std::array<SweepHit, option_sets> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving,
+                                      float skin) {
+    const detail::BlobData& data = detail::data_of(blob);
     auto sweep = rounded_of(moving.shape);
-    std::array<SweepHit, 2> hits;
-    hits[0].status = hits[1].status = round_sweep(detail::data_of(blob), moving.shape, moving.displacement, sweep);
-    if (hits[0].status != QueryStatus::ok) return hits;
-    hits[0].status = hits[1].status = QueryStatus::not_found;
-    hits[0].t = hits[1].t = 1.0f;
-    const detail::FoundContact found[2] = {loop.first_contact(sweep, [](TriangleId) { return true; }),
-                                           loop.first_contact(sweep, third_is_left_out)};
-    for (unsigned i = 0; i < 2; ++i)
-        if (found[i].step != detail::no_contact) hits[i] = to_sweep_hit(detail::data_of(blob), sweep, found[i]);
+    std::array<SweepHit, option_sets> hits;
+    hits.fill(SweepHit{});
+    const QueryStatus status = round_sweep(data, moving.shape, moving.displacement, sweep);
+    for (unsigned i = 0; i < option_sets; ++i) {
+        hits[i].status = status;
+        if (status != QueryStatus::ok) continue;
+        hits[i].status = QueryStatus::not_found;
+        hits[i].t = 1.0f;
+        const SweepOptions options = options_of(i, skin);
+        const auto all = [](TriangleId) { return true; };
+        const detail::FoundContact found = options.filter ? loop.first_contact(sweep, third_is_left_out, options)
+                                                          : loop.first_contact(sweep, all, options);
+        if (found.step != detail::no_contact)
+            hits[i] = to_sweep_hit(data, sweep, found, detail::radius_in_steps(data, options.skin));
+    }
     return hits;
 }
 
@@ -54,15 +79,18 @@ struct Seen {
     std::uint64_t hits = 0;
     std::uint64_t starts = 0;
     std::uint64_t asked = 0;
+    std::uint64_t left = 0;  ///< at the start, with the option that ignores what is left
 };
 
 template <class Shape>
 void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shape>& moving, Seen& seen) {
-    const auto expected = ask(loop, blob, moving);
-    for (unsigned i = 0; i < 2; ++i) {
-        const SweepHit hit = i == 0 ? sweep(blob, moving.shape, moving.displacement)
-                                    : sweep(blob, moving.shape, moving.displacement, third_is_left_out);
+    const float skin = std::ldexp(static_cast<float>(seen.asked % 8), blob.lattice().step_exponent);
+    const auto expected = ask(loop, blob, moving, skin);
+    for (unsigned i = 0; i < option_sets; ++i) {
+        CAPTURE(i);
+        const SweepHit hit = sweep(blob, moving.shape, moving.displacement, options_of(i, skin));
         REQUIRE_MESSAGE(same_bits(hit, expected[i]), describe(moving));
+        if (i == 3 && expected[0].starts_overlapping && !hit.starts_overlapping) ++seen.left;
         if (i != 0 || !hit) continue;
         ++seen.hits;
         seen.starts += hit.starts_overlapping ? 1 : 0;
@@ -107,6 +135,7 @@ void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
         CHECK(each.hits > each.asked / 5);
         CHECK(each.starts > each.asked / 50);
         CHECK(each.starts < each.hits);
+        CHECK(each.left > each.asked / 200);
     }
 }
 
@@ -232,7 +261,9 @@ TEST_SUITE("sweep") {
                     const SweepHit hit = sweep(blob.opened.blob, shape, way);
                     REQUIRE_MESSAGE(hit.status == expected.status, describe(moving));
                     REQUIRE_MESSAGE(hit.t == expected.t, describe(moving));
-                    REQUIRE_MESSAGE(hit.triangle == expected.triangle, describe(moving));
+                    // At the start the depth in a triangle decides, which a hull tells by fewer directions.
+                    if (!hit.starts_overlapping || rounded.is_box)
+                        REQUIRE_MESSAGE(hit.triangle == expected.triangle, describe(moving));
                     hits += hit ? 1u : 0u;
                 };
                 compare(turned);
@@ -322,33 +353,35 @@ TEST_SUITE("sweep") {
         CHECK(asked > 13 * scaled_share(300));
     }
 
-    TEST_CASE("sweep: contact at the start gives t 0 and the lowest triangle and a normal to the middle") {
+    TEST_CASE("sweep: contact at the start gives t 0 and the deepest triangle and a normal to the middle") {
         for_each_profile([](Profile profile) {
             const Cube cube(profile);
-            const auto lowest = [&](const auto& shape) {
+            // Both triangles of the top are as deep.
+            const auto top = [&] {
                 std::uint32_t first = no_triangle.index;
-                (void)for_each_overlap(cube.blob(), shape,
+                (void)for_each_overlap(cube.blob(), Box{{-0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, 1.5f}},
                                        [&](TriangleId triangle) { return first = triangle.index, Visit::stop; });
                 return first;
-            };
+            }();
             const Vec3 anywhere = {1.0f, 2.0f, 3.0f};
             const Sphere sphere = {{0.25f, 0.5f, 1.5f}, 1.0f};
             SweepHit hit = sweep(cube.blob(), sphere, anywhere);
             REQUIRE(hit);
             CHECK(hit.starts_overlapping);
             CHECK(hit.t == 0.0f);
-            CHECK(hit.triangle.index == lowest(sphere));
+            CHECK(hit.triangle == closest_point(cube.blob(), sphere.center).triangle);
+            CHECK(hit.feature == Feature::face);
             const Capsule capsule = {{0.0f, 0.0f, 0.5f}, {0.0f, 0.0f, 2.5f}, 0.125f};
             hit = sweep(cube.blob(), capsule, anywhere);
             REQUIRE(hit);
             CHECK(hit.starts_overlapping);
-            CHECK(hit.triangle.index == lowest(capsule));
+            CHECK(hit.triangle.index == top);
             CHECK(hit.normal.z == doctest::Approx(1.0));
             const Box box = {{-0.5f, -0.5f, 0.0f}, {0.5f, 0.5f, 3.0f}};
             hit = sweep(cube.blob(), box, anywhere);
             REQUIRE(hit);
             CHECK(hit.starts_overlapping);
-            CHECK(hit.triangle.index == lowest(box));
+            CHECK(hit.triangle.index == top);
             // Touching from outside, and moving away.
             hit = sweep(cube.blob(), Sphere{{0.25f, 0.5f, 2.0f}, 1.0f}, {0.0f, 0.0f, 1.0f});
             REQUIRE(hit);
@@ -442,6 +475,134 @@ TEST_SUITE("sweep") {
         const SweepHit hit = sweep(blob, Sphere{{0.0f, 0.0f, far / 4.0f}, far / 8.0f}, {0.0f, 0.0f, -far / 4.0f});
         REQUIRE(hit);
         CHECK(hit.t == doctest::Approx(0.5));
+    }
+
+    TEST_CASE("sweep: of contacts at the start the deepest is that of find_contacts") {
+        const OpenedBlob opened(make_icosphere(3, 4.0, {0.0f, 0.0f, 0.0f}));
+        Random random(77);
+        std::uint64_t compared = 0;
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            const Vec3 off = random.in_cube(1.0f);
+            const float length = std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z), out = 4.3f / length;
+            const Vec3 at = {off.x * out, off.y * out, off.z * out}, way = random.in_cube(1.0f);
+            const Vec3 end = {at.x + 0.1f * way.y, at.y + 0.1f * way.z, at.z + 0.1f * way.x};
+            const auto compare = [&](const auto& shape, float error) {
+                std::array<Contact, 64> contacts;
+                const Filled found = find_contacts(opened.blob, shape, 0.0f, contacts);
+                const SweepHit hit = sweep(opened.blob, shape, way);
+                if (found.count == 0 || found.status != QueryStatus::ok || contacts[0].distance > -0.001f) return;
+                REQUIRE(hit.starts_overlapping);
+                float deepest = 0.0f;  // of the triangle
+                for (const Contact& contact : found.in(contacts))
+                    if (contact.triangle == hit.triangle) deepest = std::min(deepest, contact.distance);
+                REQUIRE(deepest <= contacts[0].distance + error);
+                ++compared;
+            };
+            compare(Sphere{at, 0.5f}, 0x1p-10f);
+            compare(Capsule{at, end, 0.5f}, 0x1p-10f);
+            compare(OrientedBox{at, {{0.4f, 0.1f, 0.0f}, {-0.1f, 0.4f, 0.1f}, {0.0f, 0.1f, 0.4f}}}, 0x1p-10f);
+        }
+        if (asks_enough()) CHECK(compared > scaled(2'000));
+    }
+
+    TEST_CASE("sweep: culled faces are passed from the side that is ignored") {
+        for_each_profile([](Profile profile) {
+            const Cube cube(profile);
+            const auto hit = [&](const auto& shape, const Vec3& way, FaceCulling culling) {
+                return sweep(cube.blob(), shape, way, SweepOptions{.culling = culling});
+            };
+            const Vec3 up = {0.0f, 0.0f, 8.0f}, down = {0.0f, 0.0f, -8.0f}, above = {0.2f, 0.1f, 4.0f};
+            const auto check = [&](const auto& inside, const auto& outside) {
+                CHECK(hit(inside, up, FaceCulling::none));
+                CHECK(hit(inside, up, FaceCulling::back).status == QueryStatus::not_found);
+                CHECK(hit(inside, up, FaceCulling::front));
+                const SweepHit first = hit(outside, down, FaceCulling::back);
+                CHECK(same_bits(first, hit(outside, down, FaceCulling::none)));
+                const SweepHit last = hit(outside, down, FaceCulling::front);
+                REQUIRE((first && last));
+                CHECK(first.face_normal.z == 1.0f);
+                CHECK(last.face_normal.z == -1.0f);
+                CHECK(last.t > first.t);
+            };
+            check(Sphere{{0.2f, 0.1f, 0.0f}, 0.25f}, Sphere{above, 0.25f});
+            check(Capsule{{0.2f, 0.1f, 0.0f}, {0.3f, 0.1f, 0.1f}, 0.25f}, Capsule{above, {0.3f, 0.1f, 4.1f}, 0.25f});
+            check(Box{{0.0f, 0.0f, 0.0f}, {0.2f, 0.3f, 0.4f}}, Box{{0.0f, 0.0f, 4.0f}, {0.2f, 0.3f, 4.4f}});
+            const Vec3 half[3] = {{0.1f, 0.1f, 0.0f}, {-0.1f, 0.1f, 0.0f}, {0.0f, 0.0f, 0.2f}};
+            check(OrientedBox{{0.2f, 0.1f, 0.0f}, {half[0], half[1], half[2]}},
+                  OrientedBox{above, {half[0], half[1], half[2]}});
+        });
+    }
+
+    TEST_CASE("sweep: what the shape leaves is ignored and what it goes deeper into is not") {
+        for_each_profile([](Profile profile) {
+            const Cube cube(profile);
+            const auto start = [&](const auto& shape, const Vec3& way) {
+                return sweep(cube.blob(), shape, way, SweepOptions{.ignore_leaving = true});
+            };
+            // Each reaches a little into the top of the cube.
+            const auto check = [&](const auto& shape) {
+                for (const Vec3 away : {Vec3{0.0f, 0.0f, 1.0f}, {0.3f, 0.2f, 0.1f}, {0.25f, 0.125f, 0.0f}})
+                    CHECK(start(shape, away).status == QueryStatus::not_found);
+                for (const Vec3 deeper : {Vec3{0.0f, 0.0f, -1.0f}, {0.3f, 0.2f, -0.1f}}) {
+                    const SweepHit hit = start(shape, deeper);
+                    CHECK(hit.starts_overlapping);
+                    CHECK(hit.t == 0.0f);
+                }
+            };
+            check(Sphere{{0.25f, -0.5f, 1.1f}, 0.125f});
+            check(Capsule{{0.25f, -0.5f, 1.1f}, {0.25f, -0.4f, 2.0f}, 0.125f});
+            check(Box{{0.2f, -0.6f, 0.99f}, {0.4f, -0.4f, 2.0f}});
+            check(OrientedBox{{0.25f, -0.5f, 1.1f}, {{0.1f, 0.1f, 0.0f}, {-0.1f, 0.1f, 0.0f}, {0.0f, 0.0f, 0.11f}}});
+            const std::array<Vec3, 4> vertices = {
+                {{0.2f, -0.5f, 0.99f}, {0.5f, -0.4f, 1.2f}, {0.1f, -0.3f, 1.2f}, {0.3f, -0.6f, 1.3f}}};
+            check(ConvexHull{vertices});
+            // A box that reaches over the edge of a wall goes deeper along the wall's plane.
+            Mesh wall;
+            wall.positions = {{0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {0.0f, 0.0f, 4.0f}};
+            wall.triangles = {{0, 1, 2}};
+            const OpenedBlob opened(wall, with_profile(profile));
+            const Box box = {{-0.25f, -1.0f, -0.25f}, {0.5f, 0.01f, 0.25f}};
+            CHECK(sweep(opened.blob, box, {0.0f, 1.0f, 0.0f}, SweepOptions{.ignore_leaving = true}).starts_overlapping);
+            CHECK_FALSE(sweep(opened.blob, box, {0.0f, -1.0f, 0.0f}, SweepOptions{.ignore_leaving = true}));
+        });
+    }
+
+    TEST_CASE("sweep: with a skin the shape stops so far from the plane of the contact") {
+        const OpenedBlob opened(make_icosphere(3, 4.0, {0.0f, 0.0f, 0.0f}));
+        Random random(78);
+        std::uint64_t stopped = 0;
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            const Vec3 from = random.in_cube(9.0f), to = random.in_cube(4.0f);
+            const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+            const float skin = 0.25f * random.unit() * random.unit();
+            const auto check = [&](const auto& shape) {
+                const SweepHit hit = sweep(opened.blob, shape, way);
+                const SweepHit kept = sweep(opened.blob, shape, way, SweepOptions{.skin = skin});
+                SweepHit same = kept;
+                same.t = hit.t;
+                REQUIRE(same_bits(hit, same));
+                REQUIRE(kept.t <= hit.t);
+                if (!hit || kept.t == 0.0f) return;
+                const Vec3& n = hit.normal;
+                const auto wide = [](float value) { return static_cast<double>(value); };
+                const double speed = -(wide(way.x) * wide(n.x) + wide(way.y) * wide(n.y) + wide(way.z) * wide(n.z));
+                const double back = (wide(hit.t) - wide(kept.t)) * speed, least = wide(skin);
+                REQUIRE(back >= least * (1.0 - 0x1p-18));
+                const double length = std::sqrt(wide(way.x * way.x + way.y * way.y + way.z * way.z));
+                REQUIRE(back <= least * (1.0 + 0x1p-17 * length / speed) + 0x1p-22 * length);
+                ++stopped;
+            };
+            check(Sphere{from, 0.5f});
+            check(Box{from, {from.x + 0.5f, from.y + 0.25f, from.z + 0.75f}});
+        }
+        if (asks_enough()) CHECK(stopped > scaled(1'000));
+        const Vec3 zero = {0.0f, 0.0f, 0.0f};
+        for (const float bad : {-1.0f, not_a_number, infinity})
+            CHECK(sweep(opened.blob, Sphere{zero, 1.0f}, zero, SweepOptions{.skin = bad}).status ==
+                  QueryStatus::invalid_argument);
+        CHECK(
+            sweep(opened.blob, Sphere{{0.0f, 0.0f, 9.0f}, 1.0f}, {0.0f, 0.0f, -9.0f}, SweepOptions{.skin = 1e38f}).t ==
+            0.0f);
     }
 
     TEST_CASE("sweep: a filter leaves out triangles and the ones behind them are hit") {

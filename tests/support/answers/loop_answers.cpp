@@ -76,7 +76,7 @@ Difference moving(const Blob& blob, const TriangleLoop& loop, const Moving<Shape
     if (hit && same) {
         const SweepHit other = to_sweep_hit(detail::data_of(blob), rounded, expected);
         same = hit.triangle == other.triangle && same_bits(hit.t, other.t) && same_bits(hit.point, other.point) &&
-               same_bits(hit.normal, other.normal);
+               same_bits(hit.normal, other.normal) && hit.feature == other.feature;
     }
     return same ? Difference() : "a sweep, " + describe(moving);
 }

@@ -31,7 +31,7 @@ inline bool same_bits(const ClosestPoint& a, const ClosestPoint& b) {
 inline bool same_bits(const SweepHit& a, const SweepHit& b) {
     return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
            same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
-           a.starts_overlapping == b.starts_overlapping;
+           a.feature == b.feature && a.starts_overlapping == b.starts_overlapping;
 }
 
 inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {

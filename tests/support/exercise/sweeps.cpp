@@ -13,6 +13,8 @@ namespace espalier::tests::exercises {
 
 namespace {
 
+float absolute_of(float value) { return value < 0.0f ? -value : value; }
+
 template <class Shape>
 void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
     const MeasuredBlob& blob = run.blob;
@@ -23,9 +25,19 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
                         "a filter was asked about a triangle that does not exist");
         return triangle.index % 2 == parity;
     };
-    const SweepHit hits[2] = {sweep(blob, shape, displacement), sweep(blob, shape, displacement, filter)};
+    const float skin = absolute_of(run.random.below(8) == 0 ? 0.0f : some_length(blob, run.random));
+    SweepOptions options;
+    if (run.random.coin()) options.filter = filter;
+    options.culling = static_cast<FaceCulling>(run.random.below(4));
+    options.ignore_leaving = run.random.coin();
+    options.skin = skin;
+    const SweepHit hits[3] = {sweep(blob, shape, displacement), sweep(blob, shape, displacement, filter),
+                              sweep(blob, shape, displacement, options)};
     verdict.require(hits[0] || !hits[1], "a sweep under a filter hits more than without");
     verdict.require(is_refused(hits[0].status) == is_refused(hits[1].status), "a filter changes what is refused");
+    verdict.require(hits[0] || !hits[2], "a sweep under options hits more than without");
+    verdict.require(is_refused(hits[2].status) == (is_refused(hits[0].status) || !(skin < __builtin_inff())),
+                    "options change what is refused, or a skin is not refused");
     for (const SweepHit& hit : hits) {
         run.hash.add(static_cast<std::uint32_t>(hit.status));
         if (!hit) {
@@ -44,6 +56,8 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
         run.hash.add(hit.point);
         run.hash.add(hit.normal);
         run.hash.add(hit.face_normal);
+        run.hash.add(static_cast<std::uint32_t>(hit.feature));
+        verdict.require(hit.feature <= Feature::vertex_c, "a sweep's feature does not exist");
     }
 }
 

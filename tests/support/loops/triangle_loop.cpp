@@ -203,7 +203,8 @@ detail::Winding TriangleLoop::winding(const detail::WindingRay& ray) const {
 
 template <class Sweep>
 detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const detail::Integer3& low,
-                                                    const detail::Integer3& high, Filter filter) const {
+                                                    const detail::Integer3& high, Filter filter,
+                                                    const SweepOptions& options) const {
     std::vector<TriangleBounds::Met> met =
         bounds_.on_the_way({place(low, sweep.fraction_bits), place(high, sweep.fraction_bits)},
                            place(sweep.displacement, sweep.fraction_bits), 0.0, 1.0);
@@ -216,25 +217,29 @@ detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const de
             break;
         if (!filter({indices_[i]})) continue;
         const detail::SweepStep step = detail::first_contact(sweep, triangles_[i], detail::whole_way);
-        if (step < best.step || (step == best.step && step != detail::no_contact && indices_[i] < best.index))
-            best = {{indices_[i]}, step, triangles_[i]};
+        if (step == detail::no_contact || is_left_out(sweep, triangles_[i], step, options)) continue;
+        const detail::FoundContact found = found_contact(sweep, triangles_[i], indices_[i], step);
+        if (comes_before(found, best)) best = found;
     }
     return best;
 }
 
-detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& sweep, Filter filter) const {
+detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& sweep, Filter filter,
+                                                 const SweepOptions& options) const {
     const detail::Integer3 reach = all_three(sweep.moving.sphere.radius), to = sweep.from + sweep.moving.axis;
     // The kernel spares itself the start by the box that the walk culls with: it is asked with one that spares nothing.
     constexpr std::int64_t everywhere = std::int64_t{1} << 60;
     detail::CapsuleSweep unspared = sweep;
     unspared.low = all_three(-everywhere);
     unspared.high = all_three(everywhere);
-    return first_contact_of(unspared, lower(sweep.from, to) - reach, higher(sweep.from, to) + reach, filter);
+    return first_contact_of(unspared, lower(sweep.from, to) - reach, higher(sweep.from, to) + reach, filter, options);
 }
-detail::FoundContact TriangleLoop::first_contact(const detail::BoxSweep& sweep, Filter filter) const {
-    return first_contact_of(sweep, sweep.low, sweep.high, filter);
+detail::FoundContact TriangleLoop::first_contact(const detail::BoxSweep& sweep, Filter filter,
+                                                 const SweepOptions& options) const {
+    return first_contact_of(sweep, sweep.low, sweep.high, filter, options);
 }
-detail::FoundContact TriangleLoop::first_contact(const detail::HullSweep& sweep, Filter filter) const {
+detail::FoundContact TriangleLoop::first_contact(const detail::HullSweep& sweep, Filter filter,
+                                                 const SweepOptions& options) const {
     detail::Integer3 low{}, high{};
     for (unsigned i = 0; i < sweep.moving.point_count; ++i) {
         const auto& p = sweep.moving.point[i];
@@ -242,7 +247,7 @@ detail::FoundContact TriangleLoop::first_contact(const detail::HullSweep& sweep,
         low = i == 0 ? at : lower(low, at);
         high = i == 0 ? at : higher(high, at);
     }
-    return first_contact_of(sweep, low, high, filter);
+    return first_contact_of(sweep, low, high, filter, options);
 }
 
 }  // namespace espalier::tests

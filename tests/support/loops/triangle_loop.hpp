@@ -50,11 +50,14 @@ public:
     /// Along the ray's direction.
     [[nodiscard]] detail::Winding winding(const detail::WindingRay& ray) const;
 
-    /// The first of those that the filter leaves.
+    /// The first of those that the filter leaves, and the options.
     using Filter = bool (*)(TriangleId);
-    [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter) const;
-    [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter) const;
-    [[nodiscard]] detail::FoundContact first_contact(const detail::HullSweep& sweep, Filter filter) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter,
+                                                     const SweepOptions& options = {}) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter,
+                                                     const SweepOptions& options = {}) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::HullSweep& sweep, Filter filter,
+                                                     const SweepOptions& options = {}) const;
 
 private:
     [[nodiscard]] Indices every_overlap(const detail::Volume& volume, const TriangleBounds::Numbers& numbers) const;
@@ -62,7 +65,8 @@ private:
                                                                 const TriangleBounds::Numbers& numbers) const;
     template <class Sweep>
     [[nodiscard]] detail::FoundContact first_contact_of(const Sweep& sweep, const detail::Integer3& low,
-                                                        const detail::Integer3& high, Filter filter) const;
+                                                        const detail::Integer3& high, Filter filter,
+                                                        const SweepOptions& options) const;
 
     // Copies are no triangles of their own: without them.
     std::vector<detail::LatticeTriangle> triangles_;
