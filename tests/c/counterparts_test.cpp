@@ -111,7 +111,7 @@ const char* const table = R"(
     rounding_error(Blob, Shape, Vec3)                             espalier_rounding_error_sweep_shape
     sweep(Blob, Shape, Vec3, TriangleFilter)                      espalier_sweep_shape
 
-    Shape: Sphere Capsule OrientedBox
+    Shape: Sphere Capsule OrientedBox ConvexHull
     find_contacts(Blob, Shape, float, span<Contact>)              espalier_find_contacts_shape
 
     reduce_contacts(span<Contact>)                                espalier_reduce_contacts

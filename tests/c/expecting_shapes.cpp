@@ -71,6 +71,8 @@ void Expecting::points() {
     contacts(sphere());
     contacts(capsule());
     contacts(oriented_box());
+    const std::array<Vec3, 4> vertices = all_points();
+    contacts(convex_hull(vertices));
     const auto rounding = [&](const auto& shape, auto... way) {
         const Result<float> moved = rounding_error(blob_, shape, way...);
         tell(moved.value);
@@ -88,7 +90,6 @@ void Expecting::points() {
     rounding(capsule(), direction(1));
     rounding(box(), direction(1));
     rounding(oriented_box(), direction(1));
-    const std::array<Vec3, 4> vertices = all_points();
     rounding(convex_hull(vertices), direction(1));
 }
 
