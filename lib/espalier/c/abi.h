@@ -39,7 +39,7 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t instance_handle, instance_handle_result, box_result, movement, moving_scene;
     uint16_t instance_pair, baked_pair, pair_filter, filled_instance_pairs, filled_baked_pairs;
     uint16_t deformable, refit_result;
-    uint16_t convex_hull;
+    uint16_t convex_hull, pair_touch;
 } espalier_abi_sizes;
 #undef ESPALIER_SIZE_
 

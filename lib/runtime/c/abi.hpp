@@ -54,7 +54,7 @@ namespace espalier::detail {
     twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \
     twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)   \
     twin(deformable, Deformable) twin(refit_result, RefitResult)                                              \
-    other(convex_hull, ConvexHull)
+    other(convex_hull, ConvexHull) twin(pair_touch, PairTouch)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.
