@@ -72,11 +72,11 @@ run 0 query box.espl contacts-oriented-box 0 1 3.25 0.1 0 0 0 0.1 0 0 0 0.25 0.0
 out_has "4 touches"
 run 0 query box.espl contacts-capsule -0.1 1 3.5 0.1 1 3.5 0.25 0.1
 out_has "0 touches"
-run 0 query box.espl contacts-hull -0.1 1 2.99  0.1 1 2.99  0 1.1 2.99  0 1 3.5 --few --json
+run 0 query box.espl contacts-hull 0.4 1 2.99  0.6 1 2.99  0.5 1.1 2.99  0.5 1 3.5 --few --json
 json '.count >= 3 and ([.touches[].distance] | min) > -0.0101 and ([.touches[].distance] | min) < -0.0099'
-run 0 query box.espl contacts-hull 0 1 3.01  0 1 3.5
+run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5
 out_has "0 touches"
-run 0 query box.espl contacts-hull 0 1 3.01  0 1 3.5 --max-distance 0.1 --json
+run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5 --max-distance 0.1 --json
 json '.count >= 1 and .touches[0].distance > 0.0099 and .touches[0].distance < 0.0101'
 run 6 query box.espl contacts-sphere 0 0 0 1 -1
 run 1 query box.espl contacts-sphere 0 0 0 1
