@@ -38,21 +38,24 @@ struct Contact {
 /// deepest first, of equally deep ones that of the lowest triangle.
 ///
 /// Each triangle is a sheet with two sides. The normal is that of the shortest way out of it, and the distance is minus
-/// the length of this way if the body touches the triangle. A triangle has one contact with a sphere. With a capsule or
-/// a box it has more, with one normal, where a side or a face of the body lies over it: the ends of that part. If the
-/// surface is closed and contains the middle of the body, there is one contact, with the closest point of the surface
-/// to the middle: along its normal the whole body leaves the inside.
+/// the length of this way if the body touches the triangle. A triangle has one contact with a sphere. With a capsule, a
+/// box or a hull it has more, up to 8 with one normal, where a side or a face of the body lies over it: the ends of
+/// that part, of a hull those that reach farthest. If the surface is closed and contains the middle of the body, that
+/// of a hull the mean of its vertices, there is one contact, with the closest point of the surface to the middle: along
+/// its normal the whole body leaves the inside.
 ///
 /// In a blob with edge flags (BakeOptions::flat_angle), a contact on an edge that only joins two triangles has the
 /// normal of the triangle's face, as fix_internal_edge_normal() returns it, and the distance of the two closest points
 /// along that normal.
 ///
 /// Status: ok; output_full if there are more contacts than places, of which the deepest are kept; or a refusal: of an
-/// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(). Cost: expected O(log n
-/// + k * places) for k triangles, and of a closed surface that of contains().
+/// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(); a hull is refused as by
+/// sweep(), and from 2^29 lattice steps on (out_of_range). Cost: expected O(log n + k * places) for k triangles, times
+/// the edges of a hull, whose faces are found in O(vertices * faces); and of a closed surface that of contains().
 Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept;
+Filled find_contacts(const Blob& blob, const ConvexHull& hull, float margin, std::span<Contact> contacts) noexcept;
 
 /// The largest number of contacts that reduce_contacts() keeps.
 inline constexpr std::size_t max_reduced_contacts = 4;
@@ -102,12 +105,13 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
 
 // Numerics
 //
-// Body and margin are rounded once, as by overlaps(). Which triangles are within the margin of a sphere or a capsule is
-// decided exactly; of a box as its distance is. Distances of spheres and capsules are within 8 ulp, or 8 ulp of the
-// radius where that is more; their features are exact, their normals within 8 ulp of 1. Coordinates of points are
-// within 14 ulp of the largest coordinate of the asset's bounds. Distances and points of a box are within 2^-18 of the
-// length that box and triangle reach from the box's middle. Its normals have an error of this length over the distance,
-// where the box does not touch the triangle; the direction of a touching box separates it by its depth, with that
-// error.
+// Body and margin are rounded once, as by overlaps(), a hull as by sweep() with no displacement. Which triangles are
+// within the margin of a sphere or a capsule is decided exactly; of a box or a hull as its distance is. Distances of
+// spheres and capsules are within 8 ulp, or 8 ulp of the radius where that is more; their features are exact, their
+// normals within 8 ulp of 1. Coordinates of points are within 14 ulp of the largest coordinate of the asset's bounds.
+// Distances and points of a box or a hull are within 2^-18 of the length that it and the triangle reach from its
+// middle. Its normals have an error of this length over the distance, where it does not touch the triangle; the
+// direction of a touching one separates it by its depth, with that error. The faces of a hull are those of its rounded
+// vertices, exactly.
 //
 // fix_internal_edge_normal(). Each coordinate of a triangle's normal is within 4 ulp of 1 of the exact one.

@@ -1,4 +1,5 @@
-// Queries of two placed blobs: whether their surfaces touch, where, and how far apart they are.
+// Queries of two placed blobs: whether their surfaces touch, where and how deep, and how far apart
+// they are.
 //
 // Each blob has a place in the world (transform.hpp); a Blob alone is at the origin. Results are in world space. Each
 // query takes a WorkLimit, because only the product of the two trees' sizes bounds its time: give a limit for meshes
@@ -8,10 +9,12 @@
 // at the end of this file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include <espalier/blob.hpp>
+#include <espalier/contact.hpp>
 #include <espalier/function_ref.hpp>
 #include <espalier/status.hpp>
 #include <espalier/transform.hpp>
@@ -80,6 +83,53 @@ QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<c
 Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<PairContact> contacts, WorkLimit limit,
                         Cursor from = {}) noexcept;
 
+/// The largest number of points of a PairTouch.
+inline constexpr std::size_t max_touch_points = 6;
+
+/// Where two triangles touch, one of each blob. Converts to true if they do.
+struct [[nodiscard]] PairTouch {
+    /// What the triangles have in common is the hull of these: the ends of a segment, the corners of a polygon where
+    /// both lie in one plane, or a single point. They come in no order.
+    Vec3 points[max_touch_points];
+    Vec3 normal;         ///< unit length, from a to b: along it b leaves a
+    float depth = 0.0f;  ///< how far b has to go along it until the two triangles only touch; the least of all ways
+    TriangleId a;
+    TriangleId b;
+    std::uint8_t count = 0;  ///< of the points: 1 to 6
+    QueryStatus status = QueryStatus::not_open;
+    std::uint8_t reserved[2] = {};
+
+    explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
+
+    /// Returns one of the points as a contact of body b with the surface a, for reduce_contacts(). Its distance is
+    /// minus the depth.
+    [[nodiscard]] constexpr Contact contact(std::size_t number) const noexcept {
+        Contact result;
+        result.point = points[number < max_touch_points ? number : 0];
+        result.normal = normal;
+        result.distance = -depth;
+        result.triangle = a;
+        return result;
+    }
+};
+
+/// Returns where the two triangles of a pair touch, which first_contact() or collect_contacts() have found for the same
+/// placements.
+///
+/// Status: ok; not_found if they do not touch; invalid_argument for a triangle that a blob does not have; or a refusal
+/// as of overlaps() of two blobs. Cost: O(depth), the way down to each triangle.
+PairTouch pair_touch(const PlacedBlob& a, const PlacedBlob& b, const PairContact& pair) noexcept;
+
+/// Calls `visit` with where each pair of triangles touches, until it returns Visit::stop, in the order of
+/// for_each_contact(). It returns void or Visit. The triangles are at hand: no pair takes a way down the trees. Status
+/// and cost otherwise as of for_each_contact().
+QueryStatus for_each_touch(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairTouch&> visit,
+                           WorkLimit limit) noexcept;
+
+/// Writes what for_each_touch() visits to an array, in pages as collect_contacts() does: with the same cursors.
+Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairTouch> touches, WorkLimit limit,
+                       Cursor from = {}) noexcept;
+
 /// Returns the smallest distance of the two surfaces within max_distance (0 or more, or infinity), and where it is.
 ///
 /// Of equal distances above 0 the lowest a wins, then the lowest b. Where the surfaces touch, the pair is that of
@@ -113,6 +163,15 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
 // that of the rounded meshes, each point within 16 ulp of the largest coordinate of the two placed bounds. If a's scale
 // is not 1, the distance is rounded once more; so is the one that a query is given, which is otherwise compared
 // exactly. If a is not at the origin, points are moved by to_world().
+//
+// Touches. Which triangles touch and how many points a touch has is exact. Points that are corners of a triangle are
+// exact there, others within 2^-21 of the length of a side; in the world each coordinate adds 16 ulp of the largest
+// coordinate of the two placed bounds. The depth is within 2^-20 of the longest distance from a's first corner to
+// another, of either triangle, and so is what is left of it after that translation. Where two ways are equally long but
+// for this error, the normal is that of either. Triangles in one plane have depth 0, but for it, and a normal of it.
+//
+// The way apart is that of these two triangles alone. Other pairs of the same blobs may need a longer or another one:
+// move by what reduce_contacts() leaves of all of them, and query again.
 //
 // Range. Queries return out_of_range, in O(1), in these cases: a corner of the bounds of b is more than 2^80 of a's
 // lattice steps away; one of the scales is not between 2^-100 and 2^100 while a is not at the origin; for distances,

@@ -71,8 +71,8 @@ struct ConvexVolume {
 /// The largest number of vertices of a ConvexHull.
 inline constexpr std::size_t max_hull_vertices = 64;
 
-/// The convex hull of vertices: sweep() takes it. They may stand in any order, be repeated, lie inside of the hull, in
-/// one plane or on one line. Without vertices it is empty. The vertices must outlive it.
+/// The convex hull of vertices: sweep() and find_contacts() take it. They may stand in any order, be repeated, lie
+/// inside of the hull, in one plane or on one line. Without vertices it is empty. The vertices must outlive it.
 struct ConvexHull {
     std::span<const Vec3> vertices;
 };

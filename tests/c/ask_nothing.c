@@ -47,6 +47,7 @@ void ask_nothing(struct asking* asking) {
     other.blob = asking->other;
     placed.transform = other.transform = espalier_identity();
     tell(asking, espalier_for_each_contact(&placed, &other, NULL, asking, 100));
+    tell(asking, espalier_for_each_touch(&placed, &other, NULL, asking, 100));
 
     tell_filled(asking, espalier_raycast_batch(blob, NULL, NULL, 0));
     tell_filled(asking, espalier_occluded_batch(blob, NULL, NULL, 0));

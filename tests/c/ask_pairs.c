@@ -6,6 +6,19 @@ static void tell_contact(struct asking* asking, const espalier_pair_contact* con
     tell(asking, contact->status);
 }
 
+static void tell_touch(struct asking* asking, const espalier_pair_touch* touch) {
+    const espalier_contact first = espalier_contact_of_touch(touch, 0);
+    tell(asking, touch->a);
+    tell(asking, touch->b);
+    tell(asking, touch->status);
+    tell(asking, touch->count);
+    for (unsigned i = 0; i < touch->count; ++i) tell_point(asking, touch->points[i]);
+    tell_point(asking, touch->normal);
+    tell_float(asking, touch->depth);
+    tell_point(asking, first.point);
+    tell_float(asking, first.distance);
+}
+
 static void tell_distance(struct asking* asking, const espalier_blob_distance* nearest) {
     tell_float(asking, nearest->distance);
     tell_point(asking, nearest->on_a);
@@ -19,6 +32,27 @@ static espalier_visit visit_pair(const espalier_pair_contact* contact, void* use
     struct asking* asking = user;
     tell_contact(asking, contact);
     return asking->visits-- == 0 ? ESPALIER_VISIT_STOP : ESPALIER_VISIT_NEXT;
+}
+
+static espalier_visit visit_touch(const espalier_pair_touch* touch, void* user) {
+    struct asking* asking = user;
+    tell_touch(asking, touch);
+    return asking->visits-- == 0 ? ESPALIER_VISIT_STOP : ESPALIER_VISIT_NEXT;
+}
+
+static void ask_touches(struct asking* asking, const espalier_placed_blob* a, const espalier_placed_blob* b,
+                        const espalier_pair_contact* contact, uint64_t work_limit) {
+    const espalier_cursor from = {{0, 0, 0}};
+    espalier_pair_touch touches[5];
+    const espalier_filled filled = espalier_collect_touches(a, b, touches, 5, work_limit, from);
+    const espalier_pair_touch one = espalier_pair_touch_of(a, b, contact);
+    tell(asking, (uint32_t)filled.count);
+    tell(asking, filled.status);
+    for (int i = 0; i < 3; ++i) tell(asking, filled.next.place[i]);
+    for (size_t i = 0; i < filled.count; ++i) tell_touch(asking, &touches[i]);
+    tell_touch(asking, &one);
+    asking->visits = asking->question->bits % 5u;
+    tell(asking, espalier_for_each_touch(a, b, visit_touch, asking, work_limit));
 }
 
 static void ask_placed(struct asking* asking, const espalier_transform* own_placement,
@@ -45,6 +79,7 @@ static void ask_placed(struct asking* asking, const espalier_transform* own_plac
         from = filled.next;
         for (int i = 0; i < 3; ++i) tell(asking, from.place[i]);
     }
+    ask_touches(asking, &a, &b, &contact, work_limit);
     nearest = espalier_distance(&a, &b, work_limit, asking->question->lengths[1]);
     tell_distance(asking, &nearest);
     tell(asking, espalier_within_distance(&a, &b, asking->question->lengths[2], work_limit).status);

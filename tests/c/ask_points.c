@@ -50,6 +50,7 @@ static void ask_contacts(struct asking* asking) {
     tell_contacts(asking, espalier_find_contacts_capsule(blob, &shapes.capsule, margin, contacts, 9), contacts);
     tell_contacts(asking, espalier_find_contacts_oriented_box(blob, &shapes.oriented_box, margin, contacts, 9),
                   contacts);
+    tell_contacts(asking, espalier_find_contacts_convex_hull(blob, &shapes.convex_hull, margin, contacts, 9), contacts);
 }
 
 void ask_points(struct asking* asking) {

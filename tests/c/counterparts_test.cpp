@@ -139,7 +139,7 @@ const char* const table = R"(
     sweep(Blob, Shape, Vec3, TriangleFilter)                      espalier_sweep_shape
     sweep(Blob, Shape, Vec3, SweepOptions)                        espalier_sweep_shape_with_options
 
-    Shape: Sphere Capsule OrientedBox
+    Shape: Sphere Capsule OrientedBox ConvexHull
     find_contacts(Blob, Shape, float, span<Contact>)              espalier_find_contacts_shape
 
     reduce_contacts(span<Contact>)                                espalier_reduce_contacts
@@ -166,6 +166,10 @@ const char* const table = R"(
     first_contact(PlacedBlob, PlacedBlob, WorkLimit)              espalier_first_contact
     for_each_contact(PlacedBlob, PlacedBlob, Visitor<PairContact>, WorkLimit) espalier_for_each_contact
     collect_contacts(PlacedBlob, PlacedBlob, span<PairContact>, WorkLimit, Cursor) espalier_collect_contacts
+    pair_touch(PlacedBlob, PlacedBlob, PairContact)               espalier_pair_touch_of
+    for_each_touch(PlacedBlob, PlacedBlob, Visitor<PairTouch>, WorkLimit) espalier_for_each_touch
+    collect_touches(PlacedBlob, PlacedBlob, span<PairTouch>, WorkLimit, Cursor) espalier_collect_touches
+    PairTouch::contact(size_t)                                    espalier_contact_of_touch
     distance(PlacedBlob, PlacedBlob, WorkLimit, float)            espalier_distance
     within_distance(PlacedBlob, PlacedBlob, float, WorkLimit)     espalier_within_distance
 

@@ -298,7 +298,7 @@ void Expecting::nothing() {
     tell(sweep(blob_, convex_hull(vertices), direction(0)).t);
     tell(sweep(blob_, ConvexHull{}, direction(0)).status);
 
-    for (int refused = 0; refused < 12; ++refused) tell(QueryStatus::invalid_argument);
+    for (int refused = 0; refused < 13; ++refused) tell(QueryStatus::invalid_argument);
     tell(QueryStatus::invalid_argument);
 
     tell(raycast(blob_, std::span<const Ray>{}, {}));

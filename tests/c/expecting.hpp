@@ -75,6 +75,7 @@ private:
     void tell(const ClosestPoint& nearest);
     void tell(const SweepHit& hit);
     void tell(const PairContact& contact);
+    void tell(const PairTouch& touch);
     void tell(const BlobDistance& nearest);
     void tell(const Segment& segment);
     void tell(const Capsule& capsule);

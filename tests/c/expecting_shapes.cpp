@@ -71,6 +71,8 @@ void Expecting::points() {
     contacts(sphere());
     contacts(capsule());
     contacts(oriented_box());
+    const std::array<Vec3, 4> vertices = all_points();
+    contacts(convex_hull(vertices));
     const auto rounding = [&](const auto& shape, auto... way) {
         const Result<float> moved = rounding_error(blob_, shape, way...);
         tell(moved.value);
@@ -88,7 +90,6 @@ void Expecting::points() {
     rounding(capsule(), direction(1));
     rounding(box(), direction(1));
     rounding(oriented_box(), direction(1));
-    const std::array<Vec3, 4> vertices = all_points();
     rounding(convex_hull(vertices), direction(1));
 }
 
@@ -120,6 +121,19 @@ void Expecting::tell(const PairContact& contact) {
     tell(contact.status);
 }
 
+void Expecting::tell(const PairTouch& touch) {
+    tell(touch.a);
+    tell(touch.b);
+    tell(touch.status);
+    tell(std::uint32_t{touch.count});
+    for (unsigned i = 0; i < touch.count; ++i) tell(touch.points[i]);
+    tell(touch.normal);
+    tell(touch.depth);
+    const Contact first = touch.contact(0);
+    tell(first.point);
+    tell(first.distance);
+}
+
 void Expecting::tell(const BlobDistance& nearest) {
     tell(nearest.distance);
     tell(nearest.on_a);
@@ -132,7 +146,8 @@ void Expecting::tell(const BlobDistance& nearest) {
 void Expecting::placed(const Transform& own_placement, const Transform& placement, WorkLimit limit) {
     const PlacedBlob a(blob_, own_placement), b(other_, placement);
     tell(overlaps(a, b, limit).status());
-    tell(first_contact(a, b, limit));
+    const PairContact first = first_contact(a, b, limit);
+    tell(first);
     visits_ = asked_.bits % 9;
     const auto visit = [&](const PairContact& each) {
         tell(each);
@@ -149,6 +164,19 @@ void Expecting::placed(const Transform& own_placement, const Transform& placemen
         from = filled.next;
         for (const std::uint32_t place : from.place) tell(place);
     }
+    std::array<PairTouch, 5> touches;
+    const Filled filled = collect_touches(a, b, touches, limit);
+    tell(std::uint64_t{filled.count});
+    tell(filled.status);
+    for (const std::uint32_t place : filled.next.place) tell(place);
+    for (const PairTouch& each : filled.in(touches)) tell(each);
+    tell(pair_touch(a, b, first));
+    visits_ = asked_.bits % 5;
+    const auto visit_touch = [&](const PairTouch& each) {
+        tell(each);
+        return visit_one();
+    };
+    tell(for_each_touch(a, b, visit_touch, limit));
     tell(distance(a, b, limit, length(1)));
     tell(within_distance(a, b, length(2), limit).status());
     PairCounters counters = {1, 2, 3};

@@ -114,7 +114,7 @@ inline void ask_hull_sweeps(const Blob& blob, Questions& questions, std::uint32_
     }
 }
 
-/// The crossings of rays, and the contacts of spheres, capsules and oriented boxes.
+/// The crossings of rays, and the contacts of spheres, capsules, oriented boxes and convex hulls.
 inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     Contact contacts[16];
     const auto add = [&](const Filled& found) {
@@ -139,7 +139,21 @@ inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t c
         const float margin = number % 3 == 0 ? 0.0f : 0.25f * sphere.radius;
         add(find_contacts(blob, sphere, margin, contacts));
         add(find_contacts(blob, questions.capsule(number), margin, contacts));
-        add(find_contacts(blob, questions.oriented_box(number), margin, contacts));
+        const OrientedBox box = questions.oriented_box(number);
+        add(find_contacts(blob, box, margin, contacts));
+        // The corners of the box that the number does not leave out, and the middle of two more than once.
+        Vec3 vertices[12];
+        for (unsigned i = 0; i < std::size(vertices); ++i) {
+            const unsigned corner = i < 8 ? i : number & 7u;
+            vertices[i] = box.center;
+            for (unsigned k = 0; k < 3; ++k) {
+                const float sense = (corner >> k & 1u) != 0 ? 1.0f : (number >> (i + k) & 1u) != 0 ? 0.0f : -1.0f;
+                vertices[i] = {vertices[i].x + sense * box.half_axes[k].x, vertices[i].y + sense * box.half_axes[k].y,
+                               vertices[i].z + sense * box.half_axes[k].z};
+            }
+        }
+        add(find_contacts(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))},
+                          margin, contacts));
     }
 }
 

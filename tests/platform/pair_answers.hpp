@@ -44,6 +44,12 @@ inline void ask_pairs(const Blob& a, const Blob& b, Questions& questions_to_a, s
         fingerprint.add(bool(first));
         fingerprint.add(index_word(first.a));
         fingerprint.add(index_word(first.b));
+        const PairTouch place = pair_touch(a, placed_b, first);
+        fingerprint.add(place.status);
+        fingerprint.add(std::uint32_t{place.count});
+        for (unsigned i = 0; i < place.count; ++i) fingerprint.add(place.points[i]);
+        fingerprint.add(place.normal);
+        fingerprint.add(place.depth);
         const BlobDistance nearest = distance(a, placed_b, limit, questions_to_a.distance(number));
         const bool is_near = nearest.a != no_triangle;
         fingerprint.add(nearest.status);
@@ -56,7 +62,7 @@ inline void ask_pairs(const Blob& a, const Blob& b, Questions& questions_to_a, s
         const YesNo within = within_distance(a, placed_b, questions_to_a.distance(1), limit);
         fingerprint.add(within.status());
         fingerprint.add(within.yes());
-        answers.calls += 5;
+        answers.calls += 6;
         answers.pairs_near += is_near || touch.yes() ? 1u : 0u;
     }
 }

@@ -105,7 +105,7 @@ check_layers(runtime "<espalier/((scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_he
   "moving_scenes: base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree"
   "deformation: base lattice blob"
   "asset: base lattice blob traversal"
-  "contacts: ${walks} asset"
+  "contacts: ${walks} transforms pairs asset"
   "instruction_sets: ${walks} rays rays/batch proximity sweeps pairs scenes moving_scenes moving_scenes/box_tree"
   "batches: base"
   "c: moving_scenes")

@@ -11,6 +11,7 @@
 
 #include <espalier/espalier.hpp>
 
+#include "support/base/random.hpp"
 #include "support/base/sanitized.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
@@ -240,6 +241,17 @@ TEST_SUITE("stack") {
                                          half, contacts);
                      return ClosestPoint();
                  })},
+                {"find_contacts, a hull", 7424, pair_row([](const Blob& blob, const Capsule& capsule) {
+                     std::array<Contact, 8> contacts;
+                     std::array<Vec3, max_hull_vertices> vertices;
+                     Random random(3);
+                     for (Vec3& vertex : vertices) {
+                         const Vec3 off = random.in_cube(capsule.radius);
+                         vertex = {capsule.from.x + off.x, capsule.from.y + off.y, capsule.from.z + off.z};
+                     }
+                     (void)find_contacts(blob, ConvexHull{vertices}, capsule.radius, contacts);
+                     return ClosestPoint();
+                 })},
                 {"overlaps, two blobs", 6656,
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
@@ -250,6 +262,19 @@ TEST_SUITE("stack") {
                          PairContact contacts[1];
                          const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
                          (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
+                     }),
+                 2},
+                {"collect_touches", 7168,
+                 placed_row(
+                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                         PairTouch touches[2];
+                         (void)collect_touches(a, b, touches, WorkLimit(20'000));
+                     }),
+                 2},
+                {"pair_touch", 6656,
+                 placed_row(
+                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                         (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
                      }),
                  2},
                 {"distance, two blobs", 6656,

@@ -72,6 +72,12 @@ run 0 query box.espl contacts-oriented-box 0 1 3.25 0.1 0 0 0 0.1 0 0 0 0.25 0.0
 out_has "4 touches"
 run 0 query box.espl contacts-capsule -0.1 1 3.5 0.1 1 3.5 0.25 0.1
 out_has "0 touches"
+run 0 query box.espl contacts-hull 0.4 1 2.99  0.6 1 2.99  0.5 1.1 2.99  0.5 1 3.5 --few --json
+json '.count >= 3 and ([.touches[].distance] | min) > -0.0101 and ([.touches[].distance] | min) < -0.0099'
+run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5
+out_has "0 touches"
+run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5 --max-distance 0.1 --json
+json '.count >= 1 and .touches[0].distance > 0.0099 and .touches[0].distance < 0.0101'
 run 6 query box.espl contacts-sphere 0 0 0 1 -1
 run 1 query box.espl contacts-sphere 0 0 0 1
 
@@ -184,6 +190,10 @@ run 0 query box.espl contacts box.espl --move 0.9 0 0 --json
 json '.status == "ok" and .count == (.contacts | length) and .count > 10'
 run 0 query box.espl contacts box.espl --move 0.9 0 0 --limit 2
 out_has "2 contacts, and there are more"
+run 0 query box.espl touches box.espl --move 0.9 0 0 --json
+json '.status == "ok" and .count == (.places | length) and .count > 10 and ([.places[].points | length] | min) >= 1 and ([.places[].depth] | min) >= 0'
+run 0 query box.espl touches box.espl --move 0.9 0 0 --limit 2
+out_has "2 places, and there are more"
 run 0 query box.espl distance box.espl --move 0 0 5 --json
 json '.distance == 2 and .on_a[2] == 3 and .on_b[2] == 5'
 run 0 query box.espl distance box.espl --move 0 0 5 --max-distance 1

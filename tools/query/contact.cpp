@@ -1,4 +1,5 @@
 // Contacts of bodies with the surface.
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,7 @@ namespace {
 
 /// Lists all contacts, or the few that support the body best.
 template <class Shape>
-Answer contacts_answer(QueryCall& call, const Shape& shape) {
-    const float margin = call.next_number();
+Answer contacts_answer(QueryCall& call, const Shape& shape, float margin) {
     Answer answer(call);
     std::vector<Contact> contacts(64);
     Filled found = find_contacts(call.blob(), shape, margin, contacts);
@@ -37,7 +37,7 @@ Answer contacts_sphere_answer(QueryCall& call) {
     Sphere sphere;
     sphere.center = call.next_vector();
     sphere.radius = call.next_number();
-    return contacts_answer(call, sphere);
+    return contacts_answer(call, sphere, call.next_number());
 }
 
 Answer contacts_capsule_answer(QueryCall& call) {
@@ -45,14 +45,21 @@ Answer contacts_capsule_answer(QueryCall& call) {
     capsule.from = call.next_vector();
     capsule.to = call.next_vector();
     capsule.radius = call.next_number();
-    return contacts_answer(call, capsule);
+    return contacts_answer(call, capsule, call.next_number());
 }
 
 Answer contacts_oriented_box_answer(QueryCall& call) {
     OrientedBox box;
     box.center = call.next_vector();
     for (Vec3& half : box.half_axes) half = call.next_vector();
-    return contacts_answer(call, box);
+    return contacts_answer(call, box, call.next_number());
+}
+
+Answer contacts_hull_answer(QueryCall& call) {
+    std::vector<Vec3> vertices;
+    while (call.has_numbers()) vertices.push_back(call.next_vector());
+    const float margin = length_argument(call.options().max_distance, "--max-distance");
+    return contacts_answer(call, ConvexHull{vertices}, std::isinf(margin) ? 0.0f : margin);
 }
 
 }  // namespace
@@ -79,6 +86,13 @@ QueryKinds contact_kinds() {
           length_word("margin")},
          option_few,
          contacts_oriented_box_answer},
+        {family,
+         "contacts-hull",
+         "Where a convex hull of vertices touches the surface, or is within --max-distance of it (0 if not given)",
+         {point_word("vertex")},
+         option_few | option_max_distance,
+         contacts_hull_answer,
+         true},
     };
 }
 

@@ -1,4 +1,6 @@
 // Two blobs against each other.
+#include <span>
+
 #include "base/numbers.hpp"
 #include "kinds.hpp"
 
@@ -72,6 +74,25 @@ Answer contacts_answer(QueryCall& call) {
     return answer.counted_list("contacts", "contact");
 }
 
+/// Lists where each pair touches.
+Answer touches_answer(QueryCall& call) {
+    const Other other(call);
+    Answer answer(call);
+    bool is_full = false;
+    const auto visit = [&](const PairTouch& touch) {
+        is_full = call.options().limit && answer.list.size() == *call.options().limit;
+        if (is_full) return Visit::stop;
+        Record& record = answer.list.emplace_back(call.options().json).title("touch");
+        add_pair(record, call, other, touch.a, touch.b);
+        record.add("depth", touch.depth).add("normal", touch.normal);
+        record.add("points", std::span<const Vec3>(touch.points).first(touch.count));
+        return Visit::next;
+    };
+    answer.status = for_each_touch(call.blob(), other.placed(), visit, other.limit);
+    if (is_full) answer.status = QueryStatus::output_full;
+    return answer.counted_list("places", "place");
+}
+
 Answer distance_answer(QueryCall& call) {
     const Other other(call);
     const float max_distance = length_argument(call.options().max_distance, "--max-distance");
@@ -114,6 +135,12 @@ QueryKinds pair_kinds() {
          {name_word("OTHER")},
          placed | option_limit,
          contacts_answer},
+        {family,
+         "touches",
+         "Where each pair of triangles touches: common points, depth and the direction in which OTHER leaves",
+         {name_word("OTHER")},
+         placed | option_limit,
+         touches_answer},
         {family,
          "distance",
          "The closest pair of points",

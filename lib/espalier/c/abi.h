@@ -47,7 +47,7 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t instance_handle, instance_handle_result, box_result, movement, moving_scene;
     uint16_t instance_pair, baked_pair, pair_filter, filled_instance_pairs, filled_baked_pairs;
     uint16_t deformable, refit_result;
-    uint16_t convex_hull, sweep_options;
+    uint16_t convex_hull, sweep_options, pair_touch;
     uint16_t strided_vec3, strided_float, strided_triangle_id, filled_lists;
     uint16_t ray_arrays, sphere_arrays, box_arrays;
 } espalier_abi_sizes;

@@ -33,6 +33,8 @@ espalier_filled espalier_find_contacts_capsule(const espalier_blob* blob, const 
                                                espalier_contact* contacts, size_t capacity);
 espalier_filled espalier_find_contacts_oriented_box(const espalier_blob* blob, const espalier_oriented_box* box,
                                                     float margin, espalier_contact* contacts, size_t capacity);
+espalier_filled espalier_find_contacts_convex_hull(const espalier_blob* blob, const espalier_convex_hull* hull,
+                                                   float margin, espalier_contact* contacts, size_t capacity);
 
 /* The largest number of contacts that espalier_reduce_contacts() keeps. */
 #define ESPALIER_MAX_REDUCED_CONTACTS 4

@@ -1,5 +1,5 @@
-/* Queries of two placed blobs: whether their surfaces touch, where, and how far apart they are. Counterpart of
- * pair.hpp.
+/* Queries of two placed blobs: whether their surfaces touch, where and how deep, and how far apart they are.
+ * Counterpart of pair.hpp.
  *
  * `work_limit` is the number of pairs of nodes or leaves that a query may visit. */
 #ifndef ESPALIER_C_PAIR_H
@@ -10,6 +10,7 @@
 
 #include <espalier/c/attributes.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/contact.h>
 #include <espalier/c/status.h>
 #include <espalier/c/transform.h>
 #include <espalier/c/types.h>
@@ -52,6 +53,37 @@ espalier_query_status espalier_for_each_contact(const espalier_placed_blob* a, c
 espalier_filled espalier_collect_contacts(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                           espalier_pair_contact* contacts, size_t capacity, uint64_t work_limit,
                                           espalier_cursor from);
+
+/* The largest number of points of an espalier_pair_touch. */
+#define ESPALIER_MAX_TOUCH_POINTS 6
+
+/* Where two triangles touch, one of each blob, if the status is ESPALIER_QUERY_OK: what they have in common is the hull
+ * of the points. Along the normal, from a to b, b leaves a after the depth. */
+typedef struct ESPALIER_SHARED_ espalier_pair_touch {
+    espalier_vec3 points[ESPALIER_MAX_TOUCH_POINTS];
+    espalier_vec3 normal;
+    float depth;
+    espalier_triangle_id a, b;
+    uint8_t count;
+    espalier_query_status status;
+    uint8_t reserved[2];
+} espalier_pair_touch;
+
+/* Returns where the triangles of a pair touch, which espalier_collect_contacts() has found for the same placements. */
+espalier_pair_touch espalier_pair_touch_of(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                           const espalier_pair_contact* pair);
+
+typedef espalier_visit (*espalier_touch_visitor)(const espalier_pair_touch* touch, void* user);
+/* Visits where each pair of triangles touches, until the visitor stops. */
+espalier_query_status espalier_for_each_touch(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                              espalier_touch_visitor visit, void* user, uint64_t work_limit);
+/* Writes these in pages of at most `capacity`, as espalier_collect_contacts() writes pairs. */
+espalier_filled espalier_collect_touches(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                         espalier_pair_touch* touches, size_t capacity, uint64_t work_limit,
+                                         espalier_cursor from);
+
+/* Returns one of the points as a contact of body b with the surface a, for espalier_reduce_contacts(). */
+espalier_contact espalier_contact_of_touch(const espalier_pair_touch* touch, size_t number);
 
 /* Returns the smallest distance of the two surfaces within max_distance, and where it is. */
 espalier_blob_distance espalier_distance(const espalier_placed_blob* a, const espalier_placed_blob* b,

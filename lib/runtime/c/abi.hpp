@@ -54,7 +54,7 @@ namespace espalier::detail {
     twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \
     twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)   \
     twin(deformable, Deformable) twin(refit_result, RefitResult)                                              \
-    other(convex_hull, ConvexHull) other(sweep_options, SweepOptions)                                         \
+    other(convex_hull, ConvexHull) other(sweep_options, SweepOptions) twin(pair_touch, PairTouch)             \
     twin(strided_vec3, Strided<Vec3>) twin(strided_float, Strided<float>)                                     \
     twin(strided_triangle_id, Strided<TriangleId>) twin(filled_lists, FilledLists)                            \
     twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)

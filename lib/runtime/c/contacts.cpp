@@ -14,6 +14,7 @@ static_assert(espalier::max_reduced_contacts == ESPALIER_MAX_REDUCED_CONTACTS);
 FIND_CONTACTS(sphere)
 FIND_CONTACTS(capsule)
 FIND_CONTACTS(oriented_box)
+FIND_CONTACTS(convex_hull)
 
 size_t espalier_reduce_contacts(espalier_contact* contacts, size_t count) {
     return espalier::reduce_contacts(cpp(contacts, count));

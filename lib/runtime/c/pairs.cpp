@@ -3,6 +3,8 @@
 
 using namespace espalier::detail;
 
+static_assert(espalier::max_touch_points == ESPALIER_MAX_TOUCH_POINTS);
+
 espalier_yes_no espalier_overlaps_blob(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                        uint64_t work_limit) {
     return c(overlaps(cpp(a), cpp(b), espalier::WorkLimit(work_limit)));
@@ -44,4 +46,25 @@ espalier_blob_distance espalier_distance_counted(const espalier_placed_blob* a, 
                                                  uint64_t work_limit, float max_distance,
                                                  espalier_pair_counters* counters) {
     return c(distance(cpp(a), cpp(b), espalier::WorkLimit(work_limit), max_distance, cpp(counters)));
+}
+
+espalier_pair_touch espalier_pair_touch_of(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                           const espalier_pair_contact* pair) {
+    return c(pair_touch(cpp(a), cpp(b), cpp(pair)));
+}
+
+espalier_query_status espalier_for_each_touch(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                              espalier_touch_visitor visit, void* user, uint64_t work_limit) {
+    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    return c(for_each_touch(cpp(a), cpp(b), visitor(visit, user), espalier::WorkLimit(work_limit)));
+}
+
+espalier_filled espalier_collect_touches(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                         espalier_pair_touch* touches, size_t capacity, uint64_t work_limit,
+                                         espalier_cursor from) {
+    return c(collect_touches(cpp(a), cpp(b), cpp(touches, capacity), espalier::WorkLimit(work_limit), cpp(from)));
+}
+
+espalier_contact espalier_contact_of_touch(const espalier_pair_touch* touch, size_t number) {
+    return c(cpp(touch).contact(number));
 }

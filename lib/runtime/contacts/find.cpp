@@ -6,6 +6,7 @@
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/asset/internal_edges.hpp>
+#include <runtime/contacts/hull_body.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/kernels/face.hpp>
 #include <runtime/lattice/rounder.hpp>
@@ -94,7 +95,7 @@ struct OrientedBoxBody {
         box.fraction_bits = fraction_bits_for(rounder.reach(), volume_grid);
         box.center = to_grid(center, box.fraction_bits);
         const float scale = power_of_two(-box.fraction_bits);
-        Integer3 units[3];
+        auto& units = box.units;
         box.size = 0.0f;
         for (int i = 0; i < 3; ++i) {
             units[i] = to_grid(half[i], box.fraction_bits);
@@ -133,6 +134,76 @@ struct OrientedBoxBody {
     }
 };
 
+struct ConvexHullBody {
+    contacts::HullBody hull;
+    bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
+    static constexpr float radius = 0.0f;
+
+    [[gnu::noinline]] QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
+        if (world.vertices.empty()) return QueryStatus::not_found;
+        float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
+        Rounder rounder(blob);
+        for (const Vec3& vertex : world.vertices) {
+            rounder.add_point(vertex, at);
+            for (int k = 0; k < 3; ++k) {
+                low[k] = minimum(low[k], at[k]);
+                high[k] = maximum(high[k], at[k]);
+            }
+        }
+        const float near = radius_in_steps(blob, margin) * (1.0f + 0x1p-20f) + 4.0f;
+        for (int k = 0; k < 3; ++k)
+            if (low[k] > blob.extent_steps[k] + near || high[k] < -near) return QueryStatus::not_found;
+        if (!(rounder.reach() < contact_hull_reach)) return QueryStatus::out_of_range;
+        const int bits = fraction_bits_for(rounder.reach(), point_grid);
+        unsigned count = 0;
+        for (const Vec3& vertex : world.vertices) {
+            rounder.add_point(vertex, at);
+            for (int k = 0; k < 3; ++k) hull.vertex[count][k] = static_cast<std::int32_t>(to_grid(at[k], bits));
+            ++count;
+        }
+        contacts::set_vertices(hull, hull.vertex, count, bits);
+        return QueryStatus::ok;
+    }
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
+        return relative_to(hull.middle, hull.fraction_bits, triangle);
+    }
+    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) {
+        if (!has_faces) contacts::find_faces(hull);
+        has_faces = true;
+        contacts::touch_hull(hull, triangle, reach, touches);
+    }
+    static Vec3 middle_of(const ConvexHull& world) {
+        const float share = 1.0f / static_cast<float>(world.vertices.size());
+        Vec3 middle;
+        for (const Vec3& vertex : world.vertices)
+            middle = contacts::operator+(middle, contacts::operator*(vertex, share));
+        return middle;
+    }
+    static float reach_of(const ConvexHull& world, const Vec3& way) {
+        const Vec3 middle = middle_of(world);
+        float most = 0.0f;
+        for (const Vec3& vertex : world.vertices)
+            most = maximum(most, contacts::dot(contacts::operator-(middle, vertex), way));
+        return most;
+    }
+    /// The box along the axes around it and the margin, with room for rounding.
+    static Box grown(const ConvexHull& world, float margin) {
+        if (world.vertices.empty()) return {};
+        Vec3 low = world.vertices.front(), high = low;
+        for (const Vec3& v : world.vertices) {
+            low = {minimum(low.x, v.x), minimum(low.y, v.y), minimum(low.z, v.z)};
+            high = {maximum(high.x, v.x), maximum(high.y, v.y), maximum(high.z, v.z)};
+        }
+        const auto by = [margin](float at) { return margin * (1.0f + 0x1p-20f) + absolute(at) * 0x1p-20f; };
+        return {{low.x - by(low.x), low.y - by(low.y), low.z - by(low.z)},
+                {high.x + by(high.x), high.y + by(high.y), high.z + by(high.z)}};
+    }
+
+private:
+    /// Nothing of a hull may be as far from the asset, in lattice steps.
+    static constexpr float contact_hull_reach = 0x1p29f;
+};
+
 /// The contacts so far, sorted; of more than there are places the deepest.
 class SortedContacts {
 public:
@@ -165,14 +236,13 @@ private:
 /// Takes triangles from the walk.
 template <class Body>
 struct ContactsOf : Each {
-    const Body& body;
+    Body& body;
     const Blob& owner;
     float margin;        ///< of the caller
     float margin_steps;  ///< lattice steps
     SortedContacts& sorted;
 
-    ContactsOf(const Blob& of_blob, const Body& of_body, float within, const TriangleVisitor& by_id,
-               SortedContacts& into)
+    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, SortedContacts& into)
         : Each(data_of(of_blob), by_id), body(of_body), owner(of_blob), margin(within), sorted(into) {
         margin_steps = radius_in_steps(data_of(of_blob), within);
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
@@ -283,6 +353,15 @@ Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std
         if (!all_finite) return {0, {}, QueryStatus::invalid_argument};
     }
     return find_contacts_of<OrientedBoxBody>(blob, box, margin, contacts);
+}
+
+Filled find_contacts(const Blob& blob, const ConvexHull& hull, float margin, std::span<Contact> contacts) noexcept {
+    if (blob) {
+        bool is_valid = hull.vertices.size() <= max_hull_vertices;
+        for (std::size_t i = 0; is_valid && i < hull.vertices.size(); ++i) is_valid = is_finite(hull.vertices[i]);
+        if (!is_valid) return {0, {}, QueryStatus::invalid_argument};
+    }
+    return find_contacts_of<ConvexHullBody>(blob, hull, margin, contacts);
 }
 
 }  // namespace espalier

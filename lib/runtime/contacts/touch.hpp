@@ -52,6 +52,17 @@ struct Prism {
             inward[4] = across * -1.0f;
         }
     }
+
+    /// Cuts the part of a segment that lies within, from shares first to last. False if nothing is left.
+    bool clip(const Vec3& from, const Vec3& along, float& first, float& last) const {
+        for (unsigned i = 0; i < plane_count; ++i) {
+            const float at_from = dot(inward[i], from - on_plane[i]), slope = dot(inward[i], along);
+            if (slope > 0.0f) first = maximum(first, -at_from / slope);
+            else if (slope < 0.0f) last = minimum(last, -at_from / slope);
+            else if (at_from < 0.0f) return false;
+        }
+        return first <= last;
+    }
 };
 
 /// A place of the triangle, and how far the shape is from it.
@@ -79,6 +90,12 @@ struct Touches {
     }
 };
 
+/// The direction that separates most, from the triangle to the shape, and the gap along it: below 0 the least depth.
+struct Separation {
+    Vec3 normal;
+    float gap = -infinity;
+};
+
 /// Writes how a point touches the triangle, or is near it.
 void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, Touches& touches);
 
@@ -89,9 +106,10 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
 struct BoxBody {
     Integer3 center;  ///< in units of 2^-fraction_bits steps
     int fraction_bits;
-    Vec3 half[3];  ///< in lattice steps
-    Vec3 face[3];  ///< unit normals of the faces; zero where the other two half axes are parallel
-    float size;    ///< no part is farther from the center
+    Integer3 units[3];  ///< half axes
+    Vec3 half[3];       ///< the same in lattice steps
+    Vec3 face[3];       ///< unit normals of the faces; zero where the other two half axes are parallel
+    float size;         ///< no part is farther from the center
 };
 
 /// Writes how a box touches the triangle, or is no farther away than `reach`; nothing if it is farther.

@@ -1,26 +1,11 @@
 // Contacts of boxes, in floats that are counted from the box's center: separating axes (Gottschalk, Lin and Manocha
 // 1996) for the depth, pairs of features for the distance, and the part of a face over the triangle.
+#include <runtime/contacts/nearest_pair.hpp>
 #include <runtime/contacts/touch.hpp>
-#include <runtime/kernels/face.hpp>
 
 namespace espalier::detail::contacts {
 
 namespace {
-
-/// Corners a, b, c from the box's center, in lattice steps.
-struct SeenTriangle {
-    Vec3 corner[3];
-
-    [[nodiscard]] Vec3 at(float u, float v) const {
-        return corner[0] + ((corner[1] - corner[0]) * u + (corner[2] - corner[0]) * v);
-    }
-};
-
-/// The direction that separates most, from the triangle to the box, and the gap along it: below 0 the least depth.
-struct Separation {
-    Vec3 normal;
-    float gap = -infinity;
-};
 
 void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Separation& best) {
     float reach = 0.0f;
@@ -36,21 +21,19 @@ void try_direction(const Vec3& axis, const BoxBody& box, const SeenTriangle& see
     if (largest(axis) > 0.0f) try_unit_axis(direction_of(axis), box, seen, best);
 }
 
-Separation separate(const BoxBody& box, const SeenTriangle& seen, const Vec3& front) {
+Separation separate(const BoxBody& box, const SeenTriangle& seen) {
     Separation best;
-    try_unit_axis(front, box, seen, best);
+    try_unit_axis(seen.front, box, seen, best);
     bool is_flat = false;
     for (const Vec3& face : box.face) {
         if (dot(face, face) > 0.0f) try_unit_axis(face, box, seen, best);
         else is_flat = true;
     }
-    for (const Vec3& half : box.half) {
+    for (const Integer3& half : box.units) {
         for (unsigned i = 0; i < 3; ++i) {
-            const Vec3 side = seen.corner[i == 2 ? 0 : i + 1] - seen.corner[i];
-            const Vec3 axis = cross(half, side);
-            // Of nearly parallel edges the product is only rounding.
-            if (dot(axis, axis) > dot(half, half) * dot(side, side) * 0x1p-20f)
-                try_unit_axis(direction_of(axis), box, seen, best);
+            // From integers: of nearly parallel edges floats would leave only rounding.
+            const Vec3 axis = direction_of(detail::cross(half, seen.side[i]));
+            if (dot(axis, axis) > 0.0f) try_unit_axis(axis, box, seen, best);
         }
     }
     if (!is_flat) return best;
@@ -60,69 +43,10 @@ Separation separate(const BoxBody& box, const SeenTriangle& seen, const Vec3& fr
         try_unit_axis(unit, box, seen, best);
         for (unsigned i = 0; i < 3; ++i) {
             try_direction(cross(unit, box.half[i]), box, seen, best);
-            try_direction(cross(unit, seen.corner[i == 2 ? 0 : i + 1] - seen.corner[i]), box, seen, best);
+            try_direction(cross(unit, to_vector(seen.side[i])), box, seen, best);
         }
     }
     return best;
-}
-
-/// The nearest points of box and triangle.
-struct NearestPair {
-    float squared = infinity;
-    Vec3 apart;  ///< from the triangle to the box
-    Vec3 on_triangle;
-    Feature feature = Feature::face;
-
-    void offer(const Vec3& on_box, const Vec3& place, Feature part) {
-        const Vec3 between = on_box - place;
-        const float length = dot(between, between);
-        if (length < squared) *this = {length, between, place, part};
-    }
-};
-
-float clamped_share(float part, float whole) { return part <= 0.0f ? 0.0f : part >= whole ? 1.0f : part / whole; }
-
-/// Returns the point of a side nearest to p and the part of the triangle that it lies on.
-Vec3 nearest_on_side(const SeenTriangle& seen, unsigned side, const Vec3& p, Feature& feature) {
-    const unsigned next = side == 2 ? 0 : side + 1;
-    const Vec3& start = seen.corner[side];
-    const Vec3 along = seen.corner[next] - start;
-    const float share = clamped_share(dot(p - start, along), dot(along, along));
-    const auto vertex = [](unsigned corner) {
-        return static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
-    };
-    feature = share == 0.0f   ? vertex(side)
-              : share == 1.0f ? vertex(next)
-                              : static_cast<Feature>(static_cast<unsigned>(Feature::edge_ab) + side);
-    return start + along * share;
-}
-
-/// Offers the pair of a vertex of the box and the triangle: within its face or on a side.
-void try_vertex(const Vec3& p, const SeenTriangle& seen, const Vec3& front, NearestPair& nearest) {
-    bool is_over_face = true;
-    for (unsigned i = 0; i < 3; ++i) {
-        const Vec3 side = seen.corner[i == 2 ? 0 : i + 1] - seen.corner[i];
-        if (dot(cross(side, p - seen.corner[i]), front) > 0.0f) continue;
-        is_over_face = false;
-        Feature feature = Feature::face;
-        const Vec3 place = nearest_on_side(seen, i, p, feature);
-        nearest.offer(p, place, feature);
-    }
-    if (is_over_face) nearest.offer(p, p - front * dot(front, p - seen.corner[0]), Feature::face);
-}
-
-/// Offers the nearest points of an edge of the box and a side of the triangle, ends included.
-void try_edge(const Vec3& from, const Vec3& along, const SeenTriangle& seen, unsigned side, NearestPair& nearest) {
-    const Vec3& start = seen.corner[side];
-    const Vec3 d = seen.corner[side == 2 ? 0 : side + 1] - start, between = from - start;
-    const float aa = dot(along, along), dd = dot(d, d), ad = dot(along, d);
-    const float ab = dot(along, between), db = dot(d, between);
-    const float whole = aa * dd - ad * ad;
-    float s = whole > aa * dd * 0x1p-20f ? clamped_share(ad * db - dd * ab, whole) : 0.0f;
-    Feature feature = Feature::face;
-    const Vec3 place = nearest_on_side(seen, side, from + along * s, feature);
-    s = clamped_share(dot(place - from, along), aa);
-    nearest.offer(from + along * s, place, feature);
 }
 
 /// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face.
@@ -145,16 +69,20 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
 }
 
 /// Returns the nearest points of the box, moved by that much, and the triangle; they share no inner point.
-NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& front) {
+NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen) {
+    const float scale = power_of_two(-box.fraction_bits);
     NearestPair nearest;
     for (unsigned i = 0; i < 3; ++i) try_corner(box, moved, seen, i, nearest);
     for (unsigned corner = 0; corner < 8; ++corner) {
         Vec3 p = moved;
         for (unsigned i = 0; i < 3; ++i) p = p + box.half[i] * ((corner >> i & 1u) != 0 ? 1.0f : -1.0f);
-        try_vertex(p, seen, front, nearest);
+        try_vertex(p, seen, nearest);
         for (unsigned i = 0; i < 3; ++i) {
             if ((corner >> i & 1u) != 0) continue;
-            for (unsigned side = 0; side < 3; ++side) try_edge(p, box.half[i] * 2.0f, seen, side, nearest);
+            for (unsigned side = 0; side < 3; ++side) {
+                const Vec3 across = to_vector(detail::cross(box.units[i], seen.side[side])) * (2.0f * scale);
+                try_edge(p, box.half[i] * 2.0f, across, seen, side, nearest);
+            }
         }
     }
     return nearest;
@@ -206,36 +134,26 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
 }  // namespace
 
 void touch_box(const BoxBody& box, const LatticeTriangle& triangle, float reach, Touches& touches) {
-    const float scale = power_of_two(-box.fraction_bits);
-    SeenTriangle seen;
-    for (int i = 0; i < 3; ++i) {
-        const Integer3 from_center = corner_on_grid(triangle, i, box.fraction_bits) - box.center;
-        seen.corner[i] = Vec3{to_float(from_center.x), to_float(from_center.y), to_float(from_center.z)} * scale;
-    }
-    const Vec3 front = front_of(triangle);
-    const Separation separation = separate(box, seen, front);
+    const SeenTriangle seen(triangle, box.center, box.fraction_bits);
+    const Separation separation = separate(box, seen);
     if (separation.gap > reach) return;
     const Vec3 moved = separation.gap < 0.0f ? separation.normal * -separation.gap : Vec3{};
-    const NearestPair nearest = nearest_pair(box, moved, seen, front);
+    const NearestPair nearest = nearest_pair(box, moved, seen);
     const float distance = separation.gap < 0.0f ? separation.gap : square_root(nearest.squared);
     if (distance > reach) return;
-    // The direction of an axis has less rounding than that between two points, where they agree or are hardly apart.
-    const float size =
-        box.size + maximum(maximum(largest(seen.corner[0]), largest(seen.corner[1])), largest(seen.corner[2]));
-    const Vec3 off_axis = nearest.apart - separation.normal * distance;
-    const bool is_of_axis = distance <= size * 0x1p-12f || largest(off_axis) < size * 0x1p-20f;
-    const Vec3 normal = is_of_axis ? separation.normal : direction_of(nearest.apart);
-    const Vec3 center = Vec3{to_float(box.center.x), to_float(box.center.y), to_float(box.center.z)} * scale;
+    const float size = box.size + seen.reach();
+    const Vec3 normal = direction_between(nearest, separation, distance, size);
+    const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits);
     touches.touch[0] = {center + nearest.on_triangle, normal, distance, nearest.feature};
     touches.count = 1;
 
-    const float steepness = dot(front, normal);
+    const float steepness = dot(seen.face, normal);
     if (absolute(steepness) < 0.25f) return;
     Polygon polygon = face_toward(box, normal);
     const Prism prism(seen.corner, normal);
     for (unsigned i = 0; i < Prism::plane_count; ++i) polygon.cut(prism.on_plane[i], prism.inward[i]);
     for (unsigned i = 0; i < polygon.count; ++i) {
-        const float gap = dot(front, polygon.vertex[i] - seen.corner[0]) / steepness;
+        const float gap = dot(seen.face, polygon.vertex[i] - seen.corner[0]) / steepness;
         if (gap <= reach)
             touches.add(center + (polygon.vertex[i] - normal * gap), normal, gap, box.size * (1.0f / 64.0f));
     }

@@ -62,17 +62,6 @@ Vec3 direction_to_inside(const UnitSegment& segment, Feature feature, const Latt
     return direction_of(dot(normal, to_corner).is_negative() ? normal : -normal);
 }
 
-/// Cuts the part of a segment that lies within the prism, from shares first to last. False if nothing is left.
-bool clip_to(const Prism& prism, const Vec3& along, float& first, float& last) {
-    for (unsigned i = 0; i < Prism::plane_count; ++i) {
-        const float at_from = -dot(prism.inward[i], prism.on_plane[i]), slope = dot(prism.inward[i], along);
-        if (slope > 0.0f) first = maximum(first, -at_from / slope);
-        else if (slope < 0.0f) last = minimum(last, -at_from / slope);
-        else if (at_from < 0.0f) return false;
-    }
-    return first <= last;
-}
-
 }  // namespace
 
 Vec3 front_of(const LatticeTriangle& triangle) {
@@ -139,7 +128,7 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     const Vec3 start = {segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]};
     const Vec3 along = Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start;
     float low = 0.0f, high = 1.0f;
-    if (!clip_to(Prism(corner, way), along, low, high)) return;
+    if (!Prism(corner, way).clip({}, along, low, high)) return;
     const float apart = largest(along) * (1.0f / 64.0f);
     for (const float share : {low, high}) {
         const Vec3 place = along * share;

@@ -70,8 +70,13 @@ private:
 
 template <class Leaves>
 [[gnu::noinline]] Visit visit_touching(const Leaves& leaves, const OnTouching& visit) {
-    for (SlotPair pair(leaves, true); pair.next(0.0f);)
-        if (triangles_meet(pair.a, pair.b) && visit(leaves.at(pair.a_slot, pair.b_slot)) == Visit::stop)
+    SlotPair pair(leaves, true);
+    const auto place_both = [&pair](LatticeTriangle& of_a, LatticeTriangle& of_b) {
+        of_a = pair.a;
+        of_b = pair.b;
+    };
+    while (pair.next(0.0f))
+        if (triangles_meet(pair.a, pair.b) && visit(leaves.at(pair.a_slot, pair.b_slot), place_both) == Visit::stop)
             return Visit::stop;
     return Visit::next;
 }

@@ -5,7 +5,9 @@
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>
+#include <runtime/pairs/contacts.hpp>
 #include <runtime/pairs/first_contact.hpp>
+#include <runtime/pairs/from_grid.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/transforms/rotation.hpp>
 #include <runtime/traversal/find_triangle.hpp>
@@ -56,7 +58,7 @@ QueryStatus search_pair(PairFrame& frame, const PairSearch& search, std::uint64_
 }
 
 QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, PairWork& work) {
-    const auto keep = [&](const TrianglePair& touching) {
+    const auto keep = [&](const TrianglePair& touching, const PlaceTriangles&) {
         pair = touching;
         found = true;
         return Visit::stop;
@@ -85,25 +87,16 @@ constexpr float farthest_in_spans = 1024.0f;
     return search_pair(frame, {.least = &least, .counters = work.counters}, work.left);
 }
 
-/// A point of a triangle of the grid, in a's space.
-Vec3 point_in_units(const PairFrame& frame, const LatticeTriangle& triangle, const Weights& weights) {
-    float steps[3];
-    point_of(triangle, weights.u, weights.v, steps);
-    for (float& step : steps) step = scale_by_power_of_two(step, frame.shift);
-    return to_world(*frame.a, steps[0], steps[1], steps[2]);
-}
-
-/// Converts a distance of the world into a's units, or back. One that is not zero does not become zero.
-float converted(float distance, float scale, bool into_world) {
-    if (scale == 1.0f || magnitude_bits(distance) == 0) return distance;
-    const float result = into_world ? distance * scale : distance / scale;
-    return result >= least_coordinate ? result : least_coordinate;
-}
-
 /// A distance in steps of the grid. No two triangles of it are apart by less than 2^-60 and more than 0.
 float radius_on_grid(const PairFrame& frame, float distance) {
     const float radius = scale_by_power_of_two(distance, -(frame.a->step_exponent + frame.shift));
     return magnitude_bits(distance) != 0 && radius < 0x1p-60f ? 0x1p-60f : radius;
+}
+
+Vec3 place_of(const LatticeTriangle& triangle, const Weights& weights) {
+    float steps[3];
+    point_of(triangle, weights.u, weights.v, steps);
+    return {steps[0], steps[1], steps[2]};
 }
 
 /// A search for the nearest pair, or for any within a distance.
@@ -132,7 +125,7 @@ struct NearestSearch {
                                     {bounds_of(find_triangle(*frame.a, references.a.index)),
                                      bounds_of(find_triangle(*frame.b, references.b.index))}};
     bool is_found = false;
-    const auto compare = [&](const TrianglePair& others) {
+    const auto compare = [&](const TrianglePair& others, const PlaceTriangles&) {
         is_found = others < references && owners(frame, others) == only.triangles;
         return is_found ? Visit::stop : Visit::next;
     };
@@ -140,17 +133,17 @@ struct NearestSearch {
     return is_found ? QueryStatus::stopped : status;
 }
 
-/// Calls visit(contact, references) with each pair that touches, once, behind the references `before` where there are
-/// some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
+/// Calls visit(contact, references, place) with each pair that touches, once, behind the references `before` where
+/// there are some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
 struct ContactVisitor {
     PairFrame& frame;
     const TrianglePair* before;
-    FunctionRef<Visit(const PairContact&, const TrianglePair&)> visit;
+    FunctionRef<Visit(const PairContact&, const TrianglePair&, PlaceTriangles)> visit;
     std::uint64_t work;
     bool is_behind = before == nullptr;
     QueryStatus end = QueryStatus::ok;  ///< else why it stopped the walk
 
-    Visit operator()(const TrianglePair& references) {
+    Visit operator()(const TrianglePair& references, const PlaceTriangles& place) {
         if (!is_behind) {
             is_behind = references == *before;
             return Visit::next;
@@ -161,7 +154,7 @@ struct ContactVisitor {
             if (lower == QueryStatus::stopped) return Visit::next;
             end = lower;
         }
-        if (end == QueryStatus::ok && visit({pair.a, pair.b, QueryStatus::ok}, references) == Visit::stop)
+        if (end == QueryStatus::ok && visit({pair.a, pair.b, QueryStatus::ok}, references, place) == Visit::stop)
             end = QueryStatus::stopped;
         return end == QueryStatus::ok ? Visit::next : Visit::stop;
     }
@@ -222,14 +215,32 @@ YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexce
 
 QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
                              WorkLimit limit) noexcept {
-    PlacedPair placed(a, b);
-    if (placed.status != QueryStatus::ok) return of_list(placed.status);
-    const auto pass_on = [&](const PairContact& contact, const TrianglePair&) { return visit(contact); };
-    return ContactVisitor{placed.frame, nullptr, pass_on, limit.visits()}.walk();
+    const auto pass_on = [&](const PairFrame&, const PairContact& contact, const PlaceTriangles&) {
+        return visit(contact);
+    };
+    return visit_contacts(a, b, pass_on, limit);
 }
 
 Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<PairContact> contacts, WorkLimit limit,
                         Cursor from) noexcept {
+    const auto write = [&](std::size_t place, const PairFrame&, const PairContact& contact, const PlaceTriangles&) {
+        contacts[place] = contact;
+    };
+    return collect_contacts(a, b, contacts.size(), write, limit, from);
+}
+
+QueryStatus detail::visit_contacts(const PlacedBlob& a, const PlacedBlob& b, OnContact visit,
+                                   WorkLimit limit) noexcept {
+    PlacedPair placed(a, b);
+    if (placed.status != QueryStatus::ok) return of_list(placed.status);
+    const auto pass_on = [&](const PairContact& contact, const TrianglePair&, const PlaceTriangles& place) {
+        return visit(placed.frame, contact, place);
+    };
+    return ContactVisitor{placed.frame, nullptr, pass_on, limit.visits()}.walk();
+}
+
+Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::size_t capacity, WriteContact write,
+                                WorkLimit limit, const Cursor& from) noexcept {
     Filled filled;
     filled.next = from;
     PlacedPair placed(a, b);
@@ -241,15 +252,27 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
         return filled;
     }
     const TrianglePair before = pair_before(from);
-    const auto write = [&](const PairContact& contact, const TrianglePair& references) {
-        if (filled.count == contacts.size()) return Visit::stop;
-        contacts[filled.count++] = contact;
+    const auto keep = [&](const PairContact& contact, const TrianglePair& references, const PlaceTriangles& place) {
+        if (filled.count == capacity) return Visit::stop;
+        write(filled.count++, placed.frame, contact, place);
         filled.next = cursor_behind(references);
         return Visit::next;
     };
-    filled.status = ContactVisitor{placed.frame, begins ? nullptr : &before, write, limit.visits()}.walk();
+    filled.status = ContactVisitor{placed.frame, begins ? nullptr : &before, keep, limit.visits()}.walk();
     if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
     return filled;
+}
+
+QueryStatus detail::place_triangles(const PlacedBlob& a, const PlacedBlob& b, const PairContact& pair, PairFrame& frame,
+                                    LatticeTriangle& of_a, LatticeTriangle& of_b) noexcept {
+    const PlacedPair placed(a, b);
+    if (placed.status == QueryStatus::not_open || is_refused(placed.status)) return placed.status;
+    if (pair.a.index >= data_of(a.blob()).triangle_count || pair.b.index >= data_of(b.blob()).triangle_count)
+        return QueryStatus::invalid_argument;
+    frame = placed.frame;
+    of_a = frame.place_a(find_triangle(*frame.a, pair.a.index));
+    of_b = frame.place_b(find_triangle(*frame.b, pair.b.index));
+    return QueryStatus::ok;
 }
 
 namespace {
@@ -263,13 +286,11 @@ namespace {
     if (!search.least.found) return result;
     const PairFrame& frame = search.placed.frame;
     const FoundTriangles& best = search.least.best;
-    const float in_units =
-        scale_by_power_of_two(square_root(best.distance.squared), frame.shift + frame.a->step_exponent);
-    const float in_world = converted(in_units, a.transform().scale, true);
+    const float in_world = length_in_world(frame, square_root(best.distance.squared), a.transform().scale);
     // That it is within max_distance was decided exactly; rounding does not change that.
     result.distance = magnitude_bits(in_world) > magnitude_bits(max_distance) ? max_distance : in_world;
-    result.on_a = to_world(a.transform(), point_in_units(frame, best.a, best.distance.on_a));
-    result.on_b = to_world(a.transform(), point_in_units(frame, best.b, best.distance.on_b));
+    result.on_a = to_world(a.transform(), point_in_units(frame, place_of(best.a, best.distance.on_a)));
+    result.on_b = to_world(a.transform(), point_in_units(frame, place_of(best.b, best.distance.on_b)));
     result.a = best.pair.a;
     result.b = best.pair.b;
     return result;

@@ -12,8 +12,10 @@
 
 namespace espalier::detail {
 
-/// Takes a pair that touches: storage indices, which may be those of copies.
-using OnTouching = FunctionRef<Visit(const TrianglePair&)>;
+/// Writes the triangles of a pair, on the common grid.
+using PlaceTriangles = FunctionRef<void(LatticeTriangle& a, LatticeTriangle& b)>;
+/// Takes a pair that touches: storage indices, which may be those of copies, and what places the two.
+using OnTouching = FunctionRef<Visit(const TrianglePair&, PlaceTriangles)>;
 
 /// Two triangles, of which a blob with copies may hold several references each.
 struct ReferredTriangles {

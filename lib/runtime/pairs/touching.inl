@@ -188,7 +188,11 @@ template <class Leaves>
             for (auto may = slots.may[place]; may != 0; may &= may - 1) {
                 const auto slot = static_cast<unsigned>(std::countr_zero(may));
                 if ((slots.certain[place] >> slot & 1u) == 0 && !touch_exactly(leaves, slot, b_slot)) continue;
-                if (visit(leaves.at(slot, b_slot)) == Visit::stop) return Visit::stop;
+                const auto place_both = [&](LatticeTriangle& of_a, LatticeTriangle& of_b) {
+                    of_a = leaves.triangle_a(slot);
+                    of_b = leaves.triangle_b(b_slot);
+                };
+                if (visit(leaves.at(slot, b_slot), place_both) == Visit::stop) return Visit::stop;
             }
         }
     }

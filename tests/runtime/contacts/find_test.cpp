@@ -20,6 +20,7 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 #include "support/queries/shape_maker.hpp"
+#include "support/queries/sweep_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
 using namespace espalier;
@@ -59,6 +60,12 @@ Body body_of(const OrientedBox& box) {
         for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half_axes[k]);
         body.points.push_back(p);
     }
+    return body;
+}
+
+Body body_of(const OwnedHull& hull) {
+    Body body;
+    for (const Vec3& vertex : hull.vertices) body.points.push_back(point_of(vertex));
     return body;
 }
 
@@ -154,6 +161,7 @@ TEST_SUITE("find") {
             CAPTURE(blob.name);
             const Surface surface(blob);
             ShapeMaker maker(blob.decoded, 99);
+            SweepMaker hull_maker(blob.decoded, 98);
             for (std::uint64_t i = 0; i < count; ++i) {
                 const bool awkward = i % 2 == 0;
                 const float margin = i % 3 == 0 ? 0.0f : maker.size() * 0.01f * static_cast<float>(i % 5);
@@ -170,6 +178,9 @@ TEST_SUITE("find") {
                 check(sphere);
                 check(capsule);
                 check(box);
+                OwnedHull hull = awkward ? hull_maker.awkward_hull().shape : hull_maker.random_hull().shape;
+                if (hull.vertices.size() > 10) hull.vertices.resize(10);  // the reference takes the cube of them
+                check(hull);
             }
         }
         CHECK(decided > 100);
@@ -205,6 +216,44 @@ TEST_SUITE("find") {
             }
         }
         if (asks_enough()) CHECK(inside > count);
+    }
+
+    TEST_CASE("contact: a hull whose middle is inside a closed surface leaves along the way to its closest point") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        // The middle is that of the vertices: 0.75 at x.
+        const Vec3 vertices[] = {{0.5f, 0.0f, 0.0f}, {0.5f, 0.25f, 0.0f}, {0.5f, 0.0f, 0.25f}, {1.5f, 0.0f, 0.0f}};
+        std::vector<Contact> contacts(4);
+        const Filled found = find_contacts(cube.blob, ConvexHull{vertices}, 0.0f, contacts);
+        REQUIRE(found.status == QueryStatus::ok);
+        REQUIRE(found.count == 1);
+        CHECK(contacts[0].normal == Vec3{1.0f, 0.0f, 0.0f});
+        CHECK(static_cast<double>(contacts[0].distance) == doctest::Approx(-0.5).epsilon(0.001));
+    }
+
+    TEST_CASE("contact: a hull on a floor keeps the rim that it stands on") {
+        for_each_profile([](Profile profile) {
+            const OpenedBlob floor(make_plane_grid(6), with_profile(profile));
+            const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
+            const float size = high.x - low.x, radius = 0.2f * size;
+            const Vec3 middle = {low.x + 0.5f * size, low.y + 0.5f * size, low.z};
+            // A prism of 16 sides.
+            std::vector<Vec3> vertices;
+            for (int i = 0; i < 32; ++i) {
+                const float angle = static_cast<float>(i / 2) * 0.39269908f;
+                vertices.push_back({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle),
+                                    middle.z + (i % 2 == 0 ? -0.01f : 0.3f) * size});
+            }
+            std::vector<Contact> contacts(500);
+            const Filled found = find_contacts(floor.blob, ConvexHull{vertices}, 0.01f * size, contacts);
+            REQUIRE(found.status == QueryStatus::ok);
+            REQUIRE(found.count > 8);
+            REQUIRE(reduce_contacts(found.in(contacts)) == 4);
+            for (const Contact& contact : std::span(contacts).first(4)) {
+                REQUIRE(contact.normal.z > 0.999f);
+                REQUIRE(static_cast<double>(contact.distance / size) == doctest::Approx(-0.01).epsilon(0.01));
+                REQUIRE(std::hypot(contact.point.x - middle.x, contact.point.y - middle.y) > 0.9f * radius);
+            }
+        });
     }
 
     TEST_CASE("contact: on a floor with edge flags every contact has the normal of the floor") {
@@ -321,10 +370,12 @@ TEST_SUITE("find") {
         const Sphere sphere = {{0.0f, 0.0f, 1.2f}, 0.5f};
         CHECK(find_contacts(Blob(), sphere, 0.0f, contacts).status == QueryStatus::not_open);
         CHECK(find_contacts(Blob(), OrientedBox{}, 0.0f, contacts).status == QueryStatus::not_open);
+        CHECK(find_contacts(Blob(), ConvexHull{}, 0.0f, contacts).status == QueryStatus::not_open);
         for (const float margin : {nan, infinity, -1.0f}) {
             CHECK(find_contacts(cube.blob, sphere, margin, contacts).status == QueryStatus::invalid_argument);
             CHECK(find_contacts(cube.blob, Capsule{}, margin, contacts).status == QueryStatus::invalid_argument);
             CHECK(find_contacts(cube.blob, OrientedBox{}, margin, contacts).status == QueryStatus::invalid_argument);
+            CHECK(find_contacts(cube.blob, ConvexHull{}, margin, contacts).status == QueryStatus::invalid_argument);
         }
         for (const float radius : {nan, infinity, -1.0f}) {
             CHECK(find_contacts(cube.blob, Sphere{{}, radius}, 0.0f, contacts).status == QueryStatus::invalid_argument);
@@ -338,6 +389,20 @@ TEST_SUITE("find") {
         CHECK(find_contacts(cube.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, 0.0f, contacts).count == 0);
         CHECK(find_contacts(cube.blob, OrientedBox{{1e20f, 0.0f, 0.0f}, {}}, 0.0f, contacts).status == QueryStatus::ok);
         CHECK(find_contacts(cube.blob, sphere, 0.0f, {}).status == QueryStatus::output_full);
+        std::vector<Vec3> vertices(max_hull_vertices, Vec3{0.0f, 0.0f, 1.0f});
+        const auto status_of_hull = [&] {
+            return find_contacts(cube.blob, ConvexHull{vertices}, 0.0f, contacts).status;
+        };
+        CHECK(status_of_hull() == QueryStatus::ok);
+        vertices[5].y = nan;
+        CHECK(status_of_hull() == QueryStatus::invalid_argument);
+        vertices[5].y = 1e20f;
+        CHECK(status_of_hull() == QueryStatus::out_of_range);
+        vertices.assign(max_hull_vertices, Vec3{0.0f, 0.0f, 1e20f});
+        CHECK(status_of_hull() == QueryStatus::ok);  // far away
+        vertices.assign(max_hull_vertices + 1, Vec3{});
+        CHECK(status_of_hull() == QueryStatus::invalid_argument);
+        CHECK(find_contacts(cube.blob, ConvexHull{}, 1.0f, contacts).count == 0);
         CHECK(reduce_contacts({}) == 0);
     }
 }

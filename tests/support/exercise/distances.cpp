@@ -67,6 +67,12 @@ void exercise_contacts(Exercise& run) {
     check_contacts(run, Capsule{from, to, radius}, margin);
     check_contacts(run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, difference(to, from)}},
                    margin);
+    std::array<Vec3, max_hull_vertices + 1> vertices;
+    const std::size_t count = run.random.below(4) != 0 ? run.random.below(9) : run.random.below(vertices.size() + 1);
+    for (std::size_t i = 0; i < count; ++i)
+        vertices[i] =
+            run.random.coin() ? some_point(blob, run.random) : vertices[run.random.below(vertices.size()) % (i + 1)];
+    check_contacts(run, ConvexHull{std::span(vertices).first(count)}, margin);
 }
 
 void exercise_distances(Exercise& run) {

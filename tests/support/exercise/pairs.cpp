@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <espalier/espalier.hpp>
 
@@ -29,6 +30,42 @@ Transform some_placement(const Blob& blob, Random& random) {
     }
     if (random.below(3) == 0) placement.scale = random.coin() ? random.unit() * 4.0f : some_length(blob, random);
     return placement;
+}
+
+/// Where pairs touch: those of the list, one by one, in a list and for a visitor; and a pair that may not exist.
+void exercise_touches(Exercise& run, const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit,
+                      std::span<const PairContact> pairs) {
+    Verdict& verdict = run.verdict;
+    std::array<PairTouch, 9> touches;
+    const Filled listed = collect_touches(a, b, touches, limit);
+    verdict.require(listed.count == pairs.size(), "other pairs have a place than touch");
+    std::array<Contact, 9> contacts;
+    for (std::size_t i = 0; i < listed.count; ++i) {
+        const PairTouch& touch = touches[i];
+        verdict.require(touch.a == pairs[i].a && touch.b == pairs[i].b, "the places of a pair are those of another");
+        verdict.require(touch.count >= 1 && touch.count <= max_touch_points, "a pair touches at no place");
+        verdict.require(touch.depth >= 0.0f, "a depth is negative or NaN");
+        for (unsigned k = 0; k < touch.count; ++k) run.hash.add(touch.points[k]);
+        run.hash.add(touch.normal);
+        run.hash.add(touch.depth);
+        contacts[i] = touch.contact(0);
+    }
+    for (const Contact& contact : std::span(contacts).first(reduce_contacts(std::span(contacts).first(listed.count))))
+        run.hash.add(contact.triangle.index);
+    std::size_t visited = 0;
+    const auto visit = [&](const PairTouch& touch) {
+        verdict.require(visited >= listed.count || touch.depth == touches[visited].depth, "a visitor has other depths");
+        return ++visited == touches.size() ? Visit::stop : Visit::next;
+    };
+    (void)for_each_touch(PlacedBlob(run.blob.for_pairs(limit.visits()), a.transform()), b, visit, limit);
+    verdict.require(visited >= listed.count, "a list has more places than a visitor");
+    const std::uint32_t end = run.blob.triangle_count() + 1;
+    const PairContact some = listed.count != 0 && run.random.coin()
+                                 ? pairs[0]
+                                 : PairContact{{run.random.below(end)}, {run.random.below(end)}, QueryStatus::ok};
+    const PairTouch one = pair_touch(PlacedBlob(run.blob.for_walks(0, 2), a.transform()), b, some);
+    run.hash.add(static_cast<std::uint32_t>(one.status));
+    if (one) run.hash.add(one.points[0]);
 }
 
 }  // namespace
@@ -73,6 +110,7 @@ void exercise_pairs(Exercise& run) {
     const QueryStatus enumerated = for_each_contact(placed(), other, visit, limit);
     verdict.require(visited >= listed.count && (visited == 0 || !is_refused(enumerated)),
                     "a refused query visits pairs");
+    exercise_touches(run, placed(), other, limit, listed.in(pairs));
     // A page resumes within its limit, also from a cursor that no query returned.
     const Cursor from = run.random.below(4) != 0
                             ? listed.next

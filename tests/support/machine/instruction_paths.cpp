@@ -35,9 +35,11 @@ const std::vector<InstructionPath>& instruction_paths() {
     return paths;
 }
 
-QueryStatus InstructionPath::touching_pairs(const detail::PairFrame& frame, detail::OnTouching visit,
+QueryStatus InstructionPath::touching_pairs(const detail::PairFrame& frame,
+                                            FunctionRef<Visit(const detail::TrianglePair&)> visit,
                                             std::uint64_t& work) const {
-    return search_pairs(frame, {.on_touching = visit}, work);
+    const auto pass_on = [&](const detail::TrianglePair& pair, const detail::PlaceTriangles&) { return visit(pair); };
+    return search_pairs(frame, {.on_touching = pass_on}, work);
 }
 
 QueryStatus InstructionPath::nearest_pair(const detail::PairFrame& frame, float radius, bool any,

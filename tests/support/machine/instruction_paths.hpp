@@ -29,7 +29,8 @@ struct InstructionPath {
     decltype(&detail::scalar::search_pairs) search_pairs;
 
     // The searches through two blobs; `work` is what is left of it.
-    QueryStatus touching_pairs(const detail::PairFrame& frame, detail::OnTouching visit, std::uint64_t& work) const;
+    QueryStatus touching_pairs(const detail::PairFrame& frame, FunctionRef<Visit(const detail::TrianglePair&)> visit,
+                               std::uint64_t& work) const;
     QueryStatus nearest_pair(const detail::PairFrame& frame, float radius, bool any, detail::FoundTriangles& best,
                              bool& found, std::uint64_t& work) const;
 

@@ -1,0 +1,100 @@
+// The nearest points of a shape with flat sides and a triangle, in floats that are counted from the shape's middle:
+// what the kernels of boxes and hulls share.
+#pragma once
+
+#include <runtime/base/bits.hpp>
+#include <runtime/contacts/touch.hpp>
+#include <runtime/kernels/face.hpp>
+
+namespace espalier::detail::contacts {
+
+inline Vec3 to_vector(const Integer3& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }
+
+/// A triangle as a shape has it before it, in lattice steps.
+struct SeenTriangle {
+    Vec3 corner[3];    ///< from the shape's middle
+    Integer3 side[3];  ///< from each corner to the next
+    Vec3 face;         ///< the unit normal, zero without area
+    Vec3 front;        ///< the same, but without area any direction across
+
+    SeenTriangle(const LatticeTriangle& triangle, const Integer3& middle, int fraction_bits)
+        : face(face_normal_of(triangle)), front(front_of(triangle)) {
+        for (int i = 0; i < 3; ++i) {
+            corner[i] = to_vector(corner_on_grid(triangle, i, fraction_bits) - middle) * power_of_two(-fraction_bits);
+            side[i] = side_from(triangle, i);
+        }
+    }
+    [[nodiscard]] float reach() const {
+        return maximum(maximum(largest(corner[0]), largest(corner[1])), largest(corner[2]));
+    }
+};
+
+/// The nearest points of shape and triangle.
+struct NearestPair {
+    float squared = infinity;
+    Vec3 apart;  ///< from the triangle to the shape
+    Vec3 on_triangle;
+    Feature feature = Feature::face;
+
+    void offer(const Vec3& on_shape, const Vec3& place, Feature part) {
+        const Vec3 between = on_shape - place;
+        const float length = dot(between, between);
+        if (length < squared) *this = {length, between, place, part};
+    }
+};
+
+/// Returns the direction from the triangle to the shape: that of the axis, which has less rounding than that between
+/// two points, where they agree or are hardly apart. `size` is what both reach from the shape's middle.
+inline Vec3 direction_between(const NearestPair& nearest, const Separation& separation, float distance, float size) {
+    const Vec3 off_axis = nearest.apart - separation.normal * distance;
+    const bool is_of_axis = distance <= size * 0x1p-19f || largest(off_axis) < size * 0x1p-19f;
+    return is_of_axis ? separation.normal : direction_of(nearest.apart);
+}
+
+inline float clamped_share(float part, float whole) {
+    return part <= 0.0f ? 0.0f : part >= whole ? 1.0f : part / whole;
+}
+
+/// Returns the point of a side nearest to p and the part of the triangle that it lies on.
+inline Vec3 nearest_on_side(const SeenTriangle& seen, unsigned side, const Vec3& p, Feature& feature) {
+    const unsigned next = side == 2 ? 0 : side + 1;
+    const Vec3& start = seen.corner[side];
+    const Vec3 along = seen.corner[next] - start;
+    const float share = clamped_share(dot(p - start, along), dot(along, along));
+    const auto vertex = [](unsigned corner) {
+        return static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
+    };
+    feature = share == 0.0f   ? vertex(side)
+              : share == 1.0f ? vertex(next)
+                              : static_cast<Feature>(static_cast<unsigned>(Feature::edge_ab) + side);
+    return start + along * share;
+}
+
+/// Offers the pair of a vertex of the shape and the triangle: within its face or on a side.
+inline void try_vertex(const Vec3& p, const SeenTriangle& seen, NearestPair& nearest) {
+    bool is_over_face = true;
+    for (unsigned i = 0; i < 3; ++i) {
+        const Vec3 side = seen.corner[i == 2 ? 0 : i + 1] - seen.corner[i];
+        if (dot(cross(side, p - seen.corner[i]), seen.front) > 0.0f) continue;
+        is_over_face = false;
+        Feature feature = Feature::face;
+        const Vec3 place = nearest_on_side(seen, i, p, feature);
+        nearest.offer(p, place, feature);
+    }
+    if (is_over_face) nearest.offer(p, p - seen.front * dot(seen.front, p - seen.corner[0]), Feature::face);
+}
+
+/// Offers the nearest points of an edge of the shape and a side of the triangle, ends included. `across` is the product
+/// of edge and side, from exact integers: of edges that are nearly parallel floats would leave only rounding.
+inline void try_edge(const Vec3& from, const Vec3& along, const Vec3& across, const SeenTriangle& seen, unsigned side,
+                     NearestPair& nearest) {
+    const Vec3 d = to_vector(seen.side[side]), between = seen.corner[side] - from;
+    const float whole = dot(across, across);
+    float share = whole > 0.0f ? clamped_share(dot(cross(between, d), across), whole) : 0.0f;
+    Feature feature = Feature::face;
+    const Vec3 place = nearest_on_side(seen, side, from + along * share, feature);
+    share = clamped_share(dot(place - from, along), dot(along, along));
+    nearest.offer(from + along * share, place, feature);
+}
+
+}  // namespace espalier::detail::contacts

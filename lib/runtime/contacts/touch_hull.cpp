@@ -1,0 +1,251 @@
+// Contacts of convex hulls, in floats that are counted from a point within: faces and pairs of edges for the depth, as
+// far as edges can make a face of the Minkowski difference (Gregorius, The separating axis test between convex
+// polyhedra, GDC 2013), and pairs of features for the distance. Directions come from exact integers.
+#include <runtime/contacts/hull_body.hpp>
+#include <runtime/contacts/nearest_pair.hpp>
+
+namespace espalier::detail::contacts {
+
+namespace {
+
+/// A triangle beside a hull.
+struct TriangleBeside : SeenTriangle {
+    float size;  ///< what it and the hull reach from the hull's middle
+
+    TriangleBeside(const HullBody& hull, const LatticeTriangle& triangle)
+        : SeenTriangle(triangle, hull.middle, hull.fraction_bits), size(hull.size + reach()) {}
+    [[nodiscard]] float lowest(const Vec3& way) const {
+        return minimum(minimum(dot(way, corner[0]), dot(way, corner[1])), dot(way, corner[2]));
+    }
+};
+
+/// An edge of a hull, from a corner with a lower number to one with a higher.
+struct HullEdge {
+    unsigned from;
+    unsigned beside;  ///< the corners behind it in its two faces
+    unsigned across;
+    Integer3 units;
+};
+template <class Function>
+void for_each_edge(const HullBody& hull, Function function) {
+    for (unsigned face = 0; face < hull.face_count; ++face) {
+        for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
+            const unsigned end = hull.next(face, i), a = hull.from[i], b = hull.from[end];
+            if (a < b)
+                function(
+                    HullEdge{a, hull.from[hull.next(face, end)], hull.across[i], hull.units_at(b) - hull.units_at(a)});
+        }
+    }
+}
+
+/// Looks for the direction that separates most.
+class Separating {
+public:
+    Separating(const HullBody& hull, const TriangleBeside& triangle) : hull_(hull), triangle_(triangle) {
+        for (const float sense : {1.0f, -1.0f}) try_way(triangle.front * sense);
+        for (unsigned face = 0; face < hull.face_count; ++face) try_face(face);
+        for_each_edge(hull, [&](const HullEdge& edge) {
+            for (unsigned side = 0; side < 3; ++side) try_edges(edge, side);
+            if (hull.vertex_count == 2) try_across(edge.units);
+        });
+    }
+    [[nodiscard]] const Separation& best() const { return best_; }
+
+private:
+    /// Tries a unit vector that leads from the hull to the triangle.
+    void try_way(const Vec3& way) {
+        const float low = triangle_.lowest(way);
+        float high = -infinity;
+        for (unsigned i = 0; i < hull_.vertex_count; ++i) {
+            high = maximum(high, dot(way, hull_.at(i)));
+            if (low - high <= best_.gap) return;
+        }
+        best_ = {way * -1.0f, low - high};
+    }
+    void try_face(unsigned face) {
+        const Vec3 way = direction_of(hull_.normal_of_face(face));
+        if (!(dot(way, way) > 0.0f)) return;
+        const float gap = triangle_.lowest(way) - dot(way, hull_.at(hull_.from[hull_.first[face]]));
+        if (gap > best_.gap) try_way(way);
+    }
+    /// Tries both directions across an edge of the hull and a side.
+    void try_edges(const HullEdge& edge, unsigned side) {
+        const Integer3 axis = detail::cross(edge.units, triangle_.side[side]);
+        if (is_zero(axis)) return;
+        const Vec3 scaled = {to_float(axis.x), to_float(axis.y), to_float(axis.z)};
+        const Vec3 from = hull_.at(edge.from);
+        // Only where each has the rest behind it, but for rounding.
+        const float at_first = dot(scaled, hull_.at(edge.beside) - from),
+                    at_second = dot(scaled, hull_.at(edge.across) - from);
+        const float at_third = dot(scaled, triangle_.corner[side == 0 ? 2 : side - 1] - triangle_.corner[side]);
+        const float slack = largest(scaled) * triangle_.size * 0x1p-20f;
+        const float highest = maximum(at_first, at_second), lowest = minimum(at_first, at_second);
+        const bool goes_up = highest <= slack && at_third >= -slack, goes_down = lowest >= -slack && at_third <= slack;
+        if (!goes_up && !goes_down) return;
+        const Vec3 way = direction_of(scaled);
+        const float gap = dot(way, triangle_.corner[side] - from);
+        if (goes_up && gap > best_.gap) try_way(way);
+        if (goes_down && -gap > best_.gap) try_way(way * -1.0f);
+    }
+
+    /// Tries directions across a segment: of a triangle that is a point none other may be.
+    void try_across(const Integer3& along) {
+        constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (const Integer3& unit : units) {
+            const Vec3 way = direction_of(detail::cross(along, unit));
+            if (!(dot(way, way) > 0.0f)) continue;
+            try_way(way);
+            try_way(way * -1.0f);
+        }
+    }
+
+    const HullBody& hull_;
+    const TriangleBeside& triangle_;
+    Separation best_;
+};
+
+/// Whether a point is over a face of the hull, or under it, along a direction that leads from there to the outside.
+bool is_over(const HullBody& hull, unsigned face, const Vec3& way, const Vec3& point) {
+    Vec3 longest;
+    float most = 0.0f;
+    const Vec3 start = hull.at(hull.from[hull.first[face]]);
+    for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
+        const Vec3 from = hull.at(hull.from[i]), edge = hull.at(hull.from[hull.next(face, i)]) - from;
+        if (dot(cross(edge, point - from), way) < 0.0f) return false;
+        const Vec3 reach = from - start;
+        const float length = dot(reach, reach);
+        if (length <= most) continue;
+        most = length;
+        longest = reach - way * dot(way, reach);
+    }
+    // At a sharp corner the edges alone leave much room for rounding.
+    float low = 0.0f, high = 0.0f;
+    for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
+        const float at = dot(longest, hull.at(hull.from[i]) - start);
+        low = minimum(low, at);
+        high = maximum(high, at);
+    }
+    const float at = dot(longest, point - start);
+    return low <= at && at <= high;
+}
+
+/// Offers the pair of a corner of the triangle and a face that it is over.
+void try_corner(const HullBody& hull, unsigned face, const Vec3& moved, const TriangleBeside& triangle, unsigned corner,
+                NearestPair& nearest) {
+    const Vec3 normal = direction_of(hull.normal_of_face(face));
+    if (!(dot(normal, normal) > 0.0f)) return;
+    const Vec3 point = triangle.corner[corner] - moved;
+    const float above = dot(normal, point - hull.at(hull.from[hull.first[face]]));
+    if (above < triangle.size * -0x1p-18f || above * above > nearest.squared) return;
+    if (!is_over(hull, face, normal, point)) return;
+    const auto vertex = static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
+    nearest.offer(triangle.corner[corner] - normal * above, triangle.corner[corner], vertex);
+}
+
+/// Returns the nearest points of the hull, moved by that much, and the triangle; they share no inner point.
+NearestPair nearest_pair(const HullBody& hull, const Vec3& moved, const TriangleBeside& triangle) {
+    NearestPair nearest;
+    for (unsigned i = 0; i < hull.vertex_count; ++i) try_vertex(hull.at(i) + moved, triangle, nearest);
+    for (unsigned face = 0; face < hull.face_count; ++face)
+        for (unsigned i = 0; i < 3; ++i) try_corner(hull, face, moved, triangle, i, nearest);
+    for_each_edge(hull, [&](const HullEdge& edge) {
+        const Vec3 from = hull.at(edge.from) + moved, along = to_vector(edge.units) * hull.scale;
+        for (unsigned side = 0; side < 3; ++side) {
+            const Vec3 across = to_vector(detail::cross(edge.units, triangle.side[side])) * hull.scale;
+            try_edge(from, along, across, triangle, side, nearest);
+        }
+    });
+    return nearest;
+}
+
+/// Of places on the triangle those that reach farthest in eight directions.
+class FarthestPlaces {
+public:
+    explicit FarthestPlaces(const Vec3& normal) {
+        const Vec3 size = {absolute(normal.x), absolute(normal.y), absolute(normal.z)};
+        const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3{1.0f, 0.0f, 0.0f}
+                          : size.y <= size.z                   ? Vec3{0.0f, 1.0f, 0.0f}
+                                                               : Vec3{0.0f, 0.0f, 1.0f};
+        const Vec3 u = direction_of(cross(normal, axis)), v = cross(normal, u);
+        const Vec3 ways[most / 2] = {u, v, u + v, u - v};
+        for (unsigned i = 0; i < most; ++i) {
+            way_[i] = i % 2 == 0 ? ways[i / 2] : ways[i / 2] * -1.0f;
+            farthest_[i] = -infinity;
+        }
+    }
+    void offer(const Vec3& place, float gap) {
+        for (unsigned i = 0; i < most; ++i) {
+            const float at = dot(way_[i], place);
+            if (at <= farthest_[i]) continue;
+            farthest_[i] = at;
+            place_[i] = place;
+            gap_[i] = gap;
+        }
+    }
+    void add_to(Touches& touches, const Vec3& middle, const Vec3& normal, float apart) const {
+        for (unsigned i = 0; i < most; ++i)
+            if (farthest_[i] > -infinity) touches.add(middle + place_[i], normal, gap_[i], apart);
+    }
+
+private:
+    static constexpr unsigned most = 8;
+    Vec3 way_[most];
+    float farthest_[most];
+    Vec3 place_[most];
+    float gap_[most];
+};
+
+/// Adds where the lower side of the hull, seen along the normal, lies over the triangle: the ends of that part.
+void add_places_over(const HullBody& hull, const TriangleBeside& triangle, const Vec3& normal, float reach,
+                     const Vec3& middle, Touches& touches) {
+    const float steepness = dot(triangle.face, normal);
+    if (absolute(steepness) < 0.25f) return;
+    FarthestPlaces places(normal);
+    const auto offer = [&](const Vec3& on_hull) {
+        const float gap = dot(triangle.face, on_hull - triangle.corner[0]) / steepness;
+        if (gap <= reach) places.offer(on_hull - normal * gap, gap);
+    };
+    const Prism prism(triangle.corner, normal);
+    for (unsigned face = 0; face < hull.face_count; ++face) {
+        const Vec3 outward = direction_of(hull.normal_of_face(face));
+        const float facing = dot(outward, normal);
+        if (dot(outward, outward) > 0.0f && facing > -0x1p-6f) continue;
+        for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
+            const Vec3 from = hull.at(hull.from[i]), along = hull.at(hull.from[hull.next(face, i)]) - from;
+            float low = 0.0f, high = 1.0f;
+            if (!prism.clip(from, along, low, high)) continue;
+            offer(from + along * low);
+            offer(from + along * high);
+        }
+        if (!(facing < 0.0f)) continue;
+        for (const Vec3& corner : triangle.corner) {
+            if (!is_over(hull, face, normal * -1.0f, corner)) continue;
+            const float gap = dot(outward, hull.at(hull.from[hull.first[face]]) - corner) / facing;
+            if (gap <= reach) places.offer(corner, gap);
+        }
+    }
+    places.add_to(touches, middle, normal, hull.size * (1.0f / 64.0f));
+}
+
+}  // namespace
+
+void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, float reach, Touches& touches) {
+    const TriangleBeside beside(hull, triangle);
+    const Separation separation = Separating(hull, beside).best();
+    if (separation.gap > reach) return;
+    // Directions within the plane of a flat hull are not tried: only the distance can say that it is apart there.
+    const bool is_in_doubt = separation.gap > beside.size * -0x1p-20f;
+    const Vec3 moved = is_in_doubt ? Vec3{} : separation.normal * -separation.gap;
+    const NearestPair nearest = nearest_pair(hull, moved, beside);
+    const float rounding = beside.size * 0x1p-19f;
+    const bool is_deep = separation.gap < 0.0f && (!is_in_doubt || nearest.squared <= rounding * rounding);
+    const float distance = is_deep ? separation.gap : square_root(nearest.squared);
+    if (distance > reach) return;
+    const Vec3 normal = direction_between(nearest, separation, distance, beside.size);
+    const Vec3 middle = to_vector(hull.middle) * hull.scale;
+    touches.touch[0] = {middle + nearest.on_triangle, normal, distance, nearest.feature};
+    touches.count = 1;
+    add_places_over(hull, beside, normal, reach, middle, touches);
+}
+
+}  // namespace espalier::detail::contacts
