@@ -1,5 +1,6 @@
 #include "character.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using espalier::Blob;
@@ -20,23 +21,39 @@ Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.
 float length(Vec3 a) { return std::sqrt(dot(a, a)); }
 Vec3 level_part(Vec3 a) { return {a.x, a.y, 0}; }
 
-/// Whether the character can stand on what it touches: on the edge of a step the face counts, not the edge.
-bool is_ground(const Character& character, const SweepHit& hit) {
-    const float face = dot(hit.face_normal, hit.normal) < 0 ? -hit.face_normal.z : hit.face_normal.z;
-    return hit.normal.z >= character.least_slope || (hit.normal.z > 0.1f && face >= character.least_slope);
+/// Whether the character can stand on what it touches: on an edge the most level of the faces there counts, which of
+/// these the sweep names is no matter.
+bool is_ground(const Blob& level, const Character& character, const SweepHit& hit, float down) {
+    if (hit.normal.z >= character.least_slope) return true;
+    if (hit.normal.z <= 0.1f) return false;
+    espalier::Capsule there = character.body();
+    there.from.z -= down;
+    there.to.z -= down;
+    Contact contacts[16];
+    for (const Contact& contact : find_contacts(level, there, character.skin, contacts).in(contacts)) {
+        const auto corners = triangle_at(level, contact.triangle);
+        if (!corners || length(contact.point - hit.point) > 2 * character.skin) continue;
+        const Vec3 face = cross(corners->b - corners->a, corners->c - corners->a);
+        if (std::abs(face.z) >= character.least_slope * length(face)) return true;
+    }
+    return false;
 }
 
-/// Moves the body to the skin's distance from what is nearer, the deepest contact first. Where surfaces leave no room
-/// for the body, it stays.
+/// Moves the body to the skin's distance from all that is nearer. Where surfaces leave no room for the body, it ends
+/// too near, and update() takes it back.
 void keep_distance(const Blob& level, Character& character) {
-    const Vec3 before = character.position;
     for (int attempt = 0; attempt < most_surfaces; ++attempt) {
-        Contact nearest;
-        const auto found = find_contacts(level, character.body(), character.skin, std::span(&nearest, 1));
-        if (found.count == 0 || nearest.distance > 0.9f * character.skin) return;
-        character.position = character.position + nearest.normal * (character.skin - nearest.distance);
+        Contact near[8];
+        const auto found = find_contacts(level, character.body(), character.skin, near);
+        if (found.count == 0 || near[0].distance > 0.9f * character.skin) return;
+        Vec3 move = {};
+        for (int turn = 0; turn < 16; ++turn)
+            for (const Contact& contact : found.in(near)) {
+                const float gap = character.skin - contact.distance - dot(contact.normal, move);
+                if (gap > 0) move = move + contact.normal * gap;
+            }
+        character.position = character.position + move;
     }
-    if (overlaps(level, character.body()).yes()) character.position = before;
 }
 
 /// The surfaces that a way has met.
@@ -81,10 +98,10 @@ void slide(const Blob& level, Character& character, Vec3 way) {
     }
 }
 
-/// Moves down to the ground if there is any within a distance. Returns whether there is.
-bool drop_to_ground(const Blob& level, Character& character, float distance) {
+/// Moves down to the ground if there is any within a distance, and not above a height. Returns whether there is.
+bool drop_to_ground(const Blob& level, Character& character, float distance, float highest = INFINITY) {
     const SweepHit hit = sweep(level, character.body(), Vec3{0, 0, -distance});
-    if (!hit || !is_ground(character, hit)) return false;
+    if (!hit || !is_ground(level, character, hit, distance * hit.t) || hit.point.z > highest) return false;
     character.position.z -= distance * hit.t;
     keep_distance(level, character);
     return true;
@@ -102,8 +119,10 @@ void walk_on_ground(const Blob& level, Character& character, Vec3 way) {
     keep_distance(level, stepping);
     slide(level, stepping, way);
     const float stepped = length(level_part(stepping.position - before.position));
-    if (stepped > walked && drop_to_ground(level, stepping, stepping.position.z - before.position.z + character.skin))
-        character = stepping;
+    // The round end of the body would slide over an edge that is higher than a step.
+    const float highest = before.position.z - 0.5f * before.height + before.step_height;
+    const float down = stepping.position.z - before.position.z + before.skin;
+    if (stepped > walked && drop_to_ground(level, stepping, down, highest)) character = stepping;
 }
 
 }  // namespace
@@ -122,9 +141,15 @@ void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
     } else {
         character.fall_speed += gravity * seconds;
         slide(level, character, (walk - Vec3{0, 0, character.fall_speed}) * seconds);
+        // What holds it, also a slope that is too steep to stand on, takes its speed.
+        character.fall_speed =
+            std::min(character.fall_speed, std::max(0.0f, before.position.z - character.position.z) / seconds);
         character.on_ground = drop_to_ground(level, character, 2 * character.skin);
     }
-    if (overlaps(level, character.body()).yes()) {
+    // From a place with room on all sides every sweep can start. Where there is none, it does not go.
+    espalier::Capsule room = character.body();
+    room.radius += 0.25f * character.skin;
+    if (overlaps(level, room).yes()) {
         character = before;
         character.fall_speed = 0;
     }

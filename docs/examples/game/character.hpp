@@ -8,10 +8,10 @@ struct Character {
     espalier::Vec3 position;  ///< of the middle of the capsule
     float radius = 0.3f;
     float height = 1.8f;        ///< from the lowest point to the highest
-    float step_height = 0.35f;  ///< what it climbs without a jump, and follows down
+    float step_height = 0.35f;  ///< of the highest edge that it climbs; at least what its round end does
     float least_slope = 0.7f;   ///< of the normal of ground, along z: it slides down what is steeper
-    float skin = 0.001f;        ///< kept from every surface, so that no sweep starts on it
-    float fall_speed = 0;       ///< metres a second
+    float skin = 0.001f;  ///< kept from every surface, so that no sweep starts on it: at least 4 times rounding_error()
+    float fall_speed = 0;  ///< metres a second
     bool on_ground = false;
 
     [[nodiscard]] espalier::Capsule body() const;

@@ -31,6 +31,8 @@ struct SphereBody {
         return round_point(blob, sphere.center, sphere.radius + margin, center);
     }
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const { return relative_to(center, triangle); }
+    [[nodiscard]] int fraction_bits() const { return center.fraction_bits; }
+    [[nodiscard]] static float core_reach(const Vec3&) { return 0.0f; }
     void touch(const LatticeTriangle& triangle, float, Touches& touches) const {
         contacts::touch_point(center, triangle, touches);
     }
@@ -51,7 +53,13 @@ struct CapsuleBody {
         return status;
     }
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
-        return relative_to(doubled_middle, segment.fraction_bits + 1, triangle);
+        return relative_to(doubled_middle, fraction_bits(), triangle);
+    }
+    [[nodiscard]] int fraction_bits() const { return segment.fraction_bits + 1; }
+    [[nodiscard]] float core_reach(const Vec3& way) const {
+        const Integer3 whole = segment.to - segment.from;
+        const Vec3 axis = {to_float(whole.x), to_float(whole.y), to_float(whole.z)};
+        return absolute(contacts::dot(axis, way)) * power_of_two(-fraction_bits());
     }
     void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
         contacts::touch_segment(segment, triangle, reach, touches);
@@ -109,13 +117,16 @@ struct OrientedBoxBody {
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
         return relative_to(box.center, box.fraction_bits, triangle);
     }
+    [[nodiscard]] int fraction_bits() const { return box.fraction_bits; }
+    [[nodiscard]] float core_reach(const Vec3& way) const { return reach_along(box.half, way); }
     void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
         contacts::touch_box(box, triangle, reach, touches);
     }
     static Vec3 middle_of(const OrientedBox& world) { return world.center; }
-    static float reach_of(const OrientedBox& world, const Vec3& way) {
+    static float reach_of(const OrientedBox& world, const Vec3& way) { return reach_along(world.half_axes, way); }
+    static float reach_along(const Vec3 (&half_axes)[3], const Vec3& way) {
         float sum = 0.0f;
-        for (const Vec3& half : world.half_axes) sum += absolute(contacts::dot(half, way));
+        for (const Vec3& half : half_axes) sum += absolute(contacts::dot(half, way));
         return sum;
     }
     /// The box along the axes around it and the margin, with room for rounding.
@@ -166,6 +177,12 @@ struct ConvexHullBody {
     }
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
         return relative_to(hull.middle, hull.fraction_bits, triangle);
+    }
+    [[nodiscard]] int fraction_bits() const { return hull.fraction_bits; }
+    [[nodiscard]] float core_reach(const Vec3& way) const {
+        float most = 0.0f;
+        for (unsigned i = 0; i < hull.vertex_count; ++i) most = maximum(most, -contacts::dot(hull.at(i), way));
+        return most;
     }
     void touch(const LatticeTriangle& triangle, float reach, Touches& touches) {
         if (!has_faces) contacts::find_faces(hull);
@@ -257,7 +274,9 @@ struct ContactsOf : Each {
                                       is_internal(owner, TriangleId{index}, touches.touch[0].feature);
         for (unsigned i = 0; i < touches.count; ++i) {
             Touch& touch = touches.touch[i];
-            if (on_internal_edge) turn_to_face(touch, triangle);
+            const OriginRelative seen = body.seen(triangle);
+            const bool is_behind = is_origin_behind(seen);
+            if (on_internal_edge) turn_to_face(touch, face_normal_of(triangle), seen, is_behind);
             touch.distance -= body.radius;
             Contact contact;
             contact.point = to_world(blob, touch.point.x, touch.point.y, touch.point.z);
@@ -266,20 +285,34 @@ struct ContactsOf : Each {
                 minimum(scale_by_power_of_two(touch.distance, blob.step_exponent), margin);  // decided before
             contact.triangle = TriangleId{index};
             contact.feature = touch.feature;
-            contact.side = is_origin_behind(body.seen(triangle)) ? Side::back : Side::front;
+            contact.side = is_behind ? Side::back : Side::front;
             sorted.add(contact);
         }
         return Visit::next;
     }
 
 private:
-    /// Gives a place on an internal edge the normal of the face, and the distance along it.
-    static void turn_to_face(Touch& touch, const LatticeTriangle& triangle) {
-        const Vec3 normal = face_normal_of(triangle);
+    /// Gives a place on an internal edge the normal of the face, the distance along it and the point there, on the
+    /// plane of the face. Where the body's core touches the triangle, the distance is that in which it leaves the
+    /// plane.
+    void turn_to_face(Touch& touch, Vec3 normal, const OriginRelative& seen, bool is_behind) const {
+        using contacts::operator+;
+        using contacts::operator-;
+        using contacts::operator*;
         if (contacts::dot(normal, normal) == 0.0f) return;
         const float share = contacts::dot(normal, touch.normal);
-        touch.normal = share < 0.0f ? Vec3{-normal.x, -normal.y, -normal.z} : normal;
-        touch.distance *= absolute(share);
+        const bool is_apart = touch.distance >= 0.0f;
+        if (is_apart ? share < 0.0f : is_behind) normal = normal * -1.0f;
+        if (is_apart) {
+            const Vec3 core = touch.point + touch.normal * touch.distance;
+            touch.distance *= absolute(share);
+            touch.point = core - normal * touch.distance;
+        } else {
+            const Vec3 corner = {to_float(seen.a.x), to_float(seen.a.y), to_float(seen.a.z)};
+            const float level = contacts::dot(corner, normal) * -power_of_two(-body.fraction_bits());
+            touch.distance = minimum(touch.distance, level - body.core_reach(normal));
+        }
+        touch.normal = normal;
     }
 };
 

@@ -115,6 +115,7 @@ std::size_t reduce_contacts(std::span<Contact> contacts) noexcept {
         if (best == contacts.size()) break;
         swap_places(contacts[kept++], contacts[best]);
     }
+    if (kept == 0) kept = 1;  // no lever is a number
     const std::span<Contact> few = contacts.first(kept), rest = contacts.subspan(kept);
     if (!rest.empty()) {
         Contact& deepest = rest[deepest_of(rest)];

@@ -195,4 +195,23 @@ TEST_SUITE("character") {
         CHECK(in_the_air == 0);
         CHECK(static_cast<double>(character.position.z) == doctest::Approx(0.9).epsilon(0.01));
     }
+
+    TEST_CASE("controller: a character climbs edges up to the height of its step and no higher") {
+        for (const float height : {0.33f, 0.37f, 0.45f, 0.6f})
+            for (const float speed : {1.0f, 2.5f, 6.0f}) {
+                CAPTURE(height);
+                CAPTURE(speed);
+                Mesh mesh;
+                add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+                add_block(mesh, {1, -3, 0}, {9, 3, height});
+                const OpenedBlob level(mesh);
+                Character character;
+                character.position = {0.0f, 0.0f, 1.0f};
+                const int ticks = static_cast<int>(180.0f / speed);
+                for (int tick = 0; tick < ticks; ++tick)
+                    update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+                const bool is_up = static_cast<double>(character.position.z) > 0.9 + 0.5 * static_cast<double>(height);
+                CHECK(is_up == (height < character.step_height));
+            }
+    }
 }

@@ -278,10 +278,60 @@ TEST_SUITE("find") {
                     if (is_at_border) continue;
                     REQUIRE(contact.normal == Vec3{0.0f, 0.0f, 1.0f});
                     REQUIRE(static_cast<double>(contact.distance) == doctest::Approx(-0.15).epsilon(0.001));
+                    // Below the middle, so that the floor does not turn the ball.
+                    REQUIRE(std::abs(contact.point.x - at.x) + std::abs(contact.point.y - at.y) < 1e-4f);
+                    REQUIRE(std::abs(contact.point.z - low.z) < 1e-4f);
                 }
             }
             CHECK(at_edges > 100);
         });
+    }
+
+    TEST_CASE("contact: a box that overlaps inner edges of a floor leaves it along the contact") {
+        BakeOptions options;
+        options.flat_angle = 5.0;
+        const OpenedBlob floor(make_plane_grid(6), options);
+        const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
+        Random random(4);
+        std::uint64_t at_edges = 0;
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            const auto between = [&](float a, float b) { return a + random.unit() * (b - a); };
+            OrientedBox box = {{between(low.x, high.x), between(low.y, high.y), low.z}, {}};
+            const float size = 0.3f * (high.x - low.x), turn = 3.0f * random.unit();
+            const float tilt = 0.2f * random.signed_unit();
+            box.half_axes[0] = {size * std::cos(turn), size * std::sin(turn), size * tilt};
+            box.half_axes[1] = {-0.5f * size * std::sin(turn), 0.5f * size * std::cos(turn), 0.0f};
+            box.half_axes[2] = {-0.3f * size * tilt * std::cos(turn), -0.3f * size * tilt * std::sin(turn),
+                                0.3f * size};
+            float reach = 0.0f;
+            for (const Vec3& half : box.half_axes) reach += std::abs(half.z);
+            box.center.z += between(0.05f, 1.0f) * reach;
+            const double depth = static_cast<double>(reach) - static_cast<double>(box.center.z - low.z);
+            std::vector<Contact> contacts(300);
+            const Filled found = find_contacts(floor.blob, box, 0.0f, contacts);
+            REQUIRE(found.status == QueryStatus::ok);
+            for (const Contact& contact : found.in(contacts)) {
+                const Result<EdgeKinds> kinds = edge_kinds(floor.blob, contact.triangle);
+                if (kinds->ab == EdgeKind::boundary || kinds->bc == EdgeKind::boundary ||
+                    kinds->ca == EdgeKind::boundary || contact.feature == Feature::face || contact.distance >= 0.0f)
+                    continue;
+                ++at_edges;
+                REQUIRE(contact.normal == Vec3{0.0f, 0.0f, 1.0f});
+                REQUIRE(std::abs(static_cast<double>(contact.distance) + depth) < 1e-3 * static_cast<double>(size));
+            }
+        }
+        CHECK(at_edges > 10);
+        MESSAGE(at_edges, " contacts at inner edges");
+    }
+
+    TEST_CASE("contact: a reduction keeps a contact where no lever is a number") {
+        std::vector<Contact> contacts(3);
+        contacts[1].point.x = std::numeric_limits<float>::quiet_NaN();
+        contacts[2].distance = -1.0f;
+        const std::size_t kept = reduce_contacts(contacts);
+        CHECK(kept > 0);
+        CHECK(kept <= contacts.size());
+        CHECK(contacts[0].distance == -1.0f);
     }
 
     TEST_CASE("contact: a box on a floor keeps its four corners and a capsule its two ends") {
