@@ -214,4 +214,57 @@ TEST_SUITE("character") {
                 CHECK(is_up == (height < character.step_height));
             }
     }
+
+    TEST_CASE("controller: a character climbs stairs whichever of their triangles come first") {
+        for (const bool riser_first : {false, true})
+            for (const float speed : {1.0f, 2.5f, 6.0f}) {
+                CAPTURE(riser_first);
+                CAPTURE(speed);
+                Mesh mesh;
+                add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+                for (int step = 0; step < 6; ++step) {
+                    const float x = 1.0f + 0.3f * static_cast<float>(step), z = 0.2f * static_cast<float>(step);
+                    const float end = step < 5 ? x + 0.3f : 12.0f;
+                    if (riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
+                    add_quad(mesh, {x, -3, z + 0.2f}, {end, -3, z + 0.2f}, {end, 3, z + 0.2f}, {x, 3, z + 0.2f});
+                    if (!riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
+                }
+                const OpenedBlob level(mesh);
+                Character character;
+                character.position = {0.0f, 0.0f, 0.91f};
+                for (int tick = 0; tick < static_cast<int>(300.0f / speed); ++tick)
+                    update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+                CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.1).epsilon(0.01));
+            }
+    }
+
+    TEST_CASE("controller: a character that walks into a wedge walks out of it") {
+        for (const double degrees : {2.0, 10.0, 20.0, 24.0, 26.0, 30.0})
+            for (const float speed : {4.0f, 40.0f})
+                for (const float aside : {0.0f, 0.7f}) {
+                    CAPTURE(degrees);
+                    CAPTURE(speed);
+                    const auto slope = static_cast<float>(std::tan(degrees * 3.14159265358979 / 180.0));
+                    Mesh ceiling, corner;
+                    for (Mesh* mesh : {&ceiling, &corner})
+                        add_quad(*mesh, {-12, -12, 0}, {30, -12, 0}, {30, 12, 0}, {-12, 12, 0});
+                    add_quad(ceiling, {0, -12, 2.0f}, {20, -12, 2.0f - 20 * slope}, {20, 12, 2.0f - 20 * slope},
+                             {0, 12, 2.0f});
+                    add_wall(corner, 0, 1.0f, 20, 1.0f - 20 * slope, 0, 4);
+                    add_wall(corner, 0, -1.0f, 20, -1.0f, 0, 4);
+                    for (const Mesh* mesh : {&ceiling, &corner}) {
+                        const OpenedBlob level(*mesh);
+                        Character character;
+                        character.position = {-2.0f, 0.0f, 0.91f};
+                        const auto walk = [&](float x, float y) {
+                            for (int tick = 0; tick < 600; ++tick)
+                                update(level.blob, character, {x, y, 0.0f}, 1.0f / 60.0f);
+                        };
+                        walk(speed, aside);
+                        const float deep = character.position.x;
+                        walk(-speed, 0.0f);
+                        CHECK(character.position.x < deep - 1.0f);
+                    }
+                }
+    }
 }
