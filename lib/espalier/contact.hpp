@@ -45,8 +45,9 @@ struct Contact {
 /// its normal the whole body leaves the inside.
 ///
 /// In a blob with edge flags (BakeOptions::flat_angle), a contact on an edge that only joins two triangles has the
-/// normal of the triangle's face, as fix_internal_edge_normal() returns it, and the distance of the two closest points
-/// along that normal.
+/// normal of the triangle's face, as fix_internal_edge_normal() returns it. Its distance is that from the plane of the
+/// face along that normal, and its point is the place there below the body, which may lie beyond the edge. Where the
+/// body, without its radius, touches the triangle, the point stays on the edge and the depth takes it out of the plane.
 ///
 /// Status: ok; output_full if there are more contacts than places, of which the deepest are kept; or a refusal: of an
 /// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(); a hull is refused as by
@@ -108,7 +109,10 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
 // Body and margin are rounded once, as by overlaps(), a hull as by sweep() with no displacement. Which triangles are
 // within the margin of a sphere or a capsule is decided exactly; of a box or a hull as its distance is. Distances of
 // spheres and capsules are within 8 ulp, or 8 ulp of the radius where that is more; their features are exact, their
-// normals within 8 ulp of 1. Coordinates of points are within 14 ulp of the largest coordinate of the asset's bounds.
+// normals within 8 ulp of 1. That is so for the first contact of a triangle whose edges are not corrected; distances of
+// others are within 2^-22 of the size of triangle and body, and of a body whose middle is inside a closed surface within
+// 2^-20 of the largest coordinate of both, its normal over an edge within this length over the distance to the surface.
+// Coordinates of points are within 14 ulp of the largest coordinate of the asset's bounds.
 // Distances and points of a box or a hull are within 2^-18 of the length that it and the triangle reach from its
 // middle. Its normals have an error of this length over the distance, where it does not touch the triangle; the
 // direction of a touching one separates it by its depth, with that error. The faces of a hull are those of its rounded
