@@ -110,12 +110,11 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
 // within the margin of a sphere or a capsule is decided exactly; of a box or a hull as its distance is. Distances of
 // spheres and capsules are within 8 ulp, or 8 ulp of the radius where that is more; their features are exact, their
 // normals within 8 ulp of 1. That is so for the first contact of a triangle whose edges are not corrected; distances of
-// others are within 2^-22 of the size of triangle and body, and of a body whose middle is inside a closed surface within
-// 2^-20 of the largest coordinate of both, its normal over an edge within this length over the distance to the surface.
-// Coordinates of points are within 14 ulp of the largest coordinate of the asset's bounds.
-// Distances and points of a box or a hull are within 2^-18 of the length that it and the triangle reach from its
-// middle. Its normals have an error of this length over the distance, where it does not touch the triangle; the
-// direction of a touching one separates it by its depth, with that error. The faces of a hull are those of its rounded
-// vertices, exactly.
+// others are within 2^-22 of the size of triangle and body, and of a body whose middle is inside a closed surface
+// within 2^-20 of the largest coordinate of both, its normal over an edge within this length over the distance to the
+// surface. Coordinates of points are within 14 ulp of the largest coordinate of the asset's bounds. Distances and
+// points of a box or a hull are within 2^-18 of the length that it and the triangle reach from its middle. Its normals
+// have an error of this length over the distance, where it does not touch the triangle; the direction of a touching one
+// separates it by its depth, with that error. The faces of a hull are those of its rounded vertices, exactly.
 //
 // fix_internal_edge_normal(). Each coordinate of a triangle's normal is within 4 ulp of 1 of the exact one.
