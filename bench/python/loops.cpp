@@ -26,9 +26,12 @@ void loop_raycast_sources(const void* bytes, std::size_t size, std::size_t count
     for (std::size_t i = 0; i < count; ++i) {
         hits[i] = raycast(blob, {origins[i], directions[i]});
         sources[i] = original_hit(blob, hits[i]);
-        places[3 * i] = double{origins[i].x} + double{hits[i].t} * double{directions[i].x};
-        places[3 * i + 1] = double{origins[i].y} + double{hits[i].t} * double{directions[i].y};
-        places[3 * i + 2] = double{origins[i].z} + double{hits[i].t} * double{directions[i].z};
+        places[3 * i] =
+            static_cast<double>(origins[i].x) + static_cast<double>(hits[i].t) * static_cast<double>(directions[i].x);
+        places[3 * i + 1] =
+            static_cast<double>(origins[i].y) + static_cast<double>(hits[i].t) * static_cast<double>(directions[i].y);
+        places[3 * i + 2] =
+            static_cast<double>(origins[i].z) + static_cast<double>(hits[i].t) * static_cast<double>(directions[i].z);
     }
 }
 

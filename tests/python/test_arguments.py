@@ -95,6 +95,16 @@ def test_lists(blob, points, directions):
     assert [len(each) for each in near.each()] == [4] * 20 and near.queries()[5] == 1
 
 
+def test_lists_of_any_length(blob, points):
+    assert blob.closest_triangles(points[20], 2**62).counts() == blob.triangle_count
+    assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 2**62).counts() == 2
+    assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 0).counts() == 0
+    with pytest.raises(MemoryError):
+        blob.contacts(espalier.Sphere([4, 0, 0], 1), most=2**62)
+    with pytest.raises((TypeError, ValueError)):
+        blob.closest_triangles(points, -1)
+
+
 def test_triangles(blob, mesh):
     corners = blob.triangles()
     assert corners.shape == (blob.triangle_count, 3, 3)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -25,6 +26,7 @@ public:
     /// Returns free places: at least `wanted`.
     std::span<Value> places(std::size_t wanted) {
         if (capacity_ - count_ < wanted) {
+            if (wanted > PTRDIFF_MAX / sizeof(Value) / 4) throw std::bad_alloc();
             const std::size_t capacity = std::max(count_ + wanted, capacity_ + capacity_ / 2 + 64);
             void* memory = std::realloc(memory_.get(), capacity * sizeof(Value));
             if (memory == nullptr) throw std::bad_alloc();

@@ -7,6 +7,8 @@
 #include "parts.hpp"
 #include "shapes.hpp"
 
+#include <algorithm>
+
 #include <espalier/batches/shapes.hpp>
 #include <espalier/distance.hpp>
 
@@ -77,6 +79,7 @@ py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads
 py::tuple closest_triangle_lists(const HeldBlob& self, const py::handle& given, const py::handle& max_distance,
                                  std::size_t most, unsigned threads) {
     const Points all(given, max_distance);
+    most = std::min<std::size_t>(most, self.blob.triangle_count());
     return make_lists<ClosestPoint>(
         all.batch, dtype_of("closest_point"), threads, [&](std::size_t i, Growing<ClosestPoint>& nearest) {
             const Filled filled =

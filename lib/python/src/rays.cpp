@@ -6,6 +6,7 @@
 #include "parts.hpp"
 #include "rays.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <espalier/batches/rays.hpp>
@@ -29,10 +30,10 @@ py::array raycasts(const HeldBlob& self, const py::handle& origins, const py::ha
 
 /// Writes origin + t * direction in double: the product is exact, the sum is rounded once. NaN for a miss.
 void write_place(const Ray& ray, const RayHit& hit, double* place) {
-    const double t = hit ? double{hit.t} : std::numeric_limits<double>::quiet_NaN();
-    place[0] = double{ray.origin.x} + t * double{ray.direction.x};
-    place[1] = double{ray.origin.y} + t * double{ray.direction.y};
-    place[2] = double{ray.origin.z} + t * double{ray.direction.z};
+    const double t = hit ? static_cast<double>(hit.t) : std::numeric_limits<double>::quiet_NaN();
+    place[0] = static_cast<double>(ray.origin.x) + t * static_cast<double>(ray.direction.x);
+    place[1] = static_cast<double>(ray.origin.y) + t * static_cast<double>(ray.direction.y);
+    place[2] = static_cast<double>(ray.origin.z) + t * static_cast<double>(ray.direction.z);
 }
 
 /// Returns (hits, places, sources).
@@ -75,6 +76,7 @@ py::tuple hit_lists(const HeldBlob& self, const py::handle& origins, const py::h
                     const py::handle& t_min, const py::handle& t_max, int culling, unsigned threads, int kind,
                     std::size_t most) {
     const Rays rays(origins, directions, t_min, t_max, culling);
+    most = std::min<std::size_t>(most, self.blob.triangle_count());
     return make_lists<RayHit>(rays.batch, dtype_of("ray_hit"), threads, [&](std::size_t query, Growing<RayHit>& hits) {
         if (kind == 2) {
             const Filled filled = closest_hits(self.blob, rays.arrays.at(query), hits.places(most).first(most));
