@@ -13,6 +13,8 @@ Every day
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.
+  python      Builds the wheel of the Python package, installs it in build/python/environment, and runs its tests and
+              its example (5 minutes from nothing).
   help        Prints this text.
 
 Before a release

@@ -1,0 +1,46 @@
+"""Espalier: baked collision meshes, queried straight from their bytes.
+
+    import numpy as np, espalier
+    blob = espalier.bake(positions, triangles, original_ids=True)     # or espalier.open_blob("level.espl")
+    hits = blob.raycast(origins, directions)                          # (n, 3) float32, no copies
+    hits["t"], hits["normal"], hits["triangle"], hits["status"] == espalier.Status.OK
+
+Arguments are NumPy arrays of real numbers with any strides, or anything that becomes one, and broadcast against each
+other. float32 is used where it lies if the three numbers of a vector are adjacent; all else is converted to float32
+once, each number rounded to the nearest. Results are arrays in the common shape of the arguments, of structured types
+or lists of them. Every result has a status, and errors of single queries never raise.
+"""
+
+from . import pairs
+from ._core import version as __version__
+from .baking import BakeWarning, Mesh, bake, bake_file, bake_meshes
+from .blob import BakeError, Blob, OpenError, open_blob, verify
+from .mesh_files import read_mesh
+from .results import (
+    BLOB_DISTANCE,
+    CLOSEST_POINT,
+    CONTACT,
+    INSTANCE,
+    NO_TRIANGLE,
+    ORIGINAL_HIT,
+    ORIGINAL_TRIANGLE,
+    PAIR_CONTACT,
+    RAY_HIT,
+    REMAP,
+    SCENE_CLOSEST_POINT,
+    SCENE_RAY_HIT,
+    SCENE_SWEEP_HIT,
+    SCENE_TRIANGLE,
+    SWEEP_HIT,
+    Feature,
+    Lists,
+    Side,
+    SourceHits,
+    Status,
+    YesNo,
+)
+from .scenes import Scene, bake_scene, open_scene
+from .shapes import Box, Capsule, Cone, ConvexHull, ConvexVolume, OrientedBox, Segment, Sphere, Triangle
+from .transforms import direction_to_local, direction_to_world, to_local, to_world, transform, transform_from_matrix
+
+__all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

@@ -1,0 +1,136 @@
+"""Baking meshes: arrays and files."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import Any, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from .blob import PROFILES, BakeError, Blob
+from .mesh_files import read_mesh
+
+EFFORTS = ("fast", "normal", "best")
+BUILDERS = ("binned_sah", "sweep_sah", "spatial_splits", "agglomerative", "linear", "insertion")
+_BITS, _TOLERANCE, _STEP = 0, 1, 2
+
+
+class BakeWarning(UserWarning):
+    """A property of the input or the blob that bake() accepted, but that its caller may not expect."""
+
+
+class Mesh(NamedTuple):
+    """A mesh of several that are baked into one blob."""
+
+    positions: ArrayLike
+    """(n, 3), in the source's units"""
+    triangles: ArrayLike
+    """(m, 3): numbers of positions, counter-clockwise when seen from the front"""
+    materials: Optional[ArrayLike] = None
+    """(m,): 0 to 65535"""
+    name: str = ""
+    """for messages"""
+    file: int = 0
+    """for the sources of hits"""
+    mesh: int = 0
+    """for the sources of hits"""
+
+
+def _index_array(triangles: ArrayLike, name: str) -> Any:
+    array = np.asarray(triangles)
+    if array.size == 0:
+        return np.zeros((0, 3), np.uint32)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"triangles{name} must be integers, not {array.dtype}")
+    if array.dtype in (np.uint32, np.uint16):
+        return array
+    # A number that is out of range stays so: the baker reports it with its place.
+    return np.where((array < 0) | (array > 0xFFFFFFFF), 0xFFFFFFFF, array).astype(np.uint32)
+
+
+def _position_array(positions: ArrayLike, name: str) -> Any:
+    array = np.asarray(positions)
+    if array.size == 0:
+        return np.zeros((0, 3), np.float32)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"positions{name} must be real numbers, not {array.dtype}")
+    return array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
+
+
+def _number(of: str, name: str, names: Sequence[str]) -> int:
+    if name not in names:
+        raise ValueError(f"{of} must be one of {', '.join(names)}, not {name!r}")
+    return names.index(name)
+
+
+def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], *, bits: Optional[int] = None,
+                tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: str = "balanced",
+                effort: str = "normal", original_ids: bool = False, drop_bad_triangles: bool = False,
+                flat_angle: Optional[float] = None, bounds: bool = False, origin: ArrayLike = (0.0, 0.0, 0.0),
+                builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
+                max_leaf_triangles: int = 62, threads: int = 1) -> Blob:
+    """Bakes several meshes into one blob. bake() has the options."""
+    given = [option is not None for option in (bits, tolerance, step_exponent)]
+    if sum(given) > 1:
+        raise ValueError("give one of bits, tolerance and step_exponent")
+    kind, resolution = _BITS, 16.0
+    if bits is not None:
+        kind, resolution = _BITS, float(bits)
+    elif tolerance is not None:
+        kind, resolution = _TOLERANCE, float(tolerance)
+    elif step_exponent is not None:
+        kind, resolution = _STEP, float(step_exponent)
+    options = {
+        "resolution_kind": kind, "resolution": resolution, "profile": _number("profile", profile, PROFILES),
+        "effort": _number("effort", effort, EFFORTS), "builder": _number("builder", builder, BUILDERS),
+        "original_ids": bool(original_ids), "drop_bad_triangles": bool(drop_bad_triangles),
+        "flat_angle": flat_angle, "bounds": bool(bounds), "duplicate_budget": duplicate_budget,
+        "byte_price": byte_price, "max_leaf_triangles": max_leaf_triangles, "threads": threads,
+        "origin": tuple(float(x) for x in np.asarray(origin, np.float64).reshape(3)),
+    }
+    arrays = []
+    for number, each in enumerate(meshes):
+        mesh = each if isinstance(each, Mesh) else Mesh(each[0], each[1], mesh=number)
+        name = f" of mesh {number}" if len(meshes) > 1 else ""
+        arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), mesh.materials,
+                       mesh.name, mesh.file, mesh.mesh))
+    baked = _core.bake(arrays, options)
+    if isinstance(baked[0], int):
+        raise BakeError(*baked)
+    blob = Blob(*baked)
+    for message in baked[1]["warnings"]:
+        warnings.warn(message, BakeWarning, stacklevel=2)
+    return blob
+
+
+def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLike] = None, **options: Any) -> Blob:
+    """Bakes a mesh into a blob.
+
+    positions: (n, 3), in any unit, which the blob keeps. float32 is baked as it is. float64 is rounded to float32, to
+    the nearest, after `origin` was subtracted in float64; `blob.report["conversion_error"]` bounds by how much.
+    triangles: (m, 3) numbers of positions, counter-clockwise when seen from the front.
+    materials: (m,) numbers from 0 to 65535.
+
+    Options, all by name:
+    bits: of the largest extent, 1 to 24; 16 unless one of the next two is given. tolerance: the largest distance
+    between source and baked surface, in the unit of the mesh. step_exponent: of the lattice's step, a power of two.
+    profile: "fast", "balanced", "small" or "tiny". effort: "fast", "normal" or "best".
+    original_ids: stores the source of each triangle, for raycast_sources(). Without it, `blob.remap` has the same.
+    drop_bad_triangles: drops triangles with NaN or wrong indices, which else refuse the bake.
+    flat_angle: in degrees; stores how the surface bends at edges, for contacts(). bounds: stores tighter bounds.
+    origin: (3,), subtracted from all positions; queries then take coordinates relative to it.
+    builder, duplicate_budget, byte_price, max_leaf_triangles: for studies; docs/baking.md. threads: 0 is one per
+    processor. The bytes depend on neither threads nor machine.
+
+    Raises BakeError with the reason and the place. Warns with BakeWarning. `blob.report` has the figures.
+    """
+    return bake_meshes([Mesh(positions, triangles, materials)], **options)
+
+
+def bake_file(path: Union[str, os.PathLike[str]], **options: Any) -> Blob:
+    """Bakes the mesh of an .obj, .ply or .stl file, with the options of bake()."""
+    positions, triangles = read_mesh(path)
+    return bake_meshes([Mesh(positions, triangles, name=os.fspath(path))], **options)

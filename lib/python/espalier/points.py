@@ -1,0 +1,77 @@
+"""Closest points, inside, overlaps, sweeps and contacts with one blob."""
+
+from __future__ import annotations
+
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .results import Lists, YesNo
+from .shapes import Body, Box, Moving, Segment, Volume, split
+
+
+class ShapeQueries:
+    """Queries of points and shapes.
+
+    points: (..., 3), in the blob's units. The fields of a shape, and distances, displacements and margins with them,
+    broadcast against each other; the results have their common shape.
+    threads: how many to use; 0 is one per processor. The results do not depend on it.
+    """
+
+    __slots__ = ()
+    _core: _core.Blob
+
+    def closest_point(self, points: Union[ArrayLike, Segment, Box], max_distance: ArrayLike = np.inf, *,
+                      threads: int = 1) -> NDArray[Any]:
+        """Returns the closest point of the surface to each point, segment or box: an array of CLOSEST_POINT.
+
+        max_distance: (...), 0 or more. Where nothing is within it, the status is NOT_FOUND, the distance infinite.
+        """
+        if isinstance(points, (Segment, Box)):
+            kind, fields = split(points)
+            return _core.closest_to_shapes(self._core, kind, fields, max_distance, threads)
+        return _core.closest_points(self._core, points, max_distance, False, threads)
+
+    def signed_distance(self, points: ArrayLike, max_distance: ArrayLike = np.inf, *, threads: int = 1) -> NDArray[Any]:
+        """Returns the closest point with a negative distance inside of a closed surface: an array of CLOSEST_POINT.
+
+        Where nothing is within max_distance, the status is NOT_FOUND and the distance max_distance, negative inside.
+        A surface that is not closed refuses with NOT_CLOSED.
+        """
+        return _core.closest_points(self._core, points, max_distance, True, threads)
+
+    def closest_triangles(self, points: ArrayLike, most: int, max_distance: ArrayLike = np.inf, *,
+                          threads: int = 1) -> Lists:
+        """Returns the triangles closest to each point, at most `most`, sorted by distance: lists of CLOSEST_POINT."""
+        return Lists(*_core.closest_triangle_lists(self._core, points, max_distance, most, threads))
+
+    def contains(self, points: ArrayLike, *, threads: int = 1) -> YesNo:
+        """Returns whether each point is inside of the closed surface. A point on the surface is inside.
+
+        A surface that is not closed refuses with NOT_CLOSED.
+        """
+        return YesNo(_core.inside(self._core, points, threads))
+
+    def overlaps(self, shape: Volume, *, threads: int = 1) -> YesNo:
+        """Returns whether any triangle touches each shape."""
+        return YesNo(_core.touching(self._core, *split(shape), threads))
+
+    def overlapping_triangles(self, shape: Volume, *, threads: int = 1) -> Lists:
+        """Returns the triangles that touch each shape: lists of numbers of triangles, ascending."""
+        return Lists(*_core.touching_lists(self._core, *split(shape), threads))
+
+    def sweep(self, shape: Moving, displacement: ArrayLike, *, threads: int = 1) -> NDArray[Any]:
+        """Returns the first contact of each shape as it moves by a displacement: an array of SWEEP_HIT.
+
+        displacement: (..., 3). t is the share of it, from 0 to 1, at which the shape touches.
+        """
+        return _core.sweeps(self._core, *split(shape), displacement, threads)
+
+    def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
+        """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.
+
+        margin: (...), 0 or more. Of more contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
+        """
+        return Lists(*_core.contact_lists(self._core, *split(shape), margin, most, threads))

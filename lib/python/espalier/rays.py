@@ -1,0 +1,81 @@
+"""Rays against one blob."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .results import Lists, SourceHits, YesNo
+
+CULLING = {"none": 0, "back": 1, "front": 2}
+_ALL_HITS, _CROSSINGS, _FIRST_HITS = 0, 1, 2
+
+
+def culling_number(culling: str) -> int:
+    """Returns the library's number of "none", "back" or "front"."""
+    try:
+        return CULLING[culling]
+    except KeyError:
+        raise ValueError(f"culling must be 'none', 'back' or 'front', not {culling!r}") from None
+
+
+class RayQueries:
+    """Queries of rays: the points origin + t * direction with t_min <= t <= t_max.
+
+    origins, directions: (..., 3), in the blob's units; a direction has any length but zero, and t counts in multiples
+    of it. t_min, t_max: (...). All broadcast against each other; the results have their common shape.
+    culling: "back" or "front" ignores the triangles that show this side.
+    threads: how many to use; 0 is one per processor. The results do not depend on it.
+    """
+
+    __slots__ = ()
+    _core: _core.Blob
+
+    def raycast(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
+                culling: str = "none", threads: int = 1) -> NDArray[Any]:
+        """Returns the closest hit of each ray: an array of RAY_HIT.
+
+        Of equal t, the lowest triangle. A miss has the status NOT_FOUND, an infinite t and NO_TRIANGLE; so has a
+        refusal, with its status.
+        """
+        return _core.raycasts(self._core, origins, directions, t_min, t_max, culling_number(culling), threads)
+
+    def raycast_sources(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0,
+                        t_max: ArrayLike = np.inf, culling: str = "none", threads: int = 1) -> SourceHits:
+        """Returns what raycast() returns, with the places in float64 and the sources of original_hits(), at once."""
+        return SourceHits(*_core.raycast_sources(self._core, origins, directions, t_min, t_max,
+                                                 culling_number(culling), threads))
+
+    def occluded(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
+                 culling: str = "none", threads: int = 1) -> YesNo:
+        """Returns whether each ray hits any triangle. Takes less time than raycast()."""
+        return YesNo(_core.occlusions(self._core, origins, directions, t_min, t_max, culling_number(culling), threads))
+
+    def closest_hits(self, origins: ArrayLike, directions: ArrayLike, most: int, *, t_min: ArrayLike = 0.0,
+                     t_max: ArrayLike = np.inf, culling: str = "none", threads: int = 1) -> Lists:
+        """Returns the first hits of each ray, at most `most`, sorted by t: lists of RAY_HIT.
+
+        The status is OUTPUT_FULL where there are more.
+        """
+        return self._lists(_FIRST_HITS, origins, directions, t_min, t_max, culling, threads, most)
+
+    def all_hits(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
+                 culling: str = "none", threads: int = 1) -> Lists:
+        """Returns all hits of each ray, in ascending order of triangles and not of t: lists of RAY_HIT."""
+        return self._lists(_ALL_HITS, origins, directions, t_min, t_max, culling, threads, 0)
+
+    def crossings(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0,
+                  t_max: ArrayLike = np.inf, culling: str = "none", threads: int = 1) -> Lists:
+        """Returns each crossing of the surface once, for counting, parity and thickness: lists of RAY_HIT.
+
+        A shared edge or vertex that a ray meets exactly is one crossing, or as many as the surface has there.
+        """
+        return self._lists(_CROSSINGS, origins, directions, t_min, t_max, culling, threads, 0)
+
+    def _lists(self, kind: int, origins: ArrayLike, directions: ArrayLike, t_min: ArrayLike, t_max: ArrayLike,
+               culling: str, threads: int, most: int) -> Lists:
+        return Lists(*_core.hit_lists(self._core, origins, directions, t_min, t_max, culling_number(culling), threads,
+                                      kind, most))

@@ -1,0 +1,58 @@
+"""Places of blobs in a world: a rotation, a translation and a uniform scale, as rows of eight float32.
+
+The eight numbers are a quaternion x, y, z, w of any length but zero, a translation x, y, z, and a scale above 0.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .results import Status
+
+
+def transform(rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0), translation: ArrayLike = (0.0, 0.0, 0.0),
+              scale: ArrayLike = 1.0) -> NDArray[np.float32]:
+    """Returns transforms, (..., 8), from quaternions x, y, z, w (..., 4), translations (..., 3) and scales (...)."""
+    parts = (np.asarray(rotation, np.float32), np.asarray(translation, np.float32),
+             np.asarray(scale, np.float32)[..., np.newaxis])
+    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+    row = np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+    if row.shape[-1] != 8:
+        raise ValueError("rotation must have the shape (..., 4), translation (..., 3)")
+    return row
+
+
+def transform_from_matrix(matrix: ArrayLike) -> NDArray[np.float32]:
+    """Returns transforms, (..., 8), of affine matrices in rows, (..., 4, 4) or (..., 3, 4).
+
+    Raises ValueError for a mirror, shear, unequal scale or a number that is not finite.
+    """
+    rows, status = _core.transforms_from_matrices(matrix)
+    refused = np.argwhere(status != Status.OK)
+    if len(refused):
+        first = tuple(int(index) for index in refused[0])
+        reason = _core.describe_query(int(status[first]))
+        raise ValueError(f"matrix {first if first else ''} is no transform: {reason}".replace("  ", " "))
+    return rows
+
+
+def to_local(transforms: ArrayLike, points: ArrayLike) -> NDArray[np.float32]:
+    """Moves points, (..., 3), from the world into the local space of transforms, (..., 8)."""
+    return _core.points_to_local(transforms, points)
+
+
+def to_world(transforms: ArrayLike, points: ArrayLike) -> NDArray[np.float32]:
+    """Moves points, (..., 3), from the local space of transforms, (..., 8), into the world."""
+    return _core.points_to_world(transforms, points)
+
+
+def direction_to_local(transforms: ArrayLike, directions: ArrayLike) -> NDArray[np.float32]:
+    """Rotates and scales directions, (..., 3), into the local space of transforms, (..., 8)."""
+    return _core.directions_to_local(transforms, directions)
+
+
+def direction_to_world(transforms: ArrayLike, directions: ArrayLike) -> NDArray[np.float32]:
+    """Rotates and scales directions, (..., 3), from the local space of transforms, (..., 8), into the world."""
+    return _core.directions_to_world(transforms, directions)

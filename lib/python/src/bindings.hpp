@@ -1,0 +1,21 @@
+// The parts of the extension module. Its functions take and return arrays; the Python files of the package give them
+// names, default arguments and documentation.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace espalier::python {
+
+void bind_bake(pybind11::module_& module);
+void bind_blob(pybind11::module_& module);
+void bind_lookups(pybind11::module_& module);
+void bind_rays(pybind11::module_& module);
+void bind_points(pybind11::module_& module);
+void bind_overlaps(pybind11::module_& module);
+void bind_sweeps(pybind11::module_& module);
+void bind_contacts(pybind11::module_& module);
+void bind_pairs(pybind11::module_& module);
+void bind_scenes(pybind11::module_& module);
+void bind_transforms(pybind11::module_& module);
+
+}  // namespace espalier::python

@@ -1,0 +1,101 @@
+// Closest points and triangles, inside and signed distance.
+#include "bindings.hpp"
+#include "dtypes.hpp"
+#include "floats.hpp"
+#include "held_blob.hpp"
+#include "lists.hpp"
+#include "parts.hpp"
+#include "shapes.hpp"
+
+#include <algorithm>
+
+#include <espalier/batches/shapes.hpp>
+#include <espalier/distance.hpp>
+
+namespace espalier::python {
+
+namespace {
+
+/// Points, each with a distance.
+struct Points {
+    Floats points;
+    Floats distances;
+    Batch batch;
+    Strided<Vec3> point;
+    Strided<float> distance;
+
+    Points(const py::handle& given_points, const py::handle& given_distances)
+        : points(given_points, "points", {3}),
+          distances(given_distances, "max_distance", {}),
+          batch({&points, &distances}),
+          point(points.as<Vec3>()),
+          distance(distances.as<float>()) {}
+};
+
+py::array closest_points(const HeldBlob& self, const py::handle& given, const py::handle& max_distance, bool is_signed,
+                         unsigned threads) {
+    const Points all(given, max_distance);
+    py::array results = all.batch.results(dtype_of("closest_point"));
+    const Blob& blob = self.blob;
+    answer_each(static_cast<ClosestPoint*>(results.mutable_data()), all.batch.count(), threads, [&](std::size_t i) {
+        return is_signed ? signed_distance(blob, all.point.at(i), all.distance.at(i))
+                         : closest_point(blob, all.point.at(i), all.distance.at(i));
+    });
+    return results;
+}
+
+/// Of segments or boxes.
+py::array closest_to_shapes(const HeldBlob& self, const std::string& kind, const py::tuple& given,
+                            const py::handle& max_distance, unsigned threads) {
+    if (kind != "Segment" && kind != "Box") refuse_shape(kind);
+    ShapeFields fields;
+    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
+        Floats distances(max_distance, "max_distance", {});
+        const Batch batch = spread(fields, &distances);
+        const auto distance = distances.as<float>();
+        py::array results = batch.results(dtype_of("closest_point"));
+        answer_each(static_cast<ClosestPoint*>(results.mutable_data()), batch.count(), threads, [&](std::size_t i) {
+            return at(i, [&](const auto& shape) {
+                if constexpr (requires { closest_point(self.blob, shape, 0.0f); })
+                    return closest_point(self.blob, shape, distance.at(i));
+                else return ClosestPoint{};
+            });
+        });
+        return results;
+    });
+}
+
+py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads) {
+    Floats points(given, "points", {3});
+    const Batch batch({&points});
+    const auto point = points.as<Vec3>();
+    py::array results = batch.results(py::dtype::of<std::uint8_t>());
+    answer_each(static_cast<YesNo*>(results.mutable_data()), batch.count(), threads,
+                [&](std::size_t i) { return contains(self.blob, point.at(i)); });
+    return results;
+}
+
+/// Returns (offsets, nearest, statuses).
+py::tuple closest_triangle_lists(const HeldBlob& self, const py::handle& given, const py::handle& max_distance,
+                                 std::size_t most, unsigned threads) {
+    const Points all(given, max_distance);
+    most = std::min<std::size_t>(most, self.blob.triangle_count());
+    return make_lists<ClosestPoint>(
+        all.batch, dtype_of("closest_point"), threads, [&](std::size_t i, Growing<ClosestPoint>& nearest) {
+            const Filled filled =
+                closest_triangles(self.blob, all.point.at(i), nearest.places(most).first(most), all.distance.at(i));
+            nearest.add(filled.count);
+            return filled.status;
+        });
+}
+
+}  // namespace
+
+void bind_points(py::module_& module) {
+    module.def("closest_points", closest_points);
+    module.def("closest_to_shapes", closest_to_shapes);
+    module.def("inside", inside);
+    module.def("closest_triangle_lists", closest_triangle_lists);
+}
+
+}  // namespace espalier::python

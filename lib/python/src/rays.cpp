@@ -1,0 +1,112 @@
+// Rays against one blob.
+#include "bindings.hpp"
+#include "dtypes.hpp"
+#include "held_blob.hpp"
+#include "lists.hpp"
+#include "parts.hpp"
+#include "rays.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <espalier/batches/rays.hpp>
+#include <espalier/original.hpp>
+#include <espalier/ray.hpp>
+
+namespace espalier::python {
+
+namespace {
+
+py::array raycasts(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
+                   const py::handle& t_min, const py::handle& t_max, int culling, unsigned threads) {
+    const Rays rays(origins, directions, t_min, t_max, culling);
+    py::array results = rays.batch.results(dtype_of("ray_hit"));
+    auto* hits = static_cast<RayHit*>(results.mutable_data());
+    run_ranges(rays.batch.count(), threads, [&](std::size_t begin, std::size_t end) {
+        static_cast<void>(raycast(self.blob, rays.arrays.from(begin), std::span(hits + begin, end - begin)));
+    });
+    return results;
+}
+
+/// Writes origin + t * direction in double: the product is exact, the sum is rounded once. NaN for a miss.
+void write_place(const Ray& ray, const RayHit& hit, double* place) {
+    const double t = hit ? static_cast<double>(hit.t) : std::numeric_limits<double>::quiet_NaN();
+    place[0] = static_cast<double>(ray.origin.x) + t * static_cast<double>(ray.direction.x);
+    place[1] = static_cast<double>(ray.origin.y) + t * static_cast<double>(ray.direction.y);
+    place[2] = static_cast<double>(ray.origin.z) + t * static_cast<double>(ray.direction.z);
+}
+
+/// Returns (hits, places, sources).
+py::tuple raycast_sources(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
+                          const py::handle& t_min, const py::handle& t_max, int culling, unsigned threads) {
+    const Rays rays(origins, directions, t_min, t_max, culling);
+    py::array hit_array = rays.batch.results(dtype_of("ray_hit"));
+    std::vector<py::ssize_t> place_shape = rays.batch.shape();
+    place_shape.push_back(3);
+    py::array_t<double> place_array(place_shape);
+    py::array source_array = rays.batch.results(dtype_of("original_hit"));
+    auto* hits = static_cast<RayHit*>(hit_array.mutable_data());
+    auto* places = place_array.mutable_data();
+    auto* sources = static_cast<OriginalHit*>(source_array.mutable_data());
+    run_ranges(rays.batch.count(), threads, [&](std::size_t begin, std::size_t end) {
+        const std::span<RayHit> some(hits + begin, end - begin);
+        static_cast<void>(raycast(self.blob, rays.arrays.from(begin), some));
+        for (std::size_t i = begin; i < end; ++i) write_place(rays.arrays.at(i), hits[i], places + 3 * i);
+        const Filled filled = original_hit(self.blob, some, std::span(sources + begin, end - begin));
+        if (filled.count == some.size()) return;
+        for (std::size_t i = begin; i < end; ++i) sources[i] = original_hit(self.blob, hits[i]);
+    });
+    return py::make_tuple(hit_array, place_array, source_array);
+}
+
+py::array occlusions(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
+                     const py::handle& t_min, const py::handle& t_max, int culling, unsigned threads) {
+    const Rays rays(origins, directions, t_min, t_max, culling);
+    py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
+    static_assert(sizeof(YesNo) == 1);
+    auto* answers = static_cast<YesNo*>(results.mutable_data());
+    run_ranges(rays.batch.count(), threads, [&](std::size_t begin, std::size_t end) {
+        static_cast<void>(occluded(self.blob, rays.arrays.from(begin), std::span(answers + begin, end - begin)));
+    });
+    return results;
+}
+
+/// Returns (offsets, hits, statuses) of all hits, of all crossings, or of the first hits up to a number.
+py::tuple hit_lists(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
+                    const py::handle& t_min, const py::handle& t_max, int culling, unsigned threads, int kind,
+                    std::size_t most) {
+    const Rays rays(origins, directions, t_min, t_max, culling);
+    most = std::min<std::size_t>(most, self.blob.triangle_count());
+    return make_lists<RayHit>(rays.batch, dtype_of("ray_hit"), threads, [&](std::size_t query, Growing<RayHit>& hits) {
+        if (kind == 2) {
+            const Filled filled = closest_hits(self.blob, rays.arrays.at(query), hits.places(most).first(most));
+            hits.add(filled.count);
+            return filled.status;
+        }
+        QueryStatus status = QueryStatus::ok;
+        std::size_t offsets[2];
+        for (std::size_t wanted = 16;;) {
+            const std::span<RayHit> places = hits.places(wanted);
+            const RayArrays one = rays.arrays.from(query);
+            const FilledLists filled = kind == 0
+                                           ? collect_hits(self.blob, one, std::span(&status, 1), offsets, places)
+                                           : collect_crossings(self.blob, one, std::span(&status, 1), offsets, places);
+            if (filled.status != QueryStatus::output_full) {
+                hits.add(filled.count);
+                return filled.status == QueryStatus::ok ? status : filled.status;
+            }
+            wanted = filled.needed;
+        }
+    });
+}
+
+}  // namespace
+
+void bind_rays(py::module_& module) {
+    module.def("raycasts", raycasts);
+    module.def("raycast_sources", raycast_sources);
+    module.def("occlusions", occlusions);
+    module.def("hit_lists", hit_lists);
+}
+
+}  // namespace espalier::python

@@ -1,0 +1,115 @@
+"""Arrays of any type and strides, shapes that broadcast, and what is refused."""
+
+import numpy as np
+import pytest
+
+import espalier
+from conftest import same
+
+
+def test_strides_and_types_do_not_change_answers(blob, points, directions):
+    expected = blob.raycast(points, directions)
+    wide = np.zeros((len(points), 7), np.float32)
+    wide[:, 2:5] = points
+    same(blob.raycast(wide[:, 2:5], directions), expected)
+    same(blob.raycast(np.asfortranarray(points), directions), expected)
+    same(blob.raycast(points[::-1], directions[::-1])[::-1].copy(), expected)
+    same(blob.raycast(points.astype(">f4"), directions.astype(np.float64)), expected)
+    unaligned = np.frombuffer(b"x" + points.tobytes(), np.uint8)[1:].view("V12")
+    unaligned = np.ndarray(points.shape, np.float32, unaligned.base, 1)
+    same(blob.raycast(unaligned, directions), expected)
+    same(blob.raycast(points.reshape(40, 50, 3), directions.reshape(40, 50, 3)).ravel(), expected)
+    grid = points.reshape(40, 50, 3).swapaxes(0, 1)
+    same(blob.raycast(grid, directions.reshape(40, 50, 3).swapaxes(0, 1)).swapaxes(0, 1).copy().ravel(), expected)
+
+
+def test_float64_is_rounded_to_the_nearest(blob):
+    origin = np.array([0.1, 1 / 3, 5.0])
+    same(blob.closest_point(origin), blob.closest_point(origin.astype(np.float32)))
+    with np.errstate(over="ignore"):
+        assert blob.closest_point([1e300, 0, 0])["status"] == espalier.Status.INVALID_ARGUMENT
+
+
+def test_arguments_broadcast(blob, points):
+    origins, directions = points[20:30, None], np.eye(3, dtype=np.float32)
+    hits = blob.raycast(origins, directions, t_max=[1.0, 2.0, 3.0])
+    assert hits.shape == (10, 3)
+    for i in range(10):
+        for k in range(3):
+            one = blob.raycast(origins[i, 0], directions[k], t_max=k + 1)
+            assert one.shape == () and one.tobytes()[:30] == hits[i, k].tobytes()[:30]
+    assert blob.raycast(np.zeros((0, 3)), [0, 0, 1]).shape == (0,)
+    assert blob.all_hits(np.zeros((0, 3)), [0, 0, 1]).offsets.tolist() == [0]
+
+
+def test_wrong_arguments_raise(blob, points):
+    with pytest.raises(ValueError, match=r"origins must have the shape \(..., 3\), not \(4, 2\)"):
+        blob.raycast(np.zeros((4, 2)), [0, 0, 1])
+    with pytest.raises(ValueError, match="do not broadcast"):
+        blob.raycast(points, points[:7])
+    with pytest.raises(TypeError, match="real numbers"):
+        blob.contains(points.astype(complex))
+    with pytest.raises(TypeError):
+        blob.contains([["a", "b", "c"]])
+    with pytest.raises(ValueError, match="culling"):
+        blob.raycast(points, [0, 0, 1], culling="left")
+    with pytest.raises(TypeError, match="shape of espalier"):
+        blob.overlaps(points)
+    with pytest.raises(TypeError, match="no ConvexHull"):
+        blob.overlaps(espalier.ConvexHull(points[:4]))
+    with pytest.raises(TypeError, match="integers"):
+        blob.corners([0.5])
+
+
+def test_statuses_of_single_queries(blob, open_mesh_blob):
+    status = blob.raycast([[0, 0, 5], [np.nan, 0, 0], [9, 9, 9]], [[0, 1, -1], [0, 0, 1], [0, 0, 1]])["status"]
+    assert status[1] == espalier.Status.INVALID_ARGUMENT and status[2] == espalier.Status.NOT_FOUND
+    miss = blob.raycast([9, 9, 9], [0, 0, 1])
+    assert miss["t"] == np.inf and miss["triangle"] == espalier.NO_TRIANGLE
+    refused = open_mesh_blob.contains([0, 0, 0])
+    assert refused.status == espalier.Status.NOT_CLOSED and not refused.yes and not refused.no
+    assert refused.value_or(True) and not refused.value_or(False)
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(refused)
+    assert open_mesh_blob.raycast_sources([3, 0, 5], [0, 0, -1]).sources["status"] == espalier.Status.NO_DATA
+    assert blob.original_triangles([0, -1, 2**40])["status"].tolist() == [0, 1, 1]
+    assert all(each.describe() for each in espalier.Status)
+
+
+def test_lists(blob, points, directions):
+    hits = blob.all_hits(points, directions, threads=2)
+    same(hits.items, blob.all_hits(points, directions).items)
+    closest = blob.raycast(points, directions)
+    found = closest["status"] == espalier.Status.OK
+    np.testing.assert_array_equal(hits.counts() > 0, found)
+    np.testing.assert_array_equal(np.minimum.reduceat(hits.items["t"], hits.offsets[:-1][found]), closest["t"][found])
+    first = blob.closest_hits(points, directions, 1)
+    same(first.items, closest[found])
+    assert set(first.status) >= {espalier.Status.OK, espalier.Status.OUTPUT_FULL}
+    crossings = blob.crossings(points, directions)
+    outside = blob.contains(points).no & (crossings.status == 0)
+    assert (crossings.counts()[outside] % 2 == 0).all()
+    near = blob.closest_triangles(points[20:40], 4)
+    assert near.counts().tolist() == [4] * 20
+    same(near.items[near.offsets[:-1]], blob.closest_point(points[20:40]))
+    assert [len(each) for each in near.each()] == [4] * 20 and near.queries()[5] == 1
+
+
+def test_lists_of_any_length(blob, points):
+    assert blob.closest_triangles(points[20], 2**62).counts() == blob.triangle_count
+    assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 2**62).counts() == 2
+    assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 0).counts() == 0
+    with pytest.raises(MemoryError):
+        blob.contacts(espalier.Sphere([4, 0, 0], 1), most=2**62)
+    with pytest.raises((TypeError, ValueError)):
+        blob.closest_triangles(points, -1)
+
+
+def test_triangles(blob, mesh):
+    corners = blob.triangles()
+    assert corners.shape == (blob.triangle_count, 3, 3)
+    np.testing.assert_array_equal(blob.corners(np.arange(blob.triangle_count))["corners"], corners)
+    source = blob.original_triangles(np.arange(blob.triangle_count))
+    turn = (np.arange(3) + source["first_corner"][:, None]) % 3
+    original = mesh[0][np.take_along_axis(mesh[1][source["triangle"]], turn, axis=1)]
+    assert np.abs(original - corners).max() <= 2 * blob.max_error

@@ -1,0 +1,151 @@
+"""Opening blobs and baking: where bytes lie, how long they live, and what is refused."""
+
+import gc
+import mmap
+import pickle
+
+import numpy as np
+import pytest
+
+import espalier
+from conftest import same
+
+
+@pytest.fixture
+def expected(blob, points, directions):
+    return blob.raycast(points, directions)
+
+
+def test_bytes_are_looked_at_and_kept(blob, points, directions, expected):
+    data = bytes(blob)
+    opened = espalier.open_blob(data)
+    assert opened.is_view
+    del data
+    gc.collect()
+    same(opened.raycast(points, directions), expected)
+    view = opened.data
+    del opened
+    gc.collect()
+    assert bytes(view) == bytes(blob) and view.readonly
+
+
+def test_files_are_mapped(blob, points, directions, expected, tmp_path):
+    blob.save(tmp_path / "torus.espl")
+    opened = espalier.open_blob(tmp_path / "torus.espl")
+    assert opened.is_view
+    same(opened.raycast(points, directions), expected)
+    with open(tmp_path / "torus.espl", "rb") as file:
+        mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    by_hand = espalier.open_blob(mapped)
+    with pytest.raises(BufferError):
+        mapped.close()
+    same(by_hand.raycast(points, directions), expected)
+    memmap = np.memmap(tmp_path / "torus.espl", np.uint8, "r")
+    assert espalier.open_blob(memmap).is_view
+
+
+def test_writable_and_misaligned_bytes(blob, points, directions, expected):
+    writable = bytearray(bytes(blob))
+    opened = espalier.open_blob(writable)
+    assert not opened.is_view
+    writable[:] = bytes(len(writable))
+    same(opened.raycast(points, directions), expected)
+    for shift in (1, 2, 8):
+        moved = memoryview(bytes(shift) + bytes(blob))[shift:]
+        same(espalier.open_blob(moved).raycast(points, directions), expected)
+    with pytest.raises((BufferError, ValueError), match="contiguous"):
+        espalier.open_blob(np.frombuffer(bytes(blob), np.uint8)[::2])
+    with pytest.raises(TypeError):
+        espalier.open_blob(5)
+
+
+def test_pickles(blob, points, directions, expected):
+    same(pickle.loads(pickle.dumps(blob)).raycast(points, directions), expected)
+
+
+def test_damaged_bytes_raise(blob, tmp_path):
+    data = bytearray(bytes(blob))
+    for damaged in (b"", data[:-1], data + b"x", b"x" + data[1:]):
+        with pytest.raises(espalier.OpenError) as error:
+            espalier.open_blob(bytes(damaged))
+        assert str(error.value) and error.value.status > 0
+    (tmp_path / "empty").write_bytes(b"")
+    with pytest.raises(espalier.OpenError):
+        espalier.open_blob(tmp_path / "empty")
+    with pytest.raises(FileNotFoundError):
+        espalier.open_blob(tmp_path / "missing")
+    espalier.verify(blob)
+    data[-1] ^= 1
+    with pytest.raises(ValueError):
+        espalier.verify(bytes(data))
+
+
+def test_bake_takes_any_arrays(mesh):
+    positions, triangles = mesh
+    expected = bytes(espalier.bake(positions, triangles))
+    wide = np.zeros((len(positions), 5), np.float64)
+    wide[:, 1:4] = positions
+    for given in (positions.tolist(), np.asfortranarray(positions), wide[:, 1:4], positions.astype(np.float64)):
+        assert bytes(espalier.bake(given, triangles)) == expected
+    for given in (triangles.tolist(), triangles.astype(np.int64), triangles.astype(np.uint16), triangles.astype(">i4"),
+                  np.asfortranarray(triangles)):
+        assert bytes(espalier.bake(positions, given, threads=2)) == expected
+    assert bytes(espalier.bake(positions[::-1], (len(positions) - 1 - triangles.astype(int))[::-1][::-1])) == expected
+
+
+def test_origin_keeps_far_meshes_exact(mesh):
+    offset = np.array([500_000.0, 4_000_000.0, 100.0])
+    positions = mesh[0].astype(np.float64) + offset
+    blob = espalier.bake(positions, mesh[1], origin=offset)
+    assert blob.report["conversion_error"] < 1e-6 and np.abs(blob.bounds).max() < 5
+    with pytest.warns(espalier.BakeWarning):
+        assert espalier.bake(positions, mesh[1]).report["conversion_error"] > 0.01
+
+
+def test_refused_bakes_raise_with_the_place(mesh):
+    positions, triangles = mesh
+    wrong = triangles.astype(np.int64)
+    wrong[17, 1] = -1
+    with pytest.raises(espalier.BakeError, match="17") as error:
+        espalier.bake(positions, wrong)
+    assert error.value.place == (0, 0, 17)
+    assert espalier.bake(positions, wrong, drop_bad_triangles=True).report["index_out_of_range"]["count"] == 1
+    for options in ({"bits": 25}, {"profile": "large"}, {"bits": 8, "tolerance": 0.1}, {"effort": "none"}):
+        with pytest.raises(ValueError):
+            espalier.bake(positions, triangles, **options)
+    for arguments in ((positions, triangles, [1, 2]), (positions[:, :2], triangles), (positions, positions)):
+        with pytest.raises((ValueError, TypeError)):
+            espalier.bake(*arguments)
+
+
+def test_several_meshes_and_materials(mesh):
+    materials = np.arange(len(mesh[1])) % 7
+    blob = espalier.bake_meshes([mesh, espalier.Mesh(mesh[0] + np.float32(20), mesh[1], materials, "moved", 3, 1)],
+                                original_ids=True)
+    hits, _, sources = blob.raycast_sources([[3, 0, 5], [23, 20, 25]], [0, 0, -1])
+    assert sources["file"].tolist() == [0, 3] and sources["mesh"].tolist() == [0, 1]
+    assert blob.materials(hits["triangle"])[1] == materials[sources["triangle"][1]]
+
+
+def test_mesh_files(mesh, tmp_path):
+    positions, triangles = mesh
+    expected = bytes(espalier.bake(positions, triangles))
+    lines = ["v %.9g %.9g %.9g" % tuple(row) for row in positions] + ["f %d//1 %d//1 %d//1" % tuple(row + 1) for row in triangles]
+    (tmp_path / "a.obj").write_text("\n".join(lines))
+    assert bytes(espalier.bake_file(tmp_path / "a.obj")) == expected
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(positions)}\nproperty float x\nproperty float y\n"
+              f"property float z\nelement face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
+    faces = np.zeros(len(triangles), [("n", "u1"), ("v", "<3i4")])
+    faces["n"], faces["v"] = 3, triangles
+    (tmp_path / "a.ply").write_bytes(header.encode() + positions.tobytes() + faces.tobytes())
+    assert bytes(espalier.bake_file(tmp_path / "a.ply")) == expected
+    facets = np.zeros(len(triangles), [("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])
+    facets["corners"] = positions[triangles].reshape(-1, 9)
+    (tmp_path / "a.stl").write_bytes(bytes(80) + len(triangles).to_bytes(4, "little") + facets.tobytes())
+    stl = espalier.bake_file(tmp_path / "a.stl")
+    assert stl.triangle_count == len(triangles) and stl.is_closed
+    (tmp_path / "b.obj").write_text("v 0 0 0\nf 1 2 3\n")
+    with pytest.raises(ValueError, match="b.obj"):
+        espalier.bake_file(tmp_path / "b.obj")
+    with pytest.raises(ValueError, match="only"):
+        espalier.bake_file(tmp_path / "a.glb")
