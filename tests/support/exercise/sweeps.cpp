@@ -1,5 +1,6 @@
 #include "run.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -13,7 +14,8 @@ namespace espalier::tests::exercises {
 
 namespace {
 
-float absolute_of(float value) { return value < 0.0f ? -value : value; }
+/// Without the sign bit, also of a number that a mode of the processor takes for zero.
+float absolute_of(float value) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu); }
 
 template <class Shape>
 void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
