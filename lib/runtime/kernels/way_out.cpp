@@ -14,7 +14,8 @@ void try_way(const WideVector& axis, const Span<Int128>& of_shape, const Integer
     for (const bool is_turned : {false, true}) {
         const Int128 way = is_turned ? of_shape.high - of_triangle.low : of_triangle.high - of_shape.low;
         const float depth = to_float(way) / size / length;
-        if (depth < best.depth) best = {times(unit, is_turned ? -1.0f : 1.0f), depth, is_turned ? -axis : axis};
+        if (is_zero(best.axis) || depth < best.depth)
+            best = {times(unit, is_turned ? -1.0f : 1.0f), depth, is_turned ? -axis : axis};
     }
 }
 
@@ -29,7 +30,6 @@ WayOut way_out(const UnitSegment& segment, const LatticeTriangle& triangle) noex
         const Span<Int128> of_segment = {end.is_negative() ? end : zero, end.is_negative() ? zero : end};
         try_way(axis, of_segment, corner, best);
     }
-    if (best.depth == infinity) best.depth = 0.0f;
     best.depth *= power_of_two(-segment.fraction_bits);
     return best;
 }

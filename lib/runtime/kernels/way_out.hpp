@@ -12,7 +12,7 @@ namespace espalier::detail {
 /// A direction in which the shape can leave the triangle, and how far it has to go.
 struct WayOut {
     Vec3 normal;
-    float depth = infinity;
+    float depth = 0.0f;
     WideVector axis = {0, 0, 0};  ///< along the normal, exactly; zero where no direction was tried
 };
 
