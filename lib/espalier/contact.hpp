@@ -50,9 +50,10 @@ struct Contact {
 /// body, without its radius, touches the triangle, the point stays on the edge and the depth takes it out of the plane.
 ///
 /// Status: ok; output_full if there are more contacts than places, of which the deepest are kept; or a refusal: of an
-/// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(); a hull is refused as by
-/// sweep(), and from 2^29 lattice steps on (out_of_range). Cost: expected O(log n + k * places) for k triangles, times
-/// the edges of a hull, whose faces are found in O(vertices * faces); and of a closed surface that of contains().
+/// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(). A hull is refused as by
+/// sweep(), and from 2^29 lattice steps on (out_of_range); one that is farther away than the margin has no contacts.
+/// Cost: expected O(log n + k * places) for k triangles, times the edges of a hull, whose faces are found in
+/// O(vertices^2); and of a closed surface that of contains().
 Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept;

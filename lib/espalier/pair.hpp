@@ -170,7 +170,7 @@ Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairT
 // another, of either triangle, and so is what is left of it after that translation. Where two ways are equally long but
 // for this error, the normal is that of either. Triangles in one plane have depth 0, but for it, and a normal of it.
 //
-// The way apart is that of these two triangles alone. Other pairs of the same blobs may need a longer or another one:
+// The way out is that of these two triangles alone. Other pairs of the same blobs may need a longer or another one:
 // move by what reduce_contacts() leaves of all of them, and query again.
 //
 // Range. Queries return out_of_range, in O(1), in these cases: a corner of the bounds of b is more than 2^80 of a's

@@ -18,7 +18,8 @@ namespace espalier {
 /// The result of sweep(): converts to true if the shape touches the surface on its way. t is 1 for a miss and 0 for a
 /// refusal, so that moving the shape by t * displacement is safe in any case.
 struct [[nodiscard]] SweepHit {
-    float t = 0.0f;    ///< 0 <= t < 1: the share of the displacement at which the shape touches; 0 if it starts so
+    float t = 0.0f;    ///< 0 <= t < 1: the share of the displacement at which the shape stops: where it touches
+                       ///< or a skin earlier; 0 if it starts so
     Vec3 point;        ///< on the triangle: closest to the sphere's center or the capsule's axis; of a Box the middle
                        ///< of the part of the triangle that it touches; of other shapes one of the points they touch
     Vec3 normal;       ///< unit length, from the surface to the shape; of a Box the axis that is the last to separate,
@@ -102,16 +103,18 @@ SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Triangle
 // exact. Those of a Box and an OrientedBox are all directions that can separate it from the triangle; those of a hull
 // are the normals of the triangle and of its sides within its plane, and the coordinate axes.
 //
-// Start. How deep a shape is in a triangle is the length of the shortest way out, as find_contacts() has it: of spheres
-// and capsules less deep the farther center or axis are from the triangle. Compared as floats, within 2^-21.
+// Start. How deep a shape is in a triangle is the length of the shortest way out, of a hull along the directions that
+// Options names, of others as find_contacts() has it. Spheres and capsules are less deep the farther center or axis
+// are from the triangle. Compared as floats, within 2^-21.
 //
-// Feature. Exact: of a sphere or a capsule that of the point at t, as closest_point() has it; of a Box what of the
-// triangle is nearest along the normal; of an OrientedBox and a hull the smallest part with the exact point; at the
-// start that of the point.
+// Feature. Exact: of a sphere or a capsule that of the point at the t without skin, as closest_point() has it; of a Box
+// what of the triangle is nearest along the normal; of an OrientedBox and a hull the smallest part with the exact
+// point; at the start that of the point.
 //
 // Results. The coordinates of `point` are within 14 ulp of the largest coordinate of the asset's bounds, those of the
-// normals within 4 ulp of 1, for the shape at t. The part of a triangle that a box touches is that in the box grown by
-// 2^-24 of its way and by 2^-19 of the distance from its farthest corner to the triangle's.
+// normals within 4 ulp of 1, for the shape at t, or where t were without a skin. The part of a triangle that a box
+// touches is that in the box grown by 2^-24 of its way and by 2^-19 of the distance from its farthest corner to the
+// triangle's.
 //
 // Normal of a Box: a face's, then the triangle's, then a product of edges. If a shape's middle lies on the triangle,
 // the normal is the triangle's, on the side against the displacement.

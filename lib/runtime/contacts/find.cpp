@@ -270,12 +270,13 @@ struct ContactsOf : Each {
     Visit add(std::uint32_t index, const LatticeTriangle& triangle) {
         Touches touches;
         body.touch(triangle, body.radius + margin_steps, touches);
-        const bool on_internal_edge = touches.count != 0 && touches.touch[0].feature != Feature::face &&
+        if (touches.count == 0) return Visit::next;
+        const OriginRelative seen = body.seen(triangle);
+        const bool is_behind = is_origin_behind(seen);
+        const bool on_internal_edge = touches.touch[0].feature != Feature::face &&
                                       is_internal(owner, TriangleId{index}, touches.touch[0].feature);
         for (unsigned i = 0; i < touches.count; ++i) {
             Touch& touch = touches.touch[i];
-            const OriginRelative seen = body.seen(triangle);
-            const bool is_behind = is_origin_behind(seen);
             if (on_internal_edge) turn_to_face(touch, face_normal_of(triangle), seen, is_behind);
             touch.distance -= body.radius;
             Contact contact;
@@ -316,9 +317,9 @@ private:
     }
 };
 
-/// Returns the way out of a closed surface for a body whose middle is inside; not_found for others.
+/// Finds the exit of a closed surface for a body whose middle is inside; not_found for others.
 template <class Body, class Shape>
-QueryStatus find_way_out(const Blob& blob, const Shape& shape, Contact& contact) {
+QueryStatus find_exit(const Blob& blob, const Shape& shape, Contact& contact) {
     if (!blob.is_closed()) return QueryStatus::not_found;
     const Vec3 middle = Body::middle_of(shape);
     if (!contains(blob, middle).yes()) return QueryStatus::not_found;
@@ -356,9 +357,9 @@ Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std:
     const QueryStatus rounded = body.round(data_of(blob), shape, margin);
     if (is_refused(rounded)) return {0, {}, rounded};
     if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
-    Contact way_out;
-    if (find_way_out<Body>(blob, shape, way_out) == QueryStatus::ok) {
-        sorted.add(way_out);
+    Contact exit;
+    if (find_exit<Body>(blob, shape, exit) == QueryStatus::ok) {
+        sorted.add(exit);
         return sorted.filled();
     }
     const QueryStatus status =

@@ -42,7 +42,8 @@ struct HullBody {
     [[nodiscard]] Integer3 normal_of_face(unsigned face) const;
 };
 
-/// Sets the middle, and the vertices from there: those of the hull of points on a grid of 2^-fraction_bits steps.
+/// Sets the middle, and the vertices from there: those of the hull of at least one point on a grid of 2^-fraction_bits
+/// steps.
 template <class Point>
 void set_vertices(HullBody& hull, const Point* points, unsigned count, int fraction_bits) {
     hull.fraction_bits = fraction_bits;
@@ -50,7 +51,7 @@ void set_vertices(HullBody& hull, const Point* points, unsigned count, int fract
     hull.vertex_count = count;
     Integer3 sum = {0, 0, 0};
     for (unsigned i = 0; i < count; ++i) sum = sum + Integer3{points[i][0], points[i][1], points[i][2]};
-    const auto number = static_cast<std::int64_t>(count == 0 ? 1 : count);
+    const auto number = static_cast<std::int64_t>(count);
     hull.middle = {sum.x / number, sum.y / number, sum.z / number};
     hull.size = 0.0f;
     for (unsigned i = 0; i < count; ++i) {
@@ -61,7 +62,7 @@ void set_vertices(HullBody& hull, const Point* points, unsigned count, int fract
 }
 
 /// Finds the faces of the hull of `vertex_count` vertices, which lie in units from the middle and differ by less than
-/// 2^30. Those that are no corners are removed. Takes O(vertices * faces).
+/// 2^30. Those that are no corners are removed. Takes O(vertices^2).
 void find_faces(HullBody& hull) noexcept;
 
 /// Writes how a hull touches the triangle, or is no farther away than `reach`; nothing if it is farther.

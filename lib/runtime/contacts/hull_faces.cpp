@@ -24,7 +24,6 @@ public:
         hull_.face_count = 0;
         hull_.first[0] = 0;
         unsigned start = 0, end = 0;
-        if (all_ == 0) return;
         find_edge(start, end);
         corners_ = Vertices{1} << start | Vertices{1} << end;
         if (start == end) return;
@@ -128,8 +127,8 @@ private:
     /// Returns a number with the sign of dot(normal, cross(u, v)), of vectors across the normal: along its longest
     /// axis.
     static std::int64_t triple(const Integer3& normal, const Integer3& u, const Integer3& v) {
-        const Integer3 size = magnitude(normal), across = cross(u, v);
-        const int k = size.x < size.y ? (size.y < size.z ? 2 : 1) : (size.x < size.z ? 2 : 0);
+        const Integer3 across = cross(u, v);
+        const int k = longest_axis(normal);
         return normal[k] < 0 ? -across[k] : across[k];
     }
     void add_face(const unsigned* polygon, unsigned count) {

@@ -5,6 +5,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/kernels/face.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 
 namespace espalier::detail::contacts {
 
@@ -61,12 +62,9 @@ inline Vec3 nearest_on_side(const SeenTriangle& seen, unsigned side, const Vec3&
     const Vec3& start = seen.corner[side];
     const Vec3 along = seen.corner[next] - start;
     const float share = clamped_share(dot(p - start, along), dot(along, along));
-    const auto vertex = [](unsigned corner) {
-        return static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
-    };
-    feature = share == 0.0f   ? vertex(side)
-              : share == 1.0f ? vertex(next)
-                              : static_cast<Feature>(static_cast<unsigned>(Feature::edge_ab) + side);
+    feature = share == 0.0f   ? vertex_of(static_cast<int>(side))
+              : share == 1.0f ? vertex_of(static_cast<int>(next))
+                              : edge_of(static_cast<int>(side));
     return start + along * share;
 }
 

@@ -2,7 +2,6 @@
 #include <espalier/pair.hpp>
 
 #include <runtime/contacts/touch_pair.hpp>
-#include <runtime/kernels/triangle_triangle.hpp>
 #include <runtime/pairs/contacts.hpp>
 #include <runtime/pairs/from_grid.hpp>
 

@@ -62,8 +62,8 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
             const float at_j = dot(from_face, j) * kk - dot(from_face, k) * jk;
             const float at_k = dot(from_face, k) * jj - dot(from_face, j) * jk;
             if (absolute(at_j) > whole || absolute(at_k) > whole) continue;
-            const auto vertex = static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
-            nearest.offer(seen.corner[corner] - face * dot(face, from_face), seen.corner[corner], vertex);
+            nearest.offer(seen.corner[corner] - face * dot(face, from_face), seen.corner[corner],
+                          vertex_of(static_cast<int>(corner)));
         }
     }
 }

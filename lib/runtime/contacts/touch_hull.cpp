@@ -88,7 +88,7 @@ private:
         if (goes_down && -gap > best_.gap) try_way(way * -1.0f);
     }
 
-    /// Tries directions across a segment: of a triangle that is a point none other may be.
+    /// Tries directions across a segment. A triangle that is a point has no sides, so that no product gives one.
     void try_across(const Integer3& along) {
         constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (const Integer3& unit : units) {
@@ -129,25 +129,25 @@ bool is_over(const HullBody& hull, unsigned face, const Vec3& way, const Vec3& p
     return low <= at && at <= high;
 }
 
-/// Offers the pair of a corner of the triangle and a face that it is over.
-void try_corner(const HullBody& hull, unsigned face, const Vec3& moved, const TriangleBeside& triangle, unsigned corner,
-                NearestPair& nearest) {
+/// Offers the pairs of a face and the corners of the triangle that are over it.
+void try_corners(const HullBody& hull, unsigned face, const Vec3& moved, const TriangleBeside& triangle,
+                 NearestPair& nearest) {
     const Vec3 normal = direction_of(hull.normal_of_face(face));
     if (!(dot(normal, normal) > 0.0f)) return;
-    const Vec3 point = triangle.corner[corner] - moved;
-    const float above = dot(normal, point - hull.at(hull.from[hull.first[face]]));
-    if (above < triangle.size * -0x1p-18f || above * above > nearest.squared) return;
-    if (!is_over(hull, face, normal, point)) return;
-    const auto vertex = static_cast<Feature>(static_cast<unsigned>(Feature::vertex_a) + corner);
-    nearest.offer(triangle.corner[corner] - normal * above, triangle.corner[corner], vertex);
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& corner = triangle.corner[i];
+        const Vec3 point = corner - moved;
+        const float above = dot(normal, point - hull.at(hull.from[hull.first[face]]));
+        if (above < triangle.size * -0x1p-18f || above * above > nearest.squared) continue;
+        if (is_over(hull, face, normal, point)) nearest.offer(corner - normal * above, corner, vertex_of(i));
+    }
 }
 
 /// Returns the nearest points of the hull, moved by that much, and the triangle; they share no inner point.
 NearestPair nearest_pair(const HullBody& hull, const Vec3& moved, const TriangleBeside& triangle) {
     NearestPair nearest;
     for (unsigned i = 0; i < hull.vertex_count; ++i) try_vertex(hull.at(i) + moved, triangle, nearest);
-    for (unsigned face = 0; face < hull.face_count; ++face)
-        for (unsigned i = 0; i < 3; ++i) try_corner(hull, face, moved, triangle, i, nearest);
+    for (unsigned face = 0; face < hull.face_count; ++face) try_corners(hull, face, moved, triangle, nearest);
     for_each_edge(hull, [&](const HullEdge& edge) {
         const Vec3 from = hull.at(edge.from) + moved, along = to_vector(edge.units) * hull.scale;
         for (unsigned side = 0; side < 3; ++side) {
@@ -162,10 +162,8 @@ NearestPair nearest_pair(const HullBody& hull, const Vec3& moved, const Triangle
 class FarthestPlaces {
 public:
     explicit FarthestPlaces(const Vec3& normal) {
-        const Vec3 size = {absolute(normal.x), absolute(normal.y), absolute(normal.z)};
-        const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3{1.0f, 0.0f, 0.0f}
-                          : size.y <= size.z                   ? Vec3{0.0f, 1.0f, 0.0f}
-                                                               : Vec3{0.0f, 0.0f, 1.0f};
+        const int k = shortest_axis(Vec3{absolute(normal.x), absolute(normal.y), absolute(normal.z)});
+        const Vec3 axis = {k == 0 ? 1.0f : 0.0f, k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f};
         const Vec3 u = direction_of(cross(normal, axis)), v = cross(normal, u);
         const Vec3 ways[most / 2] = {u, v, u + v, u - v};
         for (unsigned i = 0; i < most; ++i) {

@@ -8,7 +8,7 @@
 
 namespace espalier::detail::contacts {
 
-/// The corners of what two triangles have in common, and the shortest way apart, in steps of the grid.
+/// The corners of what two triangles have in common, and the shortest way out, in steps of the grid.
 struct TrianglesTouch {
     static constexpr unsigned most = 6;
 

@@ -76,10 +76,8 @@ Vec3 front_of(const LatticeTriangle& triangle) {
         most = length;
         longest = d;
     }
-    const Integer3 size = magnitude(longest);
-    const Integer3 axis = size.x <= size.y && size.x <= size.z ? Integer3{1, 0, 0}
-                          : size.y <= size.z                   ? Integer3{0, 1, 0}
-                                                               : Integer3{0, 0, 1};
+    Integer3 axis = {0, 0, 0};
+    axis[shortest_axis(magnitude(longest))] = 1;
     return direction_of(detail::cross(longest, axis));
 }
 

@@ -18,12 +18,6 @@ constexpr std::uint32_t auxiliary = 4 * max_hull_vertices;
 
 Int128 triple_product(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
 
-/// The axis along which a vector is longest.
-int longest_axis(const Integer3& a) {
-    const Integer3 size = magnitude(a);
-    if (size.x < size.y) return size.y < size.z ? 2 : 1;
-    return size.x < size.z ? 2 : 0;
-}
 Integer3 unit_axis(int k, bool is_down) {
     Integer3 unit = {0, 0, 0};
     unit[k] = is_down ? -1 : 1;

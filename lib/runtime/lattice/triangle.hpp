@@ -31,6 +31,17 @@ inline Integer3 larger(const Integer3& a, const Integer3& b) {
 }
 inline bool is_zero(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
 inline Integer3 magnitude(const Integer3& a) { return {magnitude(a.x), magnitude(a.y), magnitude(a.z)}; }
+/// Returns the number of the axis along which a vector is longest.
+inline int longest_axis(const Integer3& a) {
+    const Integer3 size = magnitude(a);
+    if (size.x < size.y) return size.y < size.z ? 2 : 1;
+    return size.x < size.z ? 2 : 0;
+}
+/// Returns the number of the axis of the least of three magnitudes; of equal ones the first.
+template <class Sizes>
+int shortest_axis(const Sizes& size) {
+    return size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+}
 ESPALIER_SHARED_CODE inline std::int64_t sum_of_magnitudes(const Integer3& a) {
     return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }

@@ -1,4 +1,4 @@
-// Claims about where two triangles touch: their common points by exact crossings and by clipping, the way apart by the
+// Claims about where two triangles touch: their common points by exact crossings and by clipping, the way out by the
 // reference in double.
 #include <doctest/doctest.h>
 
@@ -100,7 +100,7 @@ Points clipped(Points polygon, const Points& triangle) {
 }  // namespace
 
 TEST_SUITE("touch pair") {
-    TEST_CASE("pair: two triangles have the points and the way apart of the reference") {
+    TEST_CASE("pair: two triangles have the points and the way out of the reference") {
         Random random(21);
         const std::uint64_t count = scaled(10'000);
         std::uint64_t touching = 0, polygons = 0, segments = 0;
@@ -155,7 +155,7 @@ TEST_SUITE("touch pair") {
                 REQUIRE(touch.count <= 2);
             }
             for (const Point& p : expected) REQUIRE(reference::signed_separation({p}, found) <= error);
-            // The way apart.
+            // The way out.
             const double depth = static_cast<double>(touch.depth), slack = size * 0x1p-20;
             const double least = -reference::signed_separation(of_a, of_b);
             worst_depth = std::max(worst_depth, std::abs(depth - least) / size);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <runtime/contacts/touch.hpp>
@@ -62,6 +63,32 @@ inline void require_right(const Case& asked, const detail::contacts::Touches& to
     const double turned = asked.size * (asked.error / std::max(expected, 1.0) + 0x1p-10);
     REQUIRE(std::abs(gap - expected) <= (expected > 0.0 ? turned : asked.error));
 }
+
+/// What came of many bodies with volume beside a triangle.
+struct Tally {
+    double worst = 0.0;
+    std::uint64_t near = 0, deep = 0, several = 0;
+
+    /// Tests the places of a body, or that it is beyond the margin where there are none.
+    void take(const Case& asked, const detail::contacts::Touches& touches, float margin) {
+        if (touches.count == 0) {
+            const double separation = reference::signed_separation(asked.body, asked.triangle);
+            REQUIRE(separation >= static_cast<double>(margin) - asked.error);
+            return;
+        }
+        ++near;
+        require_right(asked, touches, worst);
+        if (touches.touch[0].distance < 0.0f) ++deep;
+        if (touches.count > 1) ++several;
+    }
+    void report(std::uint64_t count, const char* name) const {
+        CHECK(near > count / 4);
+        CHECK(deep > count / 20);
+        CHECK(several > count / 20);
+        MESSAGE(count, " ", name, ", ", near, " near, ", deep, " deep, ", several, " in several places; worst error ",
+                worst, " of the size");
+    }
+};
 
 /// A point near the triangle, or a corner of it, or on it.
 inline GridPoint point_near(Random& random, unsigned bits, const GridTriangle& t) {

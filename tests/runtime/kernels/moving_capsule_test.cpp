@@ -86,6 +86,8 @@ TEST_SUITE("moving capsule") {
             const Rational distance = oracle::squared_distance(axis, exact(c.triangle));
             const Rational from_point = oracle::squared_distance(axis, named);
             REQUIRE(oracle::squared_distance(axis, moving::corners_of(c.triangle, contact.feature)) == distance);
+            // Of a capsule whose axis is parallel to a face several parts are equally near.
+            if (is_zero(c.moving.axis)) REQUIRE(moving::is_smallest_part(axis, c.triangle, contact.feature));
             // The other end of the shortest connection: along the normal.
             const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
             // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.

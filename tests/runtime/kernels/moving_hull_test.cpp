@@ -254,6 +254,9 @@ TEST_SUITE("moving hull") {
                     if ((of_part >> other & 1u) != 0) part.triangle.corner[outside] = c.triangle.corner[other];
             }
             if (contact.feature != Feature::face) REQUIRE(exact_first_contact(part) == time);
+            // No smaller part has it: the weights of b and c are rounded from exact ones.
+            for (unsigned inside = 1; inside < 3; ++inside)
+                if ((of_part >> inside & 1u) != 0) REQUIRE(weights[inside] > 0.0f);
             const Point point = weighted(c.triangle, contact);
             for (unsigned axis = 0; axis < 8; ++axis) {
                 const Point along = axis == 0 ? normal : exact(Scene(random).some_point(4));

@@ -530,6 +530,11 @@ TEST_SUITE("sweep") {
             const Vec3 half[3] = {{0.1f, 0.1f, 0.0f}, {-0.1f, 0.1f, 0.0f}, {0.0f, 0.0f, 0.2f}};
             check(OrientedBox{{0.2f, 0.1f, 0.0f}, {half[0], half[1], half[2]}},
                   OrientedBox{above, {half[0], half[1], half[2]}});
+            const std::array<Vec3, 4> low = {
+                {{0.2f, 0.1f, 0.0f}, {0.4f, 0.1f, 0.1f}, {0.3f, 0.3f, -0.1f}, {0.3f, 0.2f, 0.2f}}};
+            std::array<Vec3, 4> high = low;
+            for (Vec3& vertex : high) vertex.z += 4.0f;
+            check(ConvexHull{low}, ConvexHull{high});
         });
     }
 
@@ -594,8 +599,13 @@ TEST_SUITE("sweep") {
             };
             check(Sphere{from, 0.5f});
             check(Box{from, {from.x + 0.5f, from.y + 0.25f, from.z + 0.75f}});
+            const Vec3 end = {from.x + way.y * 0.0625f, from.y - way.x * 0.0625f, from.z + 0.25f};
+            check(Capsule{from, end, 0.25f});
+            check(OrientedBox{from, {{0.25f, 0.125f, 0.0f}, {-0.125f, 0.25f, 0.0f}, {0.0f, 0.0f, 0.5f}}});
+            const std::array<Vec3, 4> vertices = {from, end, {from.x + 0.5f, from.y, from.z}, {from.x, end.y, end.z}};
+            check(ConvexHull{vertices});
         }
-        if (asks_enough()) CHECK(stopped > scaled(1'000));
+        if (asks_enough()) CHECK(stopped > scaled(2'500));
         const Vec3 zero = {0.0f, 0.0f, 0.0f};
         for (const float bad : {-1.0f, not_a_number, infinity})
             CHECK(sweep(opened.blob, Sphere{zero, 1.0f}, zero, SweepOptions{.skin = bad}).status ==
