@@ -1,10 +1,7 @@
 // espalier/c/bake.h: a bake from arrays of C to a result of C.
 #include <espalier/c/bake.h>
 
-#include <exception>
-#include <new>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -38,23 +35,6 @@ const espalier_bake_result* bake_from_c(const espalier_mesh_view* given, std::si
     return make_result(baked, options.with_remap != 0, meshes.conversion_error(), memory);
 }
 
-/// Returns the result for what is being thrown. May throw std::bad_alloc.
-const espalier_bake_result* result_of_exception(const ResultMemory& memory) {
-    try {
-        throw;
-    } catch (const StoppedByProgress&) {
-        return make_result(Failure{ESPALIER_BAKE_STOPPED, "the progress callback ended the bake"}, memory);
-    } catch (const std::bad_alloc&) {
-        return no_memory();
-    } catch (const std::length_error&) {
-        return no_memory();
-    } catch (const std::exception& error) {
-        return make_result(Failure{ESPALIER_BAKE_INTERNAL, error.what()}, memory);
-    } catch (...) {
-        return make_result(Failure{ESPALIER_BAKE_INTERNAL, "a callback threw an exception; it must not"}, memory);
-    }
-}
-
 }  // namespace
 
 void espalier_init_mesh_view(espalier_mesh_view* mesh, size_t size) { write_defaults(mesh, size, default_mesh_view()); }
@@ -66,18 +46,12 @@ void espalier_init_bake_options(espalier_bake_options* options, size_t size) {
 const espalier_bake_result* espalier_bake(const espalier_mesh_view* meshes, size_t mesh_count,
                                           const espalier_bake_options* options) {
     ResultMemory memory = default_memory;
-    try {
+    return without_exceptions(memory, [&] {
         espalier_bake_options read;
         const auto failure = read_options(options, read);
         memory = memory_of(read);
         return failure ? make_result(*failure, memory) : bake_from_c(meshes, mesh_count, read, memory);
-    } catch (...) {
-        try {
-            return result_of_exception(memory);
-        } catch (...) {  // of a message
-            return no_memory();
-        }
-    }
+    });
 }
 
 void espalier_release_bake_result(const espalier_bake_result* result) { release_result(result); }
@@ -102,6 +76,8 @@ const char* espalier_describe_bake_status(espalier_bake_status status) {
             return "there is not enough memory";
         case ESPALIER_BAKE_STOPPED:
             return "the progress callback ended the bake";
+        case ESPALIER_BAKE_NOT_SOUND:
+            return "the blob or scene is not what its header states";
         default:
             return "this is no status of a bake";
     }
@@ -117,5 +93,6 @@ size_t espalier_size_of_baking(const char* name) {
     if (structure == "bake_finding") return sizeof(espalier_bake_finding);
     if (structure == "bake_warning") return sizeof(espalier_bake_warning);
     if (structure == "source_place") return sizeof(espalier_source_place);
+    if (structure == "bytes") return sizeof(espalier_bytes);
     return 0;
 }

@@ -1,12 +1,15 @@
+#include <baker/c/options.hpp>
 #include <baker/c/result.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <new>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -154,6 +157,15 @@ void write_piece(const BakeResult& baked, bool with_remap, double conversion_err
     piece.result.status = static_cast<espalier_bake_status>(baked.status);
 }
 
+void write_piece(const SceneBakeResult& baked, Cutter& cutter, Piece& piece) {
+    piece.report = empty_report();
+    piece.result.bytes = cutter.copy(std::span<const std::byte>(baked.bytes), blob_alignment);
+    piece.result.byte_count = baked.bytes.size();
+    piece.result.message = cutter.text(baked.message);
+    piece.result.place = in_c(std::nullopt);
+    piece.result.status = static_cast<espalier_bake_status>(baked.status);
+}
+
 void write_piece(const Failure& failure, Cutter& cutter, Piece& piece) {
     piece.report = empty_report();
     piece.result.message = cutter.text(failure.message);
@@ -206,8 +218,28 @@ const espalier_bake_result* make_result(const BakeResult& baked, bool with_remap
         memory, [&](Cutter& cutter, Piece& piece) { write_piece(baked, with_remap, conversion_error, cutter, piece); });
 }
 
+const espalier_bake_result* make_result(const SceneBakeResult& baked, const ResultMemory& memory) noexcept {
+    return allocate_piece(memory, [&](Cutter& cutter, Piece& piece) { write_piece(baked, cutter, piece); });
+}
+
 const espalier_bake_result* make_result(const Failure& failure, const ResultMemory& memory) noexcept {
     return allocate_piece(memory, [&](Cutter& cutter, Piece& piece) { write_piece(failure, cutter, piece); });
+}
+
+const espalier_bake_result* result_of_exception(const ResultMemory& memory) {
+    try {
+        throw;
+    } catch (const StoppedByProgress&) {
+        return make_result(Failure{ESPALIER_BAKE_STOPPED, "the progress callback ended the bake"}, memory);
+    } catch (const std::bad_alloc&) {
+        return no_memory();
+    } catch (const std::length_error&) {
+        return no_memory();
+    } catch (const std::exception& error) {
+        return make_result(Failure{ESPALIER_BAKE_INTERNAL, error.what()}, memory);
+    } catch (...) {
+        return make_result(Failure{ESPALIER_BAKE_INTERNAL, "a callback threw an exception; it must not"}, memory);
+    }
 }
 
 void release_result(const espalier_bake_result* result) noexcept {

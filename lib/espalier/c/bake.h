@@ -23,6 +23,7 @@
 
 #include <espalier/c/attributes.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/scene.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/types.h>
 #include <espalier/c/visitor.h>
@@ -108,8 +109,8 @@ typedef struct espalier_bake_options {
     uint8_t k_dop;
     uint8_t deformable;      /* a flag: bakes a blob whose vertices can move */
     uint8_t has_range;       /* a flag: `range` counts */
-    espalier_box range;      /* of a deformable blob: the box in which all positions of all poses lie */
-    const void* poses;       /* of a deformable blob: poses that its tree suits, each after the other, packed float32 */
+    espalier_box range;      /* of a deformable blob: the box in which all positions of all poses lie, less `origin` */
+    const void* poses;       /* of a deformable blob: poses that its tree suits, packed float32, less `origin` */
     size_t pose_count;       /* a pose has the positions of all meshes in a row */
     double flat_angle;       /* degrees, 0 to less than 90: stores how the surface bends at edges. Negative: does not */
     double origin[3];        /* is subtracted from each position, in double, before it is rounded to float32 */
@@ -140,7 +141,8 @@ enum {
     ESPALIER_BAKE_INTERNAL = 5,
     ESPALIER_BAKE_INVALID_ARGUMENT = 16, /* what C++ types exclude: null, a stride, the size of a structure */
     ESPALIER_BAKE_NO_MEMORY = 17,        /* memory is too small for the bake, or the callback returned null */
-    ESPALIER_BAKE_STOPPED = 18           /* the progress callback ended it */
+    ESPALIER_BAKE_STOPPED = 18,          /* the progress callback ended it */
+    ESPALIER_BAKE_NOT_SOUND = 19         /* of espalier_verify and espalier_verify_scene */
 };
 
 /* A mesh of the input, or a triangle of it; ESPALIER_NO_TRIANGLE if it is about the mesh. Counts only if `is_known`. */
@@ -211,6 +213,25 @@ const espalier_bake_result* espalier_bake(const espalier_mesh_view* meshes, size
                                           const espalier_bake_options* options);
 /* Releases a result and all that it points to. Null does nothing. */
 void espalier_release_bake_result(const espalier_bake_result* result);
+
+/* ---- scenes, and the deep check */
+
+/* The bytes of a blob or a scene, at any alignment. */
+typedef struct espalier_bytes {
+    const void* bytes;
+    size_t byte_count;
+} espalier_bytes;
+
+/* Joins blobs and instances in one scene, as bake_scene() of bake.hpp: `mesh` of an instance is an index into `blobs`,
+ * and scenes among the blobs become tiles. The result has the bytes of the scene; its report is all zero. */
+const espalier_bake_result* espalier_bake_scene(const espalier_bytes* blobs, size_t blob_count,
+                                                const espalier_instance* instances, size_t instance_count);
+
+/* Tests whether a blob or a scene is what its header states, as verify() and verify_scene() of bake.hpp. The status is
+ * ok or ESPALIER_BAKE_NOT_SOUND with the first thing that is wrong; the result has no bytes. Memory: about 60 bytes per
+ * triangle. */
+const espalier_bake_result* espalier_verify(const void* bytes, size_t byte_count);
+const espalier_bake_result* espalier_verify_scene(const void* bytes, size_t byte_count);
 
 /* Returns one English sentence without a full stop: static, never null, also for values that are not listed. */
 const char* espalier_describe_bake_status(espalier_bake_status status);
