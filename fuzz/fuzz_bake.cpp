@@ -10,37 +10,25 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
+#include "input.hpp"
 #include "judge.hpp"
 #include "support/meshes/mesh.hpp"
 #include "target.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
+using fuzz::Input;
 
 namespace {
 
-/// Takes numbers off the front of the input; zeros when it is used up.
-class Input {
-public:
-    explicit Input(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
-    [[nodiscard]] bool empty() const { return rest_.empty(); }
-    std::uint8_t byte() {
-        if (rest_.empty()) return 0;
-        const std::uint8_t value = rest_.front();
-        rest_ = rest_.subspan(1);
-        return value;
-    }
-    float any_float() {
-        std::uint32_t bits = 0;
-        for (int i = 0; i < 4; ++i) bits = bits << 8 | byte();
-        float value = 0.0f;
-        std::memcpy(&value, &bits, sizeof value);
-        return value;
-    }
-
-private:
-    std::span<const std::uint8_t> rest_;
-};
+/// Takes a number of any bits; its bytes lie in the order of the corpus, the highest first.
+float any_float(Input& input) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 4; ++i) bits = bits << 8 | input.byte();
+    float value = 0.0f;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
 
 struct Question {
     Mesh mesh;
@@ -85,7 +73,7 @@ Question read_question(Input& input) {
         options.flat_angle = 5.0;
         options.bounds = {true, true, true};
     }
-    if ((flags & 64) != 0) options.resolution = Resolution::tolerance(static_cast<double>(input.any_float()));
+    if ((flags & 64) != 0) options.resolution = Resolution::tolerance(static_cast<double>(any_float(input)));
 
     Mesh& mesh = question.mesh;
     mesh.name = "fuzzed";
@@ -93,7 +81,7 @@ Question read_question(Input& input) {
     for (unsigned i = 0; i < vertices; ++i) {
         // Small integers make the degenerate, coplanar and duplicate cases that random floats never make.
         const auto coordinate = [&] {
-            return raw_floats ? input.any_float() : static_cast<float>(static_cast<std::int8_t>(input.byte()));
+            return raw_floats ? any_float(input) : static_cast<float>(static_cast<std::int8_t>(input.byte()));
         };
         const float x = coordinate();
         const float y = coordinate();

@@ -13,32 +13,17 @@
 #include <espalier/c/bake.h>
 #include <espalier/espalier.h>
 
+#include "input.hpp"
 #include "judge.hpp"
+#include "support/blobs/c_bake_options.hpp"
 #include "support/machine/exact_buffer.hpp"
 #include "target.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
+using fuzz::Input;
 
 namespace {
-
-/// Takes values off the front of the input; zeros when it is used up.
-class Input {
-public:
-    explicit Input(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
-    template <class Value>
-    Value take() {
-        Value value = {};
-        const std::size_t size = rest_.size() < sizeof value ? rest_.size() : sizeof value;
-        if (size != 0) std::memcpy(&value, rest_.data(), size);
-        rest_ = rest_.subspan(size);
-        return value;
-    }
-    std::size_t below(std::size_t limit) { return take<std::uint8_t>() % limit; }
-
-private:
-    std::span<const std::uint8_t> rest_;
-};
 
 /// Counts the blocks of a result, and has none after some.
 struct Allocator {
@@ -111,26 +96,8 @@ espalier_bake_options read_options(Input& input) {
     const auto spoil = [&](auto& field) {
         if ((choices >> bit++ & 1u) != 0) field = input.take<std::remove_reference_t<decltype(field)>>();
     };
-    spoil(options.resolution);
-    spoil(options.resolution_kind);
-    spoil(options.profile);
-    spoil(options.effort);
-    spoil(options.builder);
-    spoil(options.original_ids);
-    spoil(options.drop_bad_triangles);
-    spoil(options.with_remap);
-    spoil(options.oriented_box);
-    spoil(options.sphere);
-    spoil(options.k_dop);
-    spoil(options.deformable);
-    spoil(options.has_range);
-    spoil(options.range);
-    spoil(options.flat_angle);
-    spoil(options.origin[0]);
-    spoil(options.origin[2]);
-    spoil(options.duplicate_budget);
-    spoil(options.byte_price);
-    spoil(options.max_leaf_triangles);
+    for_each_choice(options, spoil);
+    for_each_number(options, spoil);
     if ((choices >> 30 & 1u) != 0) options.size = input.take<std::uint16_t>();
     options.threads = 1;
     return options;
@@ -173,7 +140,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (hostile == 4) view.triangle_count = ~std::size_t{0} / 2;
     if (hostile == 5) view.size = input.take<std::uint16_t>();
 
-    const espalier_bake_result* const baked = espalier_bake(&view, 1, &options);
+    const espalier_mesh_view meshes[2] = {view, view};
+    const std::size_t mesh_count = 1 + input.below(2);
+    std::vector<float> poses(input.below(3) * mesh_count * 3 * positions.count());
+    for (float& coordinate : poses) coordinate = static_cast<float>(input.take<std::int8_t>());
+    if (positions.count() != 0) options.pose_count = poses.size() / (mesh_count * 3 * positions.count());
+    if (!poses.empty()) options.poses = poses.data();
+    if (hostile == 6) options.allocate = nullptr, options.release = nullptr;
+    if (hostile == 7) options.poses = nullptr;
+
+    const espalier_bake_result* const baked = espalier_bake(meshes, mesh_count, hostile == 8 ? nullptr : &options);
     const auto fail_if = [](bool condition, const char* what) {
         if (condition) fuzz::fail("the baker for C", what);
     };

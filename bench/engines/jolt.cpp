@@ -1,22 +1,17 @@
 // The drop in Jolt, on one thread.
 #include <Jolt/Jolt.h>
-#include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/TempAllocator.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
 #include <Jolt/Physics/Collision/Shape/CapsuleShape.h>
-#include <Jolt/Physics/Collision/Shape/MeshShape.h>
 #include <Jolt/Physics/Collision/Shape/SphereShape.h>
 #include <Jolt/Physics/PhysicsSystem.h>
-#include <Jolt/RegisterTypes.h>
 
 #include <chrono>
 
-#include <engines/jolt_shape.hpp>
-
 #include "drop.hpp"
-#include "support/meshes/mesh.hpp"
+#include "jolt_start.hpp"
 
 namespace espalier::bench {
 
@@ -45,26 +40,6 @@ struct PairFilter final : JPH::ObjectLayerPairFilter {
     bool ShouldCollide(JPH::ObjectLayer a, JPH::ObjectLayer b) const override { return a == movable || b == movable; }
 };
 
-void start_jolt() {
-    static const bool started = [] {
-        JPH::RegisterDefaultAllocator();
-        JPH::Factory::sInstance = new JPH::Factory();
-        JPH::RegisterTypes();
-        EspalierShape::register_type();
-        return true;
-    }();
-    (void)started;
-}
-
-JPH::Ref<JPH::Shape> own_shape(const tests::Mesh& mesh) {
-    JPH::VertexList vertices;
-    JPH::IndexedTriangleList triangles;
-    for (const Vec3& p : mesh.positions) vertices.push_back({p.x, p.y, p.z});
-    for (const auto& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2], 0});
-    const JPH::MeshShapeSettings settings(std::move(vertices), std::move(triangles));
-    return settings.Create().Get();
-}
-
 JPH::Ref<JPH::Shape> shape_of(const Body& body) {
     switch (body.kind) {
         case Body::Kind::sphere:
@@ -82,7 +57,7 @@ JPH::Ref<JPH::Shape> shape_of(const Body& body) {
 Drop drop_in_jolt(const tests::Mesh& mesh, const Blob& blob) {
     start_jolt();
     Drop result;
-    const JPH::Ref<JPH::Shape> level = blob ? new EspalierShape(blob) : own_shape(mesh);
+    const JPH::Ref<JPH::Shape> level = blob ? new EspalierShape(blob) : jolt_mesh(mesh);
     result.bytes = level->GetStats().mSizeBytes;
 
     JPH::TempAllocatorImpl memory(32 << 20);

@@ -3,25 +3,22 @@
 #include <doctest/doctest.h>
 
 #include <Jolt/Jolt.h>
-#include <Jolt/Core/Factory.h>
 #include <Jolt/Physics/Collision/CastResult.h>
 #include <Jolt/Physics/Collision/CollidePointResult.h>
 #include <Jolt/Physics/Collision/CollisionCollectorImpl.h>
 #include <Jolt/Physics/Collision/CollisionDispatch.h>
 #include <Jolt/Physics/Collision/RayCast.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
-#include <Jolt/Physics/Collision/Shape/MeshShape.h>
 #include <Jolt/Physics/Collision/Shape/SphereShape.h>
 #include <Jolt/Physics/Collision/ShapeCast.h>
-#include <Jolt/RegisterTypes.h>
 
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-#include <engines/jolt_shape.hpp>
 #include <espalier/bake.hpp>
 
+#include "jolt_start.hpp"
 #include "support/base/random.hpp"
 #include "support/meshes/level_maker.hpp"
 #include "support/meshes/makers.hpp"
@@ -37,14 +34,7 @@ struct Pair {
     Box bounds;
 
     explicit Pair(const tests::Mesh& mesh) {
-        static const bool started = [] {
-            JPH::RegisterDefaultAllocator();
-            JPH::Factory::sInstance = new JPH::Factory();
-            JPH::RegisterTypes();
-            EspalierShape::register_type();
-            return true;
-        }();
-        (void)started;
+        bench::start_jolt();
         BakeOptions options;
         options.flat_angle = 5.0;
         options.resolution = Resolution::bits(20);
@@ -54,11 +44,7 @@ struct Pair {
         REQUIRE(blob);
         bounds = blob.bounds();
         ours = new EspalierShape(blob);
-        JPH::VertexList vertices;
-        JPH::IndexedTriangleList triangles;
-        for (const Vec3& p : mesh.positions) vertices.push_back({p.x, p.y, p.z});
-        for (const auto& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2], 0});
-        own = JPH::MeshShapeSettings(std::move(vertices), std::move(triangles)).Create().Get();
+        own = bench::jolt_mesh(mesh);
     }
     [[nodiscard]] JPH::Vec3 somewhere(tests::Random& random) const {
         const auto between = [&](float a, float b) { return a + random.unit() * (b - a); };

@@ -16,6 +16,7 @@
 #include "support/base/hostile_values.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
+#include "support/blobs/c_bake_options.hpp"
 #include "support/meshes/makers.hpp"
 
 using namespace espalier;
@@ -202,26 +203,8 @@ TEST_SUITE("refusals") {
             };
             spoil(view.coordinate_type);
             spoil(view.index_type);
-            spoil(options.resolution_kind);
-            spoil(options.profile);
-            spoil(options.effort);
-            spoil(options.builder);
-            spoil(options.original_ids);
-            spoil(options.drop_bad_triangles);
-            spoil(options.with_remap);
-            spoil(options.oriented_box);
-            spoil(options.sphere);
-            spoil(options.k_dop);
-            spoil(options.deformable);
-            spoil(options.has_range);
-            spoil(options.range);
-            spoil(options.max_leaf_triangles);
-            spoil_number(options.resolution);
-            spoil_number(options.flat_angle);
-            spoil_number(options.origin[0]);
-            spoil_number(options.origin[2]);
-            spoil_number(options.duplicate_budget);
-            spoil_number(options.byte_price);
+            for_each_choice(options, spoil);
+            for_each_number(options, spoil_number);
             const BakedFromC result = bake_from_c(view, options);
             REQUIRE(result != nullptr);
             REQUIRE(result->status != ESPALIER_BAKE_INTERNAL);
@@ -266,6 +249,7 @@ TEST_SUITE("refusals") {
         CHECK(espalier_size_of_baking("bake_finding") == sizeof(espalier_bake_finding));
         CHECK(espalier_size_of_baking("bake_warning") == sizeof(espalier_bake_warning));
         CHECK(espalier_size_of_baking("source_place") == sizeof(espalier_source_place));
+        CHECK(espalier_size_of_baking("bytes") == sizeof(espalier_bytes));
         for (const char* const other : {"", "bake", "blob", "bake_options "})
             CHECK(espalier_size_of_baking(other) == 0);
         CHECK(espalier_size_of_baking(nullptr) == 0);
@@ -273,7 +257,7 @@ TEST_SUITE("refusals") {
         for (unsigned status = 0; status < 256; ++status) {
             const std::string sentence = espalier_describe_bake_status(static_cast<espalier_bake_status>(status));
             const bool is_known = status <= ESPALIER_BAKE_INTERNAL ||
-                                  (status >= ESPALIER_BAKE_INVALID_ARGUMENT && status <= ESPALIER_BAKE_STOPPED);
+                                  (status >= ESPALIER_BAKE_INVALID_ARGUMENT && status <= ESPALIER_BAKE_NOT_SOUND);
             CHECK((sentence != unknown) == is_known);
         }
     }
