@@ -73,6 +73,7 @@ void ask_points(struct asking* asking) {
     tell(asking, inside.status);
     tell(asking, espalier_yes(inside));
     tell(asking, espalier_no(inside));
+    tell_result(asking, espalier_winding_number(blob, point, question->bits % 9u));
     tell_closest_point(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3]));
     ask_contacts(asking);
     ask_rounding(asking);

@@ -124,6 +124,7 @@ const char* const table = R"(
     closest_point(Blob, Vec3, float)                              espalier_closest_point
     closest_triangles(Blob, Vec3, span<ClosestPoint>, float)      espalier_closest_triangles
     contains(Blob, Vec3)                                          espalier_contains
+    winding_number(Blob, Vec3, unsigned)                          espalier_winding_number
     signed_distance(Blob, Vec3, float)                            espalier_signed_distance
 
     Shape: Segment Box

@@ -52,6 +52,9 @@ void Expecting::points() {
     tell(inside.status());
     tell(inside.yes());
     tell(inside.no());
+    const Result<float> winding = winding_number(blob_, point(0), asked_.bits % 9u);
+    tell(winding.value);
+    tell(winding.status);
     tell(signed_distance(blob_, point(1), length(3)));
     const auto contacts = [&](const auto& shape) {
         std::array<Contact, 9> found;

@@ -343,6 +343,9 @@ TEST_SUITE("stack") {
                 {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      inside = contains(blob, sphere.center).yes();
                  })},
+                {"winding_number", 3072, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                     (void)winding_number(blob, sphere.center, 8).status;
+                 })},
                 {"signed_distance", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      nearest = signed_distance(blob, sphere.center, sphere.radius);
                  })},

@@ -46,6 +46,10 @@ espalier_yes_no espalier_contains(const espalier_blob* blob, espalier_vec3 point
 espalier_closest_point_result espalier_signed_distance(const espalier_blob* blob, espalier_vec3 point,
                                                        float max_distance);
 
+/* Returns approximately how often the surface, open or closed, winds around the point: above 0.5 is inside.
+ * `directions` is 2 to 4096; 64 is usual. */
+espalier_float_result espalier_winding_number(const espalier_blob* blob, espalier_vec3 point, uint32_t directions);
+
 #ifdef __cplusplus
 }
 #endif

@@ -18,12 +18,6 @@
 extern "C" {
 #endif
 
-/* The value counts only if the status is ESPALIER_QUERY_OK. */
-typedef struct ESPALIER_SHARED_ espalier_float_result {
-    float value;
-    espalier_query_status status;
-} espalier_float_result;
-
 /* Returns how far rounding moves the query at most, in the blob's units. */
 espalier_float_result espalier_rounding_error_point(const espalier_blob* blob, espalier_vec3 point);
 espalier_float_result espalier_rounding_error_ray(const espalier_blob* blob, const espalier_ray* ray);

@@ -86,6 +86,12 @@ typedef struct ESPALIER_SHARED_ espalier_filled {
     espalier_query_status status;
 } espalier_filled;
 
+/* The value counts only if the status is ESPALIER_QUERY_OK. */
+typedef struct ESPALIER_SHARED_ espalier_float_result {
+    float value;
+    espalier_query_status status;
+} espalier_float_result;
+
 /* Returns one English sentence without a full stop: static, never null, also for values that are not listed. */
 const char* espalier_describe_open_status(espalier_open_status status);
 const char* espalier_describe_query_status(espalier_query_status status);

@@ -28,6 +28,10 @@ espalier_yes_no espalier_contains(const espalier_blob* blob, espalier_vec3 point
     return c(contains(cpp(blob), cpp(point)));
 }
 
+espalier_float_result espalier_winding_number(const espalier_blob* blob, espalier_vec3 point, uint32_t directions) {
+    return c(espalier::winding_number(cpp(blob), cpp(point), directions));
+}
+
 espalier_closest_point_result espalier_signed_distance(const espalier_blob* blob, espalier_vec3 point,
                                                        float max_distance) {
     return c(signed_distance(cpp(blob), cpp(point), max_distance));

@@ -104,6 +104,9 @@ void exercise_distances(Exercise& run) {
     }
     const YesNo inside = contains(blob.for_lists(), point);
     run.hash.add(static_cast<std::uint32_t>(inside.status()));
+    const Result<float> winding = winding_number(blob.for_lists(1), point, 2);
+    run.hash.add(static_cast<std::uint32_t>(winding.status));
+    run.hash.add(winding.value);
     const ClosestPoint with_sign = signed_distance(blob.for_lists(1), point, max_distance);
     run.hash.add(static_cast<std::uint32_t>(with_sign.status));
     if (is_refused(with_sign.status)) return;

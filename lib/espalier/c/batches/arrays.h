@@ -5,8 +5,9 @@
  * rays. Those that end in _batch take arrays of structures. Both write the results of one call for each query, bit for
  * bit, and all arrays of results have `count` elements, unless stated otherwise.
  *
- * A batch refuses, and then writes nothing: a blob that is not open; null for arrays that it needs, if `count` is not
- * 0, with ESPALIER_QUERY_INVALID_ARGUMENT. The statuses of single queries are in their results. */
+ * A batch refuses, and then writes nothing: null for arrays that it needs, if `count` is not 0, with
+ * ESPALIER_QUERY_INVALID_ARGUMENT; then a blob that is not open. The statuses of single queries are in their
+ * results. */
 #ifndef ESPALIER_C_BATCHES_ARRAYS_H
 #define ESPALIER_C_BATCHES_ARRAYS_H
 
@@ -39,7 +40,8 @@ typedef struct ESPALIER_SHARED_ espalier_strided_triangle_id {
 } espalier_strided_triangle_id;
 
 /* The result of a batch that fills lists. All lists lie in one array, one after the other: that of query i begins at
- * offsets[i] and ends at offsets[i + 1]. `offsets` has count + 1 elements. Only whole lists are written.
+ * offsets[i] and ends at offsets[i + 1]. `offsets` has count + 1 elements and is never null; the array of elements may
+ * be null if `capacity` is 0. Only whole lists are written.
  *
  * After ESPALIER_QUERY_OUTPUT_FULL, call again with the queries from `lists` on, and an array with at least `needed`
  * elements. */
