@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import sysconfig
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -24,7 +25,7 @@ class CMakeBuild(build_ext):
             ["cmake", "-S", str(PROJECT), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
              "-DESPALIER_PYTHON=ON", f"-DESPALIER_PYTHON_INTERPRETER={sys.executable}", *off], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--target", "espalier_python"], check=True)
-        built = next((folder / "lib" / "python" / "package" / "espalier").glob("_core.*.so"))
+        built = folder / "lib" / "python" / "package" / "espalier" / ("_core" + sysconfig.get_config_var("EXT_SUFFIX"))
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built), str(target))

@@ -19,6 +19,10 @@ class PairContact(ctypes.Structure):
     _fields_ = [("a", ctypes.c_uint32), ("b", ctypes.c_uint32), ("status", ctypes.c_uint8)]
 
 
+class FloatResult(ctypes.Structure):
+    _fields_ = [("value", ctypes.c_float), ("status", ctypes.c_uint8)]
+
+
 def record(dtype):
     """Returns a structure of more than 16 bytes, which C returns by its address."""
     return type("Record", (ctypes.Structure,), {"_fields_": [("bytes", ctypes.c_uint32 * (dtype.itemsize // 4))]})
@@ -53,6 +57,8 @@ class Library:
             function.restype = YesNo
         elif dtype == espalier.PAIR_CONTACT:
             function.restype = PairContact
+        elif dtype == espalier.WINDING:
+            function.restype = FloatResult
         else:
             function.restype = record(dtype)
         results = np.zeros(count, dtype)

@@ -59,6 +59,15 @@ def test_wrong_arguments_raise(blob, points):
         blob.overlaps(espalier.ConvexHull(points[:4]))
     with pytest.raises(TypeError, match="integers"):
         blob.corners([0.5])
+    with pytest.raises(ValueError, match="rotation"):
+        espalier.transform((5, 6, 7), (0, 0, 0, 1))
+    with pytest.raises(ValueError, match="no transform"):
+        espalier.transform_from_matrix(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]))
+    with pytest.raises(ValueError, match="places"):
+        espalier.bake_scene([blob], np.zeros((4, 16)))
+    for refused in (espalier.ConvexHull, espalier.Segment):
+        with pytest.raises(TypeError, match="takes no"):
+            blob.overlaps(refused(*([points[:4]] * len(refused._fields))))
 
 
 def test_statuses_of_single_queries(blob, open_mesh_blob):
@@ -103,6 +112,10 @@ def test_lists_of_any_length(blob, points):
         blob.contacts(espalier.Sphere([4, 0, 0], 1), most=2**62)
     with pytest.raises((TypeError, ValueError)):
         blob.closest_triangles(points, -1)
+    # 2^62 rays: their bytes do not fit an integer of 64 bits.
+    origins, far = np.zeros((2, 1, 1, 3), np.float32), np.broadcast_to(np.float32(1), (1, 1, 2**31))
+    with pytest.raises(MemoryError):
+        blob.raycast(origins, np.broadcast_to(np.float32([0, 0, 1]), (1, 2**30, 1, 3)), t_max=far)
 
 
 def test_triangles(blob, mesh):

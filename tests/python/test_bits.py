@@ -10,6 +10,7 @@ from c_library import floats, placed, ray, vector
 from conftest import same
 
 FLOAT = ctypes.c_float
+CURSOR = ctypes.c_uint32 * 3
 
 
 @pytest.fixture
@@ -56,6 +57,15 @@ def test_points(library, blob, opened, points, threads):
     assert inside.yes.sum() > 50 and inside.no.sum() > 50
     same(inside.status, library.each("espalier_contains", np.dtype(np.uint8), opened, len(points),
                                      lambda i: (vector(points[i]),)))
+
+
+def test_winding_numbers(library, open_mesh_blob, points):
+    for directions in (7, 64):
+        same(open_mesh_blob.winding_number(points, directions, threads=2),
+             library.each("espalier_winding_number", espalier.WINDING, library.open(open_mesh_blob), len(points),
+                          lambda i: (vector(points[i]), ctypes.c_uint32(directions))))
+    inside = open_mesh_blob.winding_number([[3, 0, 0], [0, 0, 0]], 1024)["value"]
+    assert inside[0] > 0.9 and abs(inside[1]) < 0.1
 
 
 def test_closest_to_segments_and_boxes(library, blob, opened, points):
@@ -119,6 +129,31 @@ def test_sweeps(library, blob, opened, points, directions, random, kind):
                       lambda i: (floats(*(field[i] for field in shape)), vector(directions[i]))))
 
 
+def test_sweeps_with_options(blob, points, directions, random):
+    shape = volumes(points, random)["sphere"]
+    plain = blob.sweep(shape, directions)
+    found = (plain["status"] == 0) & ~plain["starts_overlapping"]
+    back = blob.sweep(shape, directions, culling="back")
+    leads_along = np.einsum("ij,ij->i", back["face_normal"], directions) > 0
+    assert not leads_along[back["status"] == 0].any() and (back["triangle"] != plain["triangle"]).any()
+    with_skin = blob.sweep(shape, directions, skin=0.01)
+    assert (with_skin["t"][found] <= plain["t"][found]).all() and (with_skin["t"] < plain["t"]).any()
+    same(with_skin[["point", "feature", "triangle"]], plain[["point", "feature", "triangle"]])
+    leaving = blob.sweep(shape, directions, ignore_leaving=True)
+    assert leaving["starts_overlapping"].sum() < plain["starts_overlapping"].sum()
+    assert set(np.unique(plain["feature"])) > {espalier.Feature.FACE}
+    assert (blob.sweep(shape, directions, skin=-1.0)["status"] >= 16).all()
+
+
+def test_contacts_of_hulls(blob):
+    corners = np.array([[x, y, z] for x in (-0.2, 0.2) for y in (-0.2, 0.2) for z in (-0.2, 0.2)], np.float32)
+    center = np.array([[3, 0, 1], [4, 0, 0], [9, 9, 9]], np.float32)
+    hull = blob.contacts(espalier.ConvexHull(center[:, None] + corners), 0.1, most=64)
+    box = blob.contacts(espalier.OrientedBox(center, np.eye(3) * 0.2), 0.1, most=64)
+    assert hull.counts().tolist() == box.counts().tolist() and hull.counts()[0] > 0 and hull.counts()[2] == 0
+    np.testing.assert_allclose(np.sort(hull.items["distance"]), np.sort(box.items["distance"]), atol=1e-4)
+
+
 def test_hulls(blob, points, directions):
     corners = np.array([[x, y, z] for x in (-0.2, 0.2) for y in (-0.2, 0.2) for z in (-0.2, 0.2)], np.float32)
     hull = blob.sweep(espalier.ConvexHull(points[20:90, None] + corners), directions[20:90])
@@ -126,13 +161,16 @@ def test_hulls(blob, points, directions):
     assert np.allclose(hull["t"], box["t"], atol=1e-4) and (hull["status"] == 0).any()
 
 
+FILLED = type("Filled", (ctypes.Structure,), {
+    "_fields_": [("count", ctypes.c_size_t), ("cursor", ctypes.c_uint32 * 3), ("status", ctypes.c_uint8)]})
+
+
 @pytest.mark.parametrize("kind", ["sphere", "capsule", "oriented_box"])
 def test_contacts(library, blob, opened, points, random, kind):
     shape = volumes(points, random)[kind]
     lists = blob.contacts(shape, 0.1, most=6)
     function = getattr(library.c, f"espalier_find_contacts_{kind}")
-    function.restype = type("Filled", (ctypes.Structure,), {
-        "_fields_": [("count", ctypes.c_size_t), ("cursor", ctypes.c_uint32 * 3), ("status", ctypes.c_uint8)]})
+    function.restype = FILLED
     found = np.zeros(6, espalier.CONTACT)
     for i in range(len(points)):
         filled = function(ctypes.c_void_p(opened.address), floats(*(field[i] for field in shape)), FLOAT(0.1),
@@ -157,3 +195,15 @@ def test_pairs(library, blob, opened, random):
     lists = pairs.contacts(blob, blob, places, others, work_limit=100_000, threads=2)
     np.testing.assert_array_equal((lists.counts() > 0)[touch.yes], True)
     assert touch.yes.any() and touch.no.any()
+    within = pairs.within_distance(blob, blob, 1.5, places, others, work_limit=100_000)
+    same(within.status, library.each("espalier_within_distance", np.dtype(np.uint8), None, 60,
+                                     lambda i: two(i) + (FLOAT(1.5),) + limit))
+    assert within.yes.any() and within.no.any()
+    collect = library.c.espalier_collect_contacts
+    collect.restype = FILLED
+    for i in range(60):
+        found = np.zeros(max(lists.counts()[i], 1) + 1, espalier.PAIR_CONTACT)
+        filled = collect(*two(i), found.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(found)), *limit, CURSOR())
+        assert filled.count == lists.counts()[i]
+        ours = lists.items[lists.offsets[i] : lists.offsets[i + 1]]
+        np.testing.assert_array_equal(np.sort(ours[["a", "b"]]), np.sort(found[: filled.count][["a", "b"]]))

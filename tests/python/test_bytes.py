@@ -69,6 +69,7 @@ def test_damaged_bytes_raise(blob, tmp_path):
         with pytest.raises(espalier.OpenError) as error:
             espalier.open_blob(bytes(damaged))
         assert str(error.value) and error.value.status > 0
+        assert pickle.loads(pickle.dumps(error.value)).status == error.value.status
     (tmp_path / "empty").write_bytes(b"")
     with pytest.raises(espalier.OpenError):
         espalier.open_blob(tmp_path / "empty")
@@ -98,8 +99,12 @@ def test_origin_keeps_far_meshes_exact(mesh):
     positions = mesh[0].astype(np.float64) + offset
     blob = espalier.bake(positions, mesh[1], origin=offset)
     assert blob.report["conversion_error"] < 1e-6 and np.abs(blob.bounds).max() < 5
-    with pytest.warns(espalier.BakeWarning):
+    with pytest.warns(espalier.BakeWarning) as warned:
         assert espalier.bake(positions, mesh[1]).report["conversion_error"] > 0.01
+    assert warned[0].filename == __file__
+    # float64 by another dtype object or another order of bytes is float64.
+    for given in (pickle.loads(pickle.dumps(positions)), positions.astype(">f8")):
+        assert bytes(espalier.bake(given, mesh[1], origin=offset)) == bytes(blob)
 
 
 def test_refused_bakes_raise_with_the_place(mesh):
@@ -109,11 +114,15 @@ def test_refused_bakes_raise_with_the_place(mesh):
     with pytest.raises(espalier.BakeError, match="17") as error:
         espalier.bake(positions, wrong)
     assert error.value.place == (0, 0, 17)
+    again = pickle.loads(pickle.dumps(error.value))
+    assert str(again) == str(error.value) and (again.status, again.place) == (error.value.status, (0, 0, 17))
     assert espalier.bake(positions, wrong, drop_bad_triangles=True).report["index_out_of_range"]["count"] == 1
-    for options in ({"bits": 25}, {"profile": "large"}, {"bits": 8, "tolerance": 0.1}, {"effort": "none"}):
+    for options in ({"bits": 25}, {"profile": "large"}, {"bits": 8, "tolerance": 0.1}, {"effort": "none"},
+                    {"flat_angle": -5.0}, {"flat_angle": float("nan")}):
         with pytest.raises(ValueError):
             espalier.bake(positions, triangles, **options)
-    for arguments in ((positions, triangles, [1, 2]), (positions[:, :2], triangles), (positions, positions)):
+    many, fractions = np.full(len(triangles), 2**32 + 5), np.full(len(triangles), 1.5)
+    for arguments in ((positions, triangles, [1, 2]), (positions, triangles, many), (positions, triangles, fractions), (positions[:, :2], triangles), (positions, positions)):
         with pytest.raises((ValueError, TypeError)):
             espalier.bake(*arguments)
 
@@ -144,8 +153,14 @@ def test_mesh_files(mesh, tmp_path):
     (tmp_path / "a.stl").write_bytes(bytes(80) + len(triangles).to_bytes(4, "little") + facets.tobytes())
     stl = espalier.bake_file(tmp_path / "a.stl")
     assert stl.triangle_count == len(triangles) and stl.is_closed
-    (tmp_path / "b.obj").write_text("v 0 0 0\nf 1 2 3\n")
-    with pytest.raises(ValueError, match="b.obj"):
-        espalier.bake_file(tmp_path / "b.obj")
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    for text in ("v 0 0 0\nf 1 2 3\n", corners + "f 0 1 2\n", corners + "v 1 1\nv 2 2\nf 1 2 3\n", corners + "f 1 2 -4\n"):
+        (tmp_path / "b.obj").write_text(text)
+        with pytest.raises(ValueError, match="b.obj"):
+            espalier.bake_file(tmp_path / "b.obj")
+    counts = header.replace(" uchar int", " char int").encode() + positions.tobytes()
+    (tmp_path / "b.ply").write_bytes(counts + b"\xff" + faces.tobytes())
+    with pytest.raises(ValueError, match="b.ply"):
+        espalier.bake_file(tmp_path / "b.ply")
     with pytest.raises(ValueError, match="only"):
         espalier.bake_file(tmp_path / "a.glb")

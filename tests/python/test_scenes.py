@@ -78,6 +78,8 @@ def test_transforms():
     place = espalier.transform_from_matrix([matrix, matrix])
     np.testing.assert_allclose(place[0], [0, 0, 0, 1, 1, 2, 3, 2])
     np.testing.assert_allclose(espalier.to_world(place, [1, 1, 1]), [[3, 4, 5]] * 2)
+    np.testing.assert_allclose(espalier.direction_to_world(place, [1, 1, 1]), [[2, 2, 2]] * 2)
+    np.testing.assert_allclose(espalier.direction_to_local(place, [2, 2, 2]), [[1, 1, 1]] * 2)
     matrix[0] *= -1
     with pytest.raises(ValueError, match="no transform"):
         espalier.transform_from_matrix(matrix)

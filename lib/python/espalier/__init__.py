@@ -11,10 +11,13 @@ once, each number rounded to the nearest. Results are arrays in the common shape
 or lists of them. Every result has a status, and errors of single queries never raise.
 """
 
+from types import ModuleType as _ModuleType
+
 from . import pairs
 from ._core import version as __version__
 from .baking import BakeWarning, Mesh, bake, bake_file, bake_meshes
-from .blob import BakeError, Blob, OpenError, open_blob, verify
+from .blob import Blob, open_blob, verify
+from .errors import BakeError, OpenError
 from .mesh_files import read_mesh
 from .results import (
     BLOB_DISTANCE,
@@ -32,6 +35,7 @@ from .results import (
     SCENE_SWEEP_HIT,
     SCENE_TRIANGLE,
     SWEEP_HIT,
+    WINDING,
     Feature,
     Lists,
     Side,
@@ -43,4 +47,5 @@ from .scenes import Scene, bake_scene, open_scene
 from .shapes import Box, Capsule, Cone, ConvexHull, ConvexVolume, OrientedBox, Segment, Sphere, Triangle
 from .transforms import direction_to_local, direction_to_world, to_local, to_world, transform, transform_from_matrix
 
-__all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]
+__all__ = [name for name, value in globals().items()
+           if not name.startswith("_") and (name == "pairs" or not isinstance(value, _ModuleType))] + ["__version__"]

@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from .blob import PROFILES, BakeError, Blob
+from .blob import PROFILES, Blob
+from .errors import BakeError
+from .integers import integer_array
 from .mesh_files import read_mesh
 
 EFFORTS = ("fast", "normal", "best")
@@ -40,15 +42,9 @@ class Mesh(NamedTuple):
 
 
 def _index_array(triangles: ArrayLike, name: str) -> Any:
-    array = np.asarray(triangles)
-    if array.size == 0:
-        return np.zeros((0, 3), np.uint32)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"triangles{name} must be integers, not {array.dtype}")
-    if array.dtype in (np.uint32, np.uint16):
-        return array
     # A number that is out of range stays so: the baker reports it with its place.
-    return np.where((array < 0) | (array > 0xFFFFFFFF), 0xFFFFFFFF, array).astype(np.uint32)
+    array = integer_array(triangles, "triangles" + name)
+    return array if array.size else np.zeros((0, 3), np.uint32)
 
 
 def _position_array(positions: ArrayLike, name: str) -> Any:
@@ -66,16 +62,23 @@ def _number(of: str, name: str, names: Sequence[str]) -> int:
     return names.index(name)
 
 
-def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], *, bits: Optional[int] = None,
-                tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: str = "balanced",
-                effort: str = "normal", original_ids: bool = False, drop_bad_triangles: bool = False,
-                flat_angle: Optional[float] = None, bounds: bool = False, origin: ArrayLike = (0.0, 0.0, 0.0),
-                builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
-                max_leaf_triangles: int = 62, threads: int = 1) -> Blob:
+def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], **options: Any) -> Blob:
     """Bakes several meshes into one blob. bake() has the options."""
+    return _bake(meshes, 3, **options)
+
+
+def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_level: int, *, bits: Optional[int] = None,
+          tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: str = "balanced",
+          effort: str = "normal", original_ids: bool = False, drop_bad_triangles: bool = False,
+          flat_angle: Optional[float] = None, bounds: bool = False, origin: ArrayLike = (0.0, 0.0, 0.0),
+          builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
+          max_leaf_triangles: int = 62, threads: int = 1) -> Blob:
+    # stack_level: whose line warnings name, counted from here.
     given = [option is not None for option in (bits, tolerance, step_exponent)]
     if sum(given) > 1:
         raise ValueError("give one of bits, tolerance and step_exponent")
+    if flat_angle is not None and not flat_angle >= 0.0:
+        raise ValueError("flat_angle must be None, which stores no edges, or 0 or more degrees")
     kind, resolution = _BITS, 16.0
     if bits is not None:
         kind, resolution = _BITS, float(bits)
@@ -95,14 +98,15 @@ def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], *, b
     for number, each in enumerate(meshes):
         mesh = each if isinstance(each, Mesh) else Mesh(each[0], each[1], mesh=number)
         name = f" of mesh {number}" if len(meshes) > 1 else ""
-        arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), mesh.materials,
+        materials = None if mesh.materials is None else integer_array(mesh.materials, "materials" + name)
+        arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), materials,
                        mesh.name, mesh.file, mesh.mesh))
     baked = _core.bake(arrays, options)
     if isinstance(baked[0], int):
         raise BakeError(*baked)
     blob = Blob(*baked)
     for message in baked[1]["warnings"]:
-        warnings.warn(message, BakeWarning, stacklevel=2)
+        warnings.warn(message, BakeWarning, stacklevel=stack_level)
     return blob
 
 
@@ -127,10 +131,10 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
 
     Raises BakeError with the reason and the place. Warns with BakeWarning. `blob.report` has the figures.
     """
-    return bake_meshes([Mesh(positions, triangles, materials)], **options)
+    return _bake([Mesh(positions, triangles, materials)], 3, **options)
 
 
 def bake_file(path: Union[str, os.PathLike[str]], **options: Any) -> Blob:
     """Bakes the mesh of an .obj, .ply or .stl file, with the options of bake()."""
     positions, triangles = read_mesh(path)
-    return bake_meshes([Mesh(positions, triangles, name=os.fspath(path))], **options)
+    return _bake([Mesh(positions, triangles, name=os.fspath(path))], 3, **options)

@@ -2,62 +2,28 @@
 
 from __future__ import annotations
 
-import mmap
-import os
-from typing import Any, Optional, Union
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .baked import Baked, bytes_of
+from .errors import OpenError
+from .integers import integer_array
 from .points import ShapeQueries
 from .rays import RayQueries
-from .results import NO_TRIANGLE
 
 PROFILES = ("fast", "balanced", "small", "tiny")
 
 
-class OpenError(ValueError):
-    """Bytes are no sound blob or scene. `status` is the number of the library's OpenStatus."""
-
-    def __init__(self, status: int) -> None:
-        super().__init__(_core.describe_open(status))
-        self.status = status
-
-
-class BakeError(ValueError):
-    """Nothing was baked. The text states what is wrong, where, and what to do.
-
-    `status` is the library's number; `place` is (file, mesh, triangle or None) of the first fault, or None.
-    """
-
-    def __init__(self, status: int, message: str, place: Optional[tuple[int, int, Optional[int]]] = None) -> None:
-        super().__init__(message)
-        self.status = status
-        self.place = place
-
-
-def bytes_of(source: Any) -> Any:
-    """Returns an object with bytes: the file of a path, mapped into memory, or the object itself."""
-    if not isinstance(source, (str, os.PathLike)):
-        return source
-    with open(source, "rb") as file:
-        if os.fstat(file.fileno()).st_size == 0:
-            return b""
-        return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-
-
 def triangle_numbers(triangles: ArrayLike) -> NDArray[np.uint32]:
     """Returns numbers of triangles as the library takes them: those that no blob can have become NO_TRIANGLE."""
-    array = np.asarray(triangles)
-    if array.dtype.kind not in "iu" and array.size > 0:
-        raise TypeError(f"numbers of triangles must be integers, not {array.dtype}")
-    if array.dtype == np.uint32:
-        return np.ascontiguousarray(array).reshape(array.shape)
-    return np.where((array < 0) | (array > NO_TRIANGLE), NO_TRIANGLE, array).astype(np.uint32)
+    array = integer_array(triangles, "numbers of triangles")
+    return np.ascontiguousarray(array, np.uint32).reshape(array.shape)
 
 
-class Blob(RayQueries, ShapeQueries):
+class Blob(Baked, RayQueries, ShapeQueries):
     """A baked mesh. bake() and open_blob() return one.
 
     It holds its bytes: `blob.data` looks at them, `bytes(blob)` copies them. It never changes; any number of threads
@@ -65,7 +31,7 @@ class Blob(RayQueries, ShapeQueries):
     Pickling writes the bytes.
     """
 
-    __slots__ = ("_core", "_facts", "report", "remap")
+    __slots__ = ("report", "remap")
     report: Optional[dict[str, Any]]
     """The figures of the bake; None for a blob that was opened."""
     remap: Optional[NDArray[Any]]
@@ -73,15 +39,9 @@ class Blob(RayQueries, ShapeQueries):
 
     def __init__(self, core: _core.Blob, report: Optional[dict[str, Any]] = None,
                  remap: Optional[NDArray[Any]] = None) -> None:
-        self._core = core
-        self._facts = core.facts()
+        super().__init__(core)
         self.report = report
         self.remap = remap
-
-    @property
-    def data(self) -> memoryview:
-        """The bytes, without a copy. They live as long as this view or the blob."""
-        return memoryview(self._core)
 
     @property
     def triangle_count(self) -> int:
@@ -92,16 +52,6 @@ class Blob(RayQueries, ShapeQueries):
     def vertex_count(self) -> int:
         """The number of vertices."""
         return int(self._facts["vertex_count"])
-
-    @property
-    def bounds(self) -> NDArray[np.float32]:
-        """(2, 3): the lower and the upper corner of the box around all triangles."""
-        return np.array(self._facts["bounds"], np.float32)
-
-    @property
-    def max_error(self) -> float:
-        """The largest distance between the baked surface and its float32 source, in the blob's units."""
-        return float(self._facts["max_error"])
 
     @property
     def is_closed(self) -> bool:
@@ -151,14 +101,6 @@ class Blob(RayQueries, ShapeQueries):
         bake returned, `remap`; without one the status is NO_DATA.
         """
         return _core.original_hits(self._core, np.ascontiguousarray(hits).reshape(np.shape(hits)), remap, threads)
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes the bytes to a file."""
-        with open(path, "wb") as file:
-            file.write(self.data)
-
-    def __bytes__(self) -> bytes:
-        return bytes(self.data)
 
     def __reduce__(self) -> Any:
         return open_blob, (bytes(self),)

@@ -46,14 +46,18 @@ def _fans(polygons: list[list[int]], count: int) -> NDArray[np.uint32]:
 def _read_obj(data: bytes) -> Arrays:
     positions: list[list[float]] = []
     polygons: list[list[int]] = []
-    for line in data.decode("utf-8", "replace").replace("\\\n", " ").splitlines():
+    for number, line in enumerate(data.decode("utf-8", "replace").replace("\\\n", " ").splitlines(), 1):
         words = line.split()
         if not words:
             continue
         if words[0] == "v":
+            if len(words) < 4:
+                raise ValueError(f"line {number}: a vertex has fewer than three numbers")
             positions.append([float(word) for word in words[1:4]])
         elif words[0] == "f":
             corners = [int(word.split("/")[0]) for word in words[1:]]
+            if 0 in corners:
+                raise ValueError(f"line {number}: a face has vertex 0; the first vertex is 1")
             polygons.append([corner - 1 if corner > 0 else len(positions) + corner for corner in corners])
     array = np.array(positions, np.float64).reshape(-1, 3)
     return array, _fans(polygons, len(array))
@@ -111,12 +115,18 @@ def _read_ply(data: bytes) -> Arrays:
     return positions, _fans(polygons, len(positions))
 
 
+def _require_count(count: int) -> None:
+    if count < 0:
+        raise ValueError("a number of elements is below 0")
+
+
 class _PlyText:
     def __init__(self, data: bytes) -> None:
         self._words = data.split()
         self._place = 0
 
     def numbers(self, count: int, kind: str) -> list[float]:
+        _require_count(count)
         words = self._words[self._place : self._place + count]
         if len(words) < count:
             raise ValueError("the file ends too early")
@@ -134,11 +144,13 @@ class _PlyBytes:
         self._place = 0
 
     def numbers(self, count: int, kind: str) -> Any:
+        _require_count(count)
         numbers = np.frombuffer(self._data, self._order + _PLY_TYPES[kind], count, self._place)
         self._place += numbers.nbytes
         return numbers
 
     def rows(self, count: int, kinds: list[str]) -> list[Any]:
+        _require_count(count)
         row = np.dtype([(f"f{i}", self._order + _PLY_TYPES[kind]) for i, kind in enumerate(kinds)])
         rows = np.frombuffer(self._data, row, count, self._place)
         self._place += rows.nbytes

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .rays import culling_number
 from .results import Lists, YesNo
 from .shapes import Body, Box, Moving, Segment, Volume, split
 
@@ -54,6 +55,14 @@ class ShapeQueries:
         """
         return YesNo(_core.inside(self._core, points, threads))
 
+    def winding_number(self, points: ArrayLike, directions: int = 64, *, threads: int = 1) -> NDArray[Any]:
+        """Returns approximately how often the surface, open or closed, winds around each point: an array of WINDING.
+
+        A `value` above 0.5 is the usual meaning of inside. directions: of rays, 2 to 4096; the error falls with them.
+        Where the surface is closed around a point, the value is a whole number.
+        """
+        return _core.winding_numbers(self._core, points, directions, threads)
+
     def overlaps(self, shape: Volume, *, threads: int = 1) -> YesNo:
         """Returns whether any triangle touches each shape."""
         return YesNo(_core.touching(self._core, *split(shape), threads))
@@ -62,12 +71,16 @@ class ShapeQueries:
         """Returns the triangles that touch each shape: lists of numbers of triangles, ascending."""
         return Lists(*_core.touching_lists(self._core, *split(shape), threads))
 
-    def sweep(self, shape: Moving, displacement: ArrayLike, *, threads: int = 1) -> NDArray[Any]:
+    def sweep(self, shape: Moving, displacement: ArrayLike, *, culling: str = "none", ignore_leaving: bool = False,
+              skin: float = 0.0, threads: int = 1) -> NDArray[Any]:
         """Returns the first contact of each shape as it moves by a displacement: an array of SWEEP_HIT.
 
-        displacement: (..., 3). t is the share of it, from 0 to 1, at which the shape touches.
+        displacement: (..., 3). t is the share of it, from 0 to 1, at which the shape stops: where it touches, or a
+        skin earlier. culling: "back" ignores triangles that show their back to the motion, "front" the others.
+        ignore_leaving: ignores triangles that a shape touches at the start and leaves. skin: 0 or more.
         """
-        return _core.sweeps(self._core, *split(shape), displacement, threads)
+        options = (culling_number(culling), ignore_leaving, skin)
+        return _core.sweeps(self._core, *split(shape), displacement, options, threads)
 
     def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
         """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.

@@ -76,10 +76,6 @@ class Lists(NamedTuple):
         """Returns for each element the number of its query."""
         return np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets))
 
-    def __getitem__(self, index: Any) -> Any:
-        """Returns one of the three fields."""
-        return tuple.__getitem__(self, index)
-
     def each(self) -> Iterator[NDArray[Any]]:
         """Yields the list of each query."""
         for begin, end in zip(self.offsets[:-1], self.offsets[1:]):
@@ -143,8 +139,10 @@ RAY_HIT = _record("ray_hit")
 """t, u, v, normal (3), triangle, status, side. A miss has an infinite t and NO_TRIANGLE."""
 CLOSEST_POINT = _record("closest_point")
 """point (3), on_shape (3), face_normal (3), distance, u, v, triangle, status, feature, side."""
+WINDING = _record("winding")
+"""value, status."""
 SWEEP_HIT = _record("sweep_hit")
-"""t, point (3), normal (3), face_normal (3), triangle, status, starts_overlapping. A miss has t 1, a refusal 0."""
+"""t, point (3), normal (3), face_normal (3), triangle, status, feature, starts_overlapping. A miss has t 1, a refusal 0."""
 ORIGINAL_HIT = _record("original_hit")
 """file, mesh, triangle, u, v, status: zero unless the status is OK."""
 ORIGINAL_TRIANGLE = _record("original_triangle")

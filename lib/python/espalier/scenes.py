@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .blob import BakeError, Blob, OpenError, bytes_of
+from .baked import Baked, bytes_of
+from .blob import Blob
+from .errors import BakeError, OpenError
 from .rays import culling_number
 from .results import Lists, YesNo
 from .shapes import Capsule, Sphere, Volume, split
@@ -18,23 +19,14 @@ ALL = 0xFFFFFFFF
 """The mask that shares a bit with that of every instance but 0."""
 
 
-class Scene:
+class Scene(Baked):
     """A baked scene. bake_scene() and open_scene() return one.
 
     Shapes and results are in world space. Arguments broadcast and results have shapes as those of Blob, with the
     fields `instance` and `in_tile` more. mask: instances whose mask shares no bit with it are passed over.
     """
 
-    __slots__ = ("_core", "_facts")
-
-    def __init__(self, core: _core.Scene) -> None:
-        self._core = core
-        self._facts = core.facts()
-
-    @property
-    def data(self) -> memoryview:
-        """The bytes, without a copy."""
-        return memoryview(self._core)
+    __slots__ = ()
 
     @property
     def instance_count(self) -> int:
@@ -45,16 +37,6 @@ class Scene:
     def mesh_count(self) -> int:
         """The number of meshes, without those of tiles."""
         return int(self._facts["mesh_count"])
-
-    @property
-    def bounds(self) -> NDArray[np.float32]:
-        """(2, 3): the lower and the upper corner of a box around all instances."""
-        return np.array(self._facts["bounds"], np.float32)
-
-    @property
-    def max_error(self) -> float:
-        """The largest distance between the surface of any instance and its source, in world units."""
-        return float(self._facts["max_error"])
 
     def instances(self) -> NDArray[Any]:
         """Returns all instances: an array of INSTANCE."""
@@ -100,14 +82,6 @@ class Scene:
         """Returns the triangles that touch each shape: lists of SCENE_TRIANGLE. Takes no ConvexVolume."""
         return Lists(*_core.scene_touching_lists(self._core, *split(shape), mask, threads))
 
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes the bytes to a file."""
-        with open(path, "wb") as file:
-            file.write(self.data)
-
-    def __bytes__(self) -> bytes:
-        return bytes(self.data)
-
     def __reduce__(self) -> Any:
         return open_scene, (bytes(self),)
 
@@ -131,7 +105,10 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *
     places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob. masks, users: (n,), 32 bits
     for queries and for the caller. Raises BakeError with the reason.
     """
-    rows = np.asarray(places, np.float32).reshape(-1, 8)
+    rows = np.asarray(places, np.float32)
+    if rows.shape[-1:] != (8,) or rows.ndim > 2:
+        raise ValueError(f"places must have the shape (n, 8), not {rows.shape}")
+    rows = rows.reshape(-1, 8)
     numbers = np.empty((len(rows), 3), np.uint32)
     for column, values in enumerate((meshes, ALL if masks is None else masks, 0 if users is None else users)):
         array = np.asarray(values)

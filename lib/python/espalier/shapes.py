@@ -90,7 +90,7 @@ Volume = Union[Sphere, Capsule, Box, OrientedBox, Triangle, Cone, ConvexVolume]
 """What overlaps() takes. Scenes take no ConvexVolume."""
 Moving = Union[Sphere, Capsule, Box, OrientedBox, ConvexHull]
 """What sweep() takes. Scenes take a Sphere or a Capsule."""
-Body = Union[Sphere, Capsule, OrientedBox]
+Body = Union[Sphere, Capsule, OrientedBox, ConvexHull]
 """What contacts() takes."""
 
 

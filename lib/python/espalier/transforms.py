@@ -17,17 +17,17 @@ def transform(rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0), translation: ArrayLike
     """Returns transforms, (..., 8), from quaternions x, y, z, w (..., 4), translations (..., 3) and scales (...)."""
     parts = (np.asarray(rotation, np.float32), np.asarray(translation, np.float32),
              np.asarray(scale, np.float32)[..., np.newaxis])
-    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-    row = np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
-    if row.shape[-1] != 8:
+    if parts[0].shape[-1:] != (4,) or parts[1].shape[-1:] != (3,):
         raise ValueError("rotation must have the shape (..., 4), translation (..., 3)")
-    return row
+    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+    return np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
 
 
 def transform_from_matrix(matrix: ArrayLike) -> NDArray[np.float32]:
     """Returns transforms, (..., 8), of affine matrices in rows, (..., 4, 4) or (..., 3, 4).
 
-    Raises ValueError for a mirror, shear, unequal scale or a number that is not finite.
+    Raises ValueError for a mirror, shear, unequal scale, a number that is not finite, or a fourth row that is not
+    0, 0, 0, 1.
     """
     rows, status = _core.transforms_from_matrices(matrix)
     refused = np.argwhere(status != Status.OK)

@@ -23,11 +23,11 @@ namespace {
 template <class First, class Second>
 py::array as_either(const py::object& given, const char* name, bool& is_second) {
     py::array array = py::array::ensure(given);
-    if (!array) throw py::error_already_set();
+    if (!array) throw py::type_error(std::string(name) + " is no array of numbers");
     if (array.ndim() != 2 || array.shape(1) != 3)
         throw py::value_error(std::string(name) + " must have the shape (n, 3)");
-    is_second = array.dtype().is(py::dtype::of<Second>());
-    const bool is_first = array.dtype().is(py::dtype::of<First>());
+    is_second = array.dtype().equal(py::dtype::of<Second>());
+    const bool is_first = array.dtype().equal(py::dtype::of<First>());
     const auto width = is_second ? sizeof(Second) : sizeof(First);
     const bool packed = array.strides(1) == static_cast<py::ssize_t>(width);
     // The functions of C take rows that do not overlap.

@@ -70,8 +70,6 @@ void bind_blob(py::module_& module) {
     });
     module.def("describe_open", [](int status) { return describe(static_cast<OpenStatus>(status)); });
     module.def("describe_query", [](int status) { return describe(static_cast<QueryStatus>(status)); });
-    module.def("describe_bake",
-               [](int status) { return espalier_describe_bake_status(static_cast<espalier_bake_status>(status)); });
 }
 
 }  // namespace espalier::python

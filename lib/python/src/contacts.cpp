@@ -3,7 +3,7 @@
 #include "dtypes.hpp"
 #include "held_blob.hpp"
 #include "lists.hpp"
-#include "shapes.hpp"
+#include "shape_batches.hpp"
 
 #include <espalier/contact.hpp>
 
@@ -14,25 +14,17 @@ namespace {
 /// Returns (offsets, contacts, statuses).
 py::tuple contact_lists(const HeldBlob& self, const std::string& kind, const py::tuple& given, const py::handle& margin,
                         std::size_t most, unsigned threads) {
-    if (kind != "Sphere" && kind != "Capsule" && kind != "OrientedBox") refuse_shape(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::tuple {
-        Floats margins(margin, "margin", {});
-        const Batch batch = spread(fields, &margins);
-        const auto width = margins.as<float>();
-        return make_lists<Contact>(batch, dtype_of("contact"), threads, [&](std::size_t i, Growing<Contact>& contacts) {
-            return at(i, [&](const auto& shape) {
-                if constexpr (requires { find_contacts(self.blob, shape, 0.0f, std::span<Contact>()); }) {
-                    const Filled filled =
-                        find_contacts(self.blob, shape, width.at(i), contacts.places(most).first(most));
-                    contacts.add(filled.count);
-                    return filled.status;
-                } else {
-                    return QueryStatus::invalid_argument;
-                }
-            });
+    Floats margins(margin, "margin", {});
+    return list_for_shapes<Contact>(
+        kind, given, &margins, dtype_of("contact"), threads,
+        [&](const auto& shape, std::size_t i, Growing<Contact>& contacts) requires requires {
+            find_contacts(self.blob, shape, 0.0f, std::span<Contact>());
+        } {
+            const Filled filled =
+                find_contacts(self.blob, shape, margins.as<float>().at(i), contacts.places(most).first(most));
+            contacts.add(filled.count);
+            return filled.status;
         });
-    });
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ py::dtype make(std::initializer_list<Field> fields, std::size_t size) {
     F(Hit, distance, "f4"), F(Hit, u, "f4"), F(Hit, v, "f4"), F(Hit, triangle, "u4"), F(Hit, status, "u1"), \
     F(Hit, feature, "u1"), F(Hit, side, "u1")
 #define ESPALIER_SWEEP_HIT(F, Hit) F(Hit, t, "f4"), F(Hit, point, "3f4"), F(Hit, normal, "3f4"), \
-    F(Hit, face_normal, "3f4"), F(Hit, triangle, "u4"), F(Hit, status, "u1"), F(Hit, starts_overlapping, "?")
+    F(Hit, face_normal, "3f4"), F(Hit, triangle, "u4"), F(Hit, status, "u1"), \
+    F(Hit, feature, "u1"), F(Hit, starts_overlapping, "?")
 #define ESPALIER_INSTANCE(Hit) \
     Field{"instance", "u4", offsetof(InScene<Hit>, instance) + offsetof(InstanceId, index)}, \
     Field{"in_tile", "u4", offsetof(InScene<Hit>, instance) + offsetof(InstanceId, in_tile)}
@@ -82,6 +83,8 @@ std::map<std::string, py::dtype> make_all() {
     all["remap"] = make({ESPALIER_FIELD(OriginalTriangle, file, "u4"), ESPALIER_FIELD(OriginalTriangle, mesh, "u4"),
                          ESPALIER_FIELD(OriginalTriangle, triangle, "u4"),
                          ESPALIER_FIELD(OriginalTriangle, first_corner, "u4")}, sizeof(OriginalTriangle));
+    all["winding"] = make({Field{"value", "f4", offsetof(Result<float>, value)},
+                           Field{"status", "u1", offsetof(Result<float>, status)}}, sizeof(Result<float>));
     all["corners"] = make({Field{"corners", "(3,3)f4", offsetof(Corners, value)},
                            Field{"status", "u1", offsetof(Corners, status)}}, sizeof(Corners));
     all["contact"] = make({ESPALIER_FIELD(Contact, point, "3f4"), ESPALIER_FIELD(Contact, normal, "3f4"),

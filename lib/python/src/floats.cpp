@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <string>
 
 namespace espalier::python {
+
+std::vector<py::ssize_t> shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
 
 namespace {
 
@@ -17,7 +20,14 @@ std::string text_of(const std::vector<py::ssize_t>& shape, bool is_element) {
     return text + ")";
 }
 
-std::vector<py::ssize_t> shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
+/// Returns the number of queries. Throws std::bad_alloc where no memory can hold their results.
+std::size_t count_of(const std::vector<py::ssize_t>& shape) {
+    if (std::find(shape.begin(), shape.end(), 0) != shape.end()) return 0;
+    py::ssize_t count = 1;
+    for (const py::ssize_t length : shape)
+        if (__builtin_mul_overflow(count, length, &count)) throw std::bad_alloc();
+    return static_cast<std::size_t>(count);
+}
 
 /// Returns the numbers as float32 in the machine's byte order, without a copy where they are.
 py::array as_float32(py::handle given, const char* name) {
@@ -79,7 +89,7 @@ void Floats::spread(const std::vector<py::ssize_t>& shape) {
         if (!found) {
             stride_ = strides[axis - 1];
             found = true;
-        } else if (strides[axis - 1] != stride_ * inner) {
+        } else if (py::ssize_t next = 0; __builtin_mul_overflow(stride_, inner, &next) || strides[axis - 1] != next) {
             copy_to_shape(shape, strides);
             return;
         }
@@ -88,9 +98,10 @@ void Floats::spread(const std::vector<py::ssize_t>& shape) {
 }
 
 void Floats::copy_to_shape(const std::vector<py::ssize_t>& shape, const std::vector<py::ssize_t>& strides) {
-    std::size_t count = 1;
-    for (const py::ssize_t length : shape) count *= static_cast<std::size_t>(length);
-    copy_.resize(count * element_bytes_);
+    const std::size_t count = count_of(shape);
+    std::size_t bytes = 0;
+    if (__builtin_mul_overflow(count, element_bytes_, &bytes)) throw std::bad_alloc();
+    copy_.resize(bytes);
     std::vector<py::ssize_t> place(shape.size(), 0);
     const char* from = first_;
     for (std::size_t query = 0; query < count; ++query) {
@@ -106,7 +117,7 @@ void Floats::copy_to_shape(const std::vector<py::ssize_t>& shape, const std::vec
     stride_ = static_cast<std::ptrdiff_t>(element_bytes_);
 }
 
-Batch::Batch(std::initializer_list<Floats*> arguments) {
+Batch::Batch(std::span<Floats* const> arguments) {
     for (const Floats* argument : arguments)
         if (argument->shape().size() > shape_.size())
             shape_.insert(shape_.begin(), argument->shape().size() - shape_.size(), 1);
@@ -120,12 +131,12 @@ Batch::Batch(std::initializer_list<Floats*> arguments) {
                 std::string text = "the arguments do not broadcast:";
                 for (const Floats* each : arguments)
                     text += std::string(" ") + each->name() + " has queries of shape " + text_of(each->shape(), false) +
-                            (each == *(arguments.end() - 1) ? "" : ",");
+                            (each == arguments.back() ? "" : ",");
                 throw py::value_error(text);
             }
         }
     }
-    for (const py::ssize_t length : shape_) count_ *= static_cast<std::size_t>(length);
+    count_ = count_of(shape_);
     for (Floats* argument : arguments) argument->spread(shape_);
 }
 

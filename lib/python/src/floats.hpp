@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -12,6 +13,9 @@
 namespace espalier::python {
 
 namespace py = pybind11;
+
+/// Returns the lengths of the axes of an array.
+std::vector<py::ssize_t> shape_of(const py::array& array);
 
 /// The shape of one element of an argument: {} for a number, {3} for a vector. `any` is an axis of any length.
 using ElementShape = std::initializer_list<py::ssize_t>;
@@ -59,8 +63,10 @@ private:
 /// The common shape of the arguments of a batch.
 class Batch {
 public:
-    /// Spreads all arguments. Throws ValueError where their shapes do not broadcast.
-    explicit Batch(std::initializer_list<Floats*> arguments);
+    /// Spreads all arguments. Throws ValueError where their shapes do not broadcast, and
+    /// std::bad_alloc where no memory could hold the results.
+    explicit Batch(std::span<Floats* const> arguments);
+    Batch(std::initializer_list<Floats*> arguments) : Batch(std::span(arguments.begin(), arguments.size())) {}
 
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] const std::vector<py::ssize_t>& shape() const { return shape_; }
@@ -69,7 +75,7 @@ public:
 
 private:
     std::vector<py::ssize_t> shape_;
-    std::size_t count_ = 1;
+    std::size_t count_ = 0;
 };
 
 }  // namespace espalier::python

@@ -63,6 +63,23 @@ private:
     std::size_t capacity_ = 0;
 };
 
+/// Appends what walk(visit) visits and returns its status. No exception passes through the library.
+template <class Value, class Walk>
+QueryStatus append(Growing<Value>& all, const Walk& walk) {
+    bool is_short = false;
+    const QueryStatus status = walk([&](const Value& value) {
+        try {
+            all.push(value);
+        } catch (const std::bad_alloc&) {
+            is_short = true;
+            return Visit::stop;
+        }
+        return Visit::next;
+    });
+    if (is_short) throw std::bad_alloc();
+    return status;
+}
+
 /// Returns (offsets, elements, statuses) of a batch, where list(query, elements) appends those of a query and returns
 /// its status.
 template <class Value, class List>

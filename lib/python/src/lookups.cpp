@@ -1,6 +1,7 @@
 // Lookups by triangle or hit: sources, materials, corners.
 #include "bindings.hpp"
 #include "dtypes.hpp"
+#include "floats.hpp"
 #include "held_blob.hpp"
 #include "parts.hpp"
 
@@ -17,9 +18,6 @@ namespace espalier::python {
 namespace {
 
 using Ids = py::array_t<std::uint32_t, py::array::c_style>;
-using Remap = py::array;
-
-std::vector<py::ssize_t> shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
 
 /// Calls fill(ids, results) for ranges of the triangles.
 template <class Value, class Fill>
@@ -57,12 +55,14 @@ py::array all_triangles(const HeldBlob& self) {
     py::array_t<float> results(std::vector<py::ssize_t>{count, 3, 3});
     auto* out = reinterpret_cast<char*>(results.mutable_data());
     const char* const end = out + static_cast<std::size_t>(count) * sizeof(Triangle);
-    const py::gil_scoped_release unlocked;
-    static_cast<void>(for_each_triangle(self.blob, [&](TriangleId, const Triangle& triangle) {
-        if (out == end) return;
-        std::memcpy(out, &triangle, sizeof triangle);
-        out += sizeof triangle;
-    }));
+    {
+        const py::gil_scoped_release unlocked;
+        static_cast<void>(for_each_triangle(self.blob, [&](TriangleId, const Triangle& triangle) {
+            if (out == end) return;
+            std::memcpy(out, &triangle, sizeof triangle);
+            out += sizeof triangle;
+        }));
+    }
     return results;
 }
 

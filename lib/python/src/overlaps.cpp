@@ -3,10 +3,7 @@
 #include "dtypes.hpp"
 #include "held_blob.hpp"
 #include "lists.hpp"
-#include "parts.hpp"
-#include "shapes.hpp"
-
-#include <type_traits>
+#include "shape_batches.hpp"
 
 #include <espalier/overlap.hpp>
 
@@ -14,24 +11,9 @@ namespace espalier::python {
 
 namespace {
 
-void check_volume(const std::string& kind) {
-    if (kind == "Segment" || kind == "ConvexHull") refuse_shape(kind);
-}
-
 py::array touching(const HeldBlob& self, const std::string& kind, const py::tuple& given, unsigned threads) {
-    check_volume(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
-        const Batch batch = spread(fields);
-        py::array results = batch.results(py::dtype::of<std::uint8_t>());
-        answer_each(static_cast<YesNo*>(results.mutable_data()), batch.count(), threads, [&](std::size_t i) {
-            return at(i, [&](const auto& shape) {
-                if constexpr (OverlapShape<std::decay_t<decltype(shape)>>) return overlaps(self.blob, shape);
-                else return YesNo{};
-            });
-        });
-        return results;
-    });
+    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads,
+                         [&](const OverlapShape auto& shape, std::size_t) { return overlaps(self.blob, shape); });
 }
 
 /// Appends all triangles that touch a shape, in pages.
@@ -48,19 +30,11 @@ QueryStatus append_overlaps(const Blob& blob, const Shape& shape, Growing<Triang
 
 /// Returns (offsets, triangles, statuses).
 py::tuple touching_lists(const HeldBlob& self, const std::string& kind, const py::tuple& given, unsigned threads) {
-    check_volume(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::tuple {
-        const Batch batch = spread(fields);
-        return make_lists<TriangleId>(batch, py::dtype::of<std::uint32_t>(), threads,
-                                      [&](std::size_t i, Growing<TriangleId>& triangles) {
-                                          return at(i, [&](const auto& shape) {
-                                              if constexpr (OverlapShape<std::decay_t<decltype(shape)>>)
-                                                  return append_overlaps(self.blob, shape, triangles);
-                                              else return QueryStatus::invalid_argument;
-                                          });
-                                      });
-    });
+    return list_for_shapes<TriangleId>(
+        kind, given, nullptr, py::dtype::of<std::uint32_t>(), threads,
+        [&](const OverlapShape auto& shape, std::size_t, Growing<TriangleId>& triangles) {
+            return append_overlaps(self.blob, shape, triangles);
+        });
 }
 
 }  // namespace

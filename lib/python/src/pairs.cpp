@@ -85,22 +85,10 @@ py::tuple pairs_contact_lists(const HeldBlob& a, const HeldBlob& b, const py::ha
     const Places places(place_a, place_b, py::float_(0.0));
     return make_lists<PairContact>(
         places.batch, dtype_of("pair_contact"), threads, [&](std::size_t i, Growing<PairContact>& contacts) {
-            bool is_short = false;
-            const auto visit = [&](const PairContact& contact) {
-                // No exception may pass through the library.
-                try {
-                    contacts.push(contact);
-                } catch (const std::bad_alloc&) {
-                    is_short = true;
-                    return Visit::stop;
-                }
-                return Visit::next;
-            };
-            const QueryStatus status =
-                for_each_contact(PlacedBlob(a.blob, places.place_a.at(i)), PlacedBlob(b.blob, places.place_b.at(i)),
-                                 visit, WorkLimit(limit));
-            if (is_short) throw std::bad_alloc();
-            return status;
+            return append(contacts, [&](const auto& push) {
+                return for_each_contact(PlacedBlob(a.blob, places.place_a.at(i)),
+                                        PlacedBlob(b.blob, places.place_b.at(i)), push, WorkLimit(limit));
+            });
         });
 }
 

@@ -5,7 +5,7 @@
 #include "held_blob.hpp"
 #include "lists.hpp"
 #include "parts.hpp"
-#include "shapes.hpp"
+#include "shape_batches.hpp"
 
 #include <algorithm>
 
@@ -47,22 +47,12 @@ py::array closest_points(const HeldBlob& self, const py::handle& given, const py
 /// Of segments or boxes.
 py::array closest_to_shapes(const HeldBlob& self, const std::string& kind, const py::tuple& given,
                             const py::handle& max_distance, unsigned threads) {
-    if (kind != "Segment" && kind != "Box") refuse_shape(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
-        Floats distances(max_distance, "max_distance", {});
-        const Batch batch = spread(fields, &distances);
-        const auto distance = distances.as<float>();
-        py::array results = batch.results(dtype_of("closest_point"));
-        answer_each(static_cast<ClosestPoint*>(results.mutable_data()), batch.count(), threads, [&](std::size_t i) {
-            return at(i, [&](const auto& shape) {
-                if constexpr (requires { closest_point(self.blob, shape, 0.0f); })
-                    return closest_point(self.blob, shape, distance.at(i));
-                else return ClosestPoint{};
-            });
+    Floats distances(max_distance, "max_distance", {});
+    return answer_shapes(
+        kind, given, &distances, dtype_of("closest_point"),
+        threads, [&](const auto& shape, std::size_t i) requires requires { closest_point(self.blob, shape, 0.0f); } {
+            return closest_point(self.blob, shape, distances.as<float>().at(i));
         });
-        return results;
-    });
 }
 
 py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads) {
@@ -72,6 +62,16 @@ py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads
     py::array results = batch.results(py::dtype::of<std::uint8_t>());
     answer_each(static_cast<YesNo*>(results.mutable_data()), batch.count(), threads,
                 [&](std::size_t i) { return contains(self.blob, point.at(i)); });
+    return results;
+}
+
+py::array winding_numbers(const HeldBlob& self, const py::handle& given, unsigned directions, unsigned threads) {
+    Floats points(given, "points", {3});
+    const Batch batch({&points});
+    const auto point = points.as<Vec3>();
+    py::array results = batch.results(dtype_of("winding"));
+    answer_each(static_cast<Result<float>*>(results.mutable_data()), batch.count(), threads,
+                [&](std::size_t i) { return winding_number(self.blob, point.at(i), directions); });
     return results;
 }
 
@@ -95,6 +95,7 @@ void bind_points(py::module_& module) {
     module.def("closest_points", closest_points);
     module.def("closest_to_shapes", closest_to_shapes);
     module.def("inside", inside);
+    module.def("winding_numbers", winding_numbers);
     module.def("closest_triangle_lists", closest_triangle_lists);
 }
 

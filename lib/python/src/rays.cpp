@@ -52,9 +52,7 @@ py::tuple raycast_sources(const HeldBlob& self, const py::handle& origins, const
         const std::span<RayHit> some(hits + begin, end - begin);
         static_cast<void>(raycast(self.blob, rays.arrays.from(begin), some));
         for (std::size_t i = begin; i < end; ++i) write_place(rays.arrays.at(i), hits[i], places + 3 * i);
-        const Filled filled = original_hit(self.blob, some, std::span(sources + begin, end - begin));
-        if (filled.count == some.size()) return;
-        for (std::size_t i = begin; i < end; ++i) sources[i] = original_hit(self.blob, hits[i]);
+        static_cast<void>(original_hit(self.blob, some, std::span(sources + begin, end - begin)));
     });
     return py::make_tuple(hit_array, place_array, source_array);
 }

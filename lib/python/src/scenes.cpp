@@ -6,10 +6,9 @@
 #include "lists.hpp"
 #include "parts.hpp"
 #include "rays.hpp"
-#include "shapes.hpp"
+#include "shape_batches.hpp"
 
 #include <cstring>
-#include <new>
 
 #include <espalier/bake.hpp>
 #include <espalier/scene.hpp>
@@ -103,23 +102,6 @@ py::array occlusions(const HeldScene& self, const py::tuple& given, int culling,
     return results;
 }
 
-/// Appends what a visitor is given; no exception may pass through the library.
-template <class Value, class Walk>
-QueryStatus append(Growing<Value>& all, const Walk& walk) {
-    bool is_short = false;
-    const QueryStatus status = walk([&](const Value& value) {
-        try {
-            all.push(value);
-        } catch (const std::bad_alloc&) {
-            is_short = true;
-            return Visit::stop;
-        }
-        return Visit::next;
-    });
-    if (is_short) throw std::bad_alloc();
-    return status;
-}
-
 py::tuple hit_lists(const HeldScene& self, const py::tuple& given, int culling, std::uint32_t mask, unsigned threads) {
     const Rays rays = rays_of(given, culling);
     using Hit = InScene<RayHit>;
@@ -150,69 +132,35 @@ py::array closest_points(const HeldScene& self, const py::handle& given, const p
 
 py::array sweeps(const HeldScene& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
                  std::uint32_t mask, unsigned threads) {
-    if (kind != "Sphere" && kind != "Capsule") refuse_shape(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
-        Floats displacements(displacement, "displacement", {3});
-        const Batch batch = spread(fields, &displacements);
-        const auto way = displacements.as<Vec3>();
-        py::array results = batch.results(dtype_of("scene_sweep_hit"));
-        answer_each(static_cast<InScene<SweepHit>*>(results.mutable_data()), batch.count(), threads,
-                    [&](std::size_t i) {
-                        return at(i, [&](const auto& shape) {
-                            if constexpr (requires { sweep(self.scene, shape, Vec3{}, SceneFilter()); })
-                                return sweep(self.scene, shape, way.at(i), SceneFilter(mask));
-                            else return InScene<SweepHit>{};
-                        });
-                    });
-        return results;
-    });
-}
-
-void check_volume(const std::string& kind) {
-    if (kind == "Segment" || kind == "ConvexHull" || kind == "ConvexVolume") refuse_shape(kind);
+    Floats ways(displacement, "displacement", {3});
+    return answer_shapes(
+        kind, given, &ways, dtype_of("scene_sweep_hit"), threads,
+        [&](const auto& shape, std::size_t i) requires requires { sweep(self.scene, shape, Vec3{}, SceneFilter()); } {
+            return sweep(self.scene, shape, ways.as<Vec3>().at(i), SceneFilter(mask));
+        });
 }
 
 py::array touching(const HeldScene& self, const std::string& kind, const py::tuple& given, std::uint32_t mask,
                    unsigned threads) {
-    check_volume(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
-        const Batch batch = spread(fields);
-        py::array results = batch.results(py::dtype::of<std::uint8_t>());
-        answer_each(static_cast<YesNo*>(results.mutable_data()), batch.count(), threads, [&](std::size_t i) {
-            return at(i, [&](const auto& shape) {
-                if constexpr (SceneShape<std::decay_t<decltype(shape)>>)
-                    return overlaps(self.scene, shape, SceneFilter(mask));
-                else return YesNo{};
-            });
-        });
-        return results;
-    });
+    return answer_shapes(
+        kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads,
+        [&](const SceneShape auto& shape, std::size_t) { return overlaps(self.scene, shape, SceneFilter(mask)); });
 }
 
 py::tuple touching_lists(const HeldScene& self, const std::string& kind, const py::tuple& given, std::uint32_t mask,
                          unsigned threads) {
-    check_volume(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::tuple {
-        const Batch batch = spread(fields);
-        return make_lists<SceneTriangle>(batch, dtype_of("scene_triangle"), threads,
-                                         [&](std::size_t i, Growing<SceneTriangle>& all) {
-                                             return at(i, [&](const auto& shape) {
-                                                 if constexpr (SceneShape<std::decay_t<decltype(shape)>>)
-                                                     return append(all, [&](const auto& push) {
-                                                         return for_each_overlap(
-                                                             self.scene, shape,
-                                                             [&](InstanceId instance, TriangleId triangle) {
-                                                                 return push(SceneTriangle{instance, triangle});
-                                                             },
-                                                             SceneFilter(mask));
-                                                     });
-                                                 else return QueryStatus::invalid_argument;
-                                             });
-                                         });
-    });
+    return list_for_shapes<SceneTriangle>(
+        kind, given, nullptr, dtype_of("scene_triangle"), threads,
+        [&](const SceneShape auto& shape, std::size_t, Growing<SceneTriangle>& triangles) {
+            return append(triangles, [&](const auto& push) {
+                return for_each_overlap(
+                    self.scene, shape,
+                    [&](InstanceId instance, TriangleId triangle) {
+                        return push(SceneTriangle{instance, triangle});
+                    },
+                    SceneFilter(mask));
+            });
+        });
 }
 
 /// Returns one of the scene's meshes, which lie in the bytes of the scene.

@@ -4,7 +4,8 @@
 #include <deque>
 #include <memory>
 #include <string>
-#include <utility>
+#include <type_traits>
+#include <vector>
 
 #include <pybind11/numpy.h>
 
@@ -51,13 +52,16 @@ private:
 
 /// Spreads the fields, and one more argument if there is one.
 inline Batch spread(ShapeFields& fields, Floats* more = nullptr) {
-    Floats& first = fields[0];
-    Floats& second = fields.size() > 1 ? fields[1] : first;
-    Floats& third = fields.size() > 2 ? fields[2] : second;
-    return more == nullptr ? Batch({&first, &second, &third}) : Batch({&first, &second, &third, more});
+    std::vector<Floats*> all;
+    for (std::size_t i = 0; i < fields.size(); ++i) all.push_back(&fields[i]);
+    if (more != nullptr) all.push_back(more);
+    return Batch(all);
 }
 
-/// Adds the fields of a kind of shape and calls action(at), where at(fields, query, use) calls `use` with a shape.
+/// Throws TypeError: the query takes no such shape.
+[[noreturn]] inline void refuse_shape(const std::string& kind) { throw py::type_error("this query takes no " + kind); }
+
+/// Adds the fields of a kind of shape and calls action(type, at), where at(query, use) calls `use` with a shape.
 template <class Action>
 auto with_shape(const std::string& kind, const py::tuple& given, ShapeFields& fields, const Action& action) {
     const auto vector = [&](std::size_t place, const char* name) { fields.add(given, place, name, {3}); };
@@ -65,7 +69,7 @@ auto with_shape(const std::string& kind, const py::tuple& given, ShapeFields& fi
     if (kind == "Sphere") {
         vector(0, "center");
         number(1, "radius");
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<Sphere>(), [&fields](std::size_t i, const auto& use) {
             return use(Sphere{fields.at<Vec3>(0, i), fields.at<float>(1, i)});
         });
     }
@@ -73,47 +77,48 @@ auto with_shape(const std::string& kind, const py::tuple& given, ShapeFields& fi
         vector(0, "start");
         vector(1, "end");
         number(2, "radius");
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<Capsule>(), [&fields](std::size_t i, const auto& use) {
             return use(Capsule{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i), fields.at<float>(2, i)});
         });
     }
     if (kind == "Box") {
         vector(0, "min");
         vector(1, "max");
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<Box>(), [&fields](std::size_t i, const auto& use) {
             return use(Box{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i)});
         });
     }
     if (kind == "OrientedBox") {
         vector(0, "center");
         fields.add(given, 1, "half_axes", {3, 3});
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<OrientedBox>(), [&fields](std::size_t i, const auto& use) {
             const auto axes = fields.at<Triangle>(1, i);
             return use(OrientedBox{fields.at<Vec3>(0, i), {axes.a, axes.b, axes.c}});
         });
     }
     if (kind == "Triangle") {
         fields.add(given, 0, "corners", {3, 3});
-        return action([&fields](std::size_t i, const auto& use) { return use(fields.at<Triangle>(0, i)); });
+        return action(std::type_identity<Triangle>(),
+                      [&fields](std::size_t i, const auto& use) { return use(fields.at<Triangle>(0, i)); });
     }
     if (kind == "Cone") {
         vector(0, "apex");
         vector(1, "axis");
         number(2, "radius");
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<Cone>(), [&fields](std::size_t i, const auto& use) {
             return use(Cone{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i), fields.at<float>(2, i)});
         });
     }
     if (kind == "ConvexVolume") {
         fields.add(given, 0, "planes", {any, 4});
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<ConvexVolume>(), [&fields](std::size_t i, const auto& use) {
             const auto planes = fields.all_at<Plane>(0, i);
             return use(ConvexVolume{planes});
         });
     }
     if (kind == "ConvexHull") {
         fields.add(given, 0, "vertices", {any, 3});
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<ConvexHull>(), [&fields](std::size_t i, const auto& use) {
             const auto vertices = fields.all_at<Vec3>(0, i);
             return use(ConvexHull{vertices});
         });
@@ -121,14 +126,11 @@ auto with_shape(const std::string& kind, const py::tuple& given, ShapeFields& fi
     if (kind == "Segment") {
         vector(0, "start");
         vector(1, "end");
-        return action([&fields](std::size_t i, const auto& use) {
+        return action(std::type_identity<Segment>(), [&fields](std::size_t i, const auto& use) {
             return use(Segment{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i)});
         });
     }
     throw py::type_error("not a shape: " + kind);
 }
-
-/// Throws TypeError: the query takes no such shape.
-[[noreturn]] inline void refuse_shape(const std::string& kind) { throw py::type_error("this query takes no " + kind); }
 
 }  // namespace espalier::python

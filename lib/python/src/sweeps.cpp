@@ -2,8 +2,11 @@
 #include "bindings.hpp"
 #include "dtypes.hpp"
 #include "held_blob.hpp"
-#include "parts.hpp"
-#include "shapes.hpp"
+#include "shape_batches.hpp"
+
+#include <tuple>
+
+#include <pybind11/stl.h>
 
 #include <espalier/sweep.hpp>
 
@@ -12,22 +15,17 @@ namespace espalier::python {
 namespace {
 
 py::array sweeps(const HeldBlob& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
-                 unsigned threads) {
-    if (kind == "Segment" || kind == "Triangle" || kind == "Cone" || kind == "ConvexVolume") refuse_shape(kind);
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&](const auto& at) -> py::array {
-        Floats displacements(displacement, "displacement", {3});
-        const Batch batch = spread(fields, &displacements);
-        const auto way = displacements.as<Vec3>();
-        py::array results = batch.results(dtype_of("sweep_hit"));
-        answer_each(static_cast<SweepHit*>(results.mutable_data()), batch.count(), threads, [&](std::size_t i) {
-            return at(i, [&](const auto& shape) {
-                if constexpr (requires { sweep(self.blob, shape, Vec3{}); }) return sweep(self.blob, shape, way.at(i));
-                else return SweepHit{};
-            });
+                 const std::tuple<int, bool, float>& given_options, unsigned threads) {
+    SweepOptions options;
+    options.culling = static_cast<FaceCulling>(std::get<0>(given_options));
+    options.ignore_leaving = std::get<1>(given_options);
+    options.skin = std::get<2>(given_options);
+    Floats ways(displacement, "displacement", {3});
+    return answer_shapes(
+        kind, given, &ways, dtype_of("sweep_hit"),
+        threads, [&](const auto& shape, std::size_t i) requires requires { sweep(self.blob, shape, Vec3{}); } {
+            return sweep(self.blob, shape, ways.as<Vec3>().at(i), options);
         });
-        return results;
-    });
 }
 
 }  // namespace

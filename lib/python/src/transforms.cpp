@@ -2,6 +2,7 @@
 #include "bindings.hpp"
 #include "floats.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include <espalier/transform.hpp>
@@ -27,7 +28,12 @@ py::tuple transforms_from_matrices(const py::handle& given) {
     for (std::size_t i = 0; i < batch.count(); ++i) {
         float rows[3][4];
         std::memcpy(rows, matrices.at(i), sizeof rows);
-        const Result<Transform> result = transform_from_matrix(rows);
+        Result<Transform> result = transform_from_matrix(rows);
+        // A transposed matrix has its translation there.
+        constexpr float last_row[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        float fourth[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        if (matrices.element_axis(0) == 4) std::memcpy(fourth, matrices.at(i) + sizeof rows, sizeof fourth);
+        if (!std::equal(fourth, fourth + 4, last_row)) result = {{}, QueryStatus::invalid_argument};
         std::memcpy(out + i * sizeof(Transform), &result.value, sizeof(Transform));
         status[i] = result.status;
     }
@@ -46,10 +52,12 @@ py::array moved(const py::handle& transform, const py::handle& vector, const Mov
     auto* out = reinterpret_cast<char*>(results.mutable_data());
     const auto from = transforms.as<Transform>();
     const auto given = vectors.as<Vec3>();
-    const py::gil_scoped_release unlocked;
-    for (std::size_t i = 0; i < batch.count(); ++i) {
-        const Vec3 result = move(from.at(i), given.at(i));
-        std::memcpy(out + i * sizeof(Vec3), &result, sizeof result);
+    {
+        const py::gil_scoped_release unlocked;
+        for (std::size_t i = 0; i < batch.count(); ++i) {
+            const Vec3 result = move(from.at(i), given.at(i));
+            std::memcpy(out + i * sizeof(Vec3), &result, sizeof result);
+        }
     }
     return results;
 }

@@ -1,0 +1,33 @@
+"""Errors that the package raises by a name of its own."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+from . import _core
+
+
+class OpenError(ValueError):
+    """Bytes are no sound blob or scene. `status` is the number of the library's OpenStatus."""
+
+    def __init__(self, status: int) -> None:
+        super().__init__(_core.describe_open(status))
+        self.status = status
+
+    def __reduce__(self) -> Any:
+        return OpenError, (self.status,)
+
+
+class BakeError(ValueError):
+    """Nothing was baked. The text states what is wrong, where, and what to do.
+
+    `status` is the library's number; `place` is (file, mesh, triangle or None) of the first fault, or None.
+    """
+
+    def __init__(self, status: int, message: str, place: Optional[tuple[int, int, Optional[int]]] = None) -> None:
+        super().__init__(message)
+        self.status = status
+        self.place = place
+
+    def __reduce__(self) -> Any:
+        return BakeError, (self.status, str(self), self.place)
