@@ -115,6 +115,7 @@ check_folder_includes(tests
   "package/find_package:"
   "package/program:"
   "sections:"
+  "docs: support/meshes"
   "threads: platform"
   "promises: ${support} oracle"
   "c: ${support}"
