@@ -108,6 +108,10 @@ near 0.5
 json '.normal == [0, 0, 1]'
 run 0 query box.espl sweep-hull 0 0 -4
 out_has "no contact"
+run 1 query box.espl sweep-hull 0 0 -4 1
+err_has "displacement x y z, vertex x y z; the last any number of times"
+run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 0 # no displacement: whether it touches
+out_has "starts_overlapping yes"
 run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
 out_has "no contact"
 run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 1 --json

@@ -30,8 +30,6 @@ out_has "t 10"
 out_has "side back"
 run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --culling back --json
 json '.t == 7 and .side == "front"'
-run 6 query box.espl segment 1 1 1 1 1 1 --any --json
-json '.status == "invalid_argument"'
 run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
 out_has "2 hits"
 run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
@@ -78,7 +76,6 @@ run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5
 out_has "0 touches"
 run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5 --max-distance 0.1 --json
 json '.count >= 1 and .touches[0].distance > 0.0099 and .touches[0].distance < 0.0101'
-run 6 query box.espl contacts-sphere 0 0 0 1 -1
 run 1 query box.espl contacts-sphere 0 0 0 1
 
 claim "boxes and segments in lattice steps, and where the lattice is"
@@ -107,7 +104,6 @@ run 0 query box.espl lattice-box -2147483648 -2147483648 -2147483648 2147483647 
 out_has "12 triangles"
 run 0 query box.espl to-lattice 0 0 0 --json
 json '.steps | length == 3'
-run 6 query box.espl to-lattice nan 0 0
 
 claim "arguments are any numbers and lengths there are, and nothing else"
 for number in nan -inf 1e999 -1e-999; do
@@ -131,7 +127,7 @@ run 1 query box.espl sphere 0 0 0
 run 1 query box.espl box 0 0 0 1 1
 run 1 query box.espl convex-volume 0 0 1
 run 1 query box.espl convex-volume 0 0 1 0 0
-err_has "once or more: normal x y z, offset"
+err_has "normal x y z, offset; once or more"
 run 1 query box.espl cone 0 0 0 1
 run 1 query box.espl sphere 0 0 0 1 --depth 3
 run 1 query box.espl
@@ -142,18 +138,67 @@ out_has "distance 2"
 run 0 query box.espl closest-point -1000mm -.5m -50cm --json
 json '.distance > 1.2247 and .distance < 1.2248 and .feature[:6] == "vertex"'
 
-claim "what a query refuses it does not answer: exit status 6, the reason on stderr, the status in JSON"
-for words in "sphere 0 nan 0 1" "sphere 0 0 0 -1" "sphere -inf 0 0 1 --any" "capsule 0 0 0 inf 0 0 1" "oriented-box nan 0 0 1 0 0 0 1 0 0 0 1" \
-    "cone 0 0 0 0 0 0 1" "triangle 0 0 0 1 0 0 0 nan 0" "convex-volume 0 0 0 1" "contains nan 0 0" "signed-distance 0 0 0 --max-distance -1" "closest-point 0 0 1e999" "closest-point 0 0 nan" "closest-point 0 0 0 --max-distance -inf" \
-    "closest-point nan 0 0 --first 2" "closest-point 0 0 0 --max-distance nan --accuracy 1" "closest-point-box 0 0 nan 1 1 1"; do
-    # shellcheck disable=SC2086
-    run 6 query box.espl $words
-    err_has "query ${words%% *}: an argument is invalid"
-    [ ! -s out ] || fail "$words: an answer: $(head -c 200 out)"
-    # shellcheck disable=SC2086
-    run 6 query box.espl $words --json
-    json '.status == "invalid_argument" and (has("count") or has("overlaps") or has("inside") or has("found") | not)'
-done
+claim "what a query refuses it does not answer: exit status 6, the argument and its range on stderr, the status in JSON"
+refused() { # REASON WORDS...
+    local reason=$1
+    shift
+    run 6 query box.espl "$@"
+    err_has "query $1: $reason."
+    [ ! -s out ] || fail "$*: an answer: $(head -c 200 out)"
+    run 6 query box.espl "$@" --json
+    json '.status == "invalid_argument" and (has("count") or has("overlaps") or has("inside") or has("found") or has("hit") | not)'
+}
+finite="it must be finite"
+size="it must be 0 or more, which may be inf"
+finite_size="it must be 0 or more, and finite"
+number="it must be a number, which may be inf or -inf"
+direction="it must be finite, and long enough not to round to length zero"
+apart="it must be finite, and another point than the one before"
+refused "origin is nan 0 0; $finite" ray nan 0 0 0 0 1
+refused "direction is 0 -0 0; $direction" ray 1 2 3 0 -0 0
+refused "direction is inf 0 0; $direction" ray 1 2 3 inf 0 0 --all
+refused "--t-min is nan; $number" ray 1 2 3 0 0 1 --t-min nan
+refused "to is 1 1 1; $apart" segment 1 1 1 1 1 1
+refused "to is 5 6 7; $apart" lattice-segment 5 6 7 5 6 7
+refused "center is 0 nan 0; $finite" sphere 0 nan 0 1
+refused "radius is -1; $size" sphere 0 0 0 -1
+refused "radius is -1mm; $size" sphere 0 0 0 -1mm --any
+refused "center is -inf 0 0; $finite" sphere -inf 0 0 1 --any
+refused "from is inf 0 0; $finite" capsule inf 0 0 0 0 0 1
+refused "max is 1 1 nan; $number" box 0 0 0 1 1 nan
+refused "half axis 2 of 3 is 0 inf 0; $finite" oriented-box 0 0 0 1 0 0 0 inf 0 0 0 1
+refused "axis is 0 0 0; $direction" cone 0 0 0 0 0 0 1
+refused "axis is 0 1e-30 0; $direction" cone 0 0 0 0 1e-30 0 1
+refused "radius is inf; $finite_size" cone 0 0 0 0 1 0 inf
+refused "c is 0 nan 0; $finite" triangle 0 0 0 1 0 0 0 nan 0
+refused "normal is 0 0 0; $direction" convex-volume 0 0 0 1
+refused "offset 2 of 2 is nan; $number" convex-volume 0 0 1 1 0 1 0 nan
+# shellcheck disable=SC2046
+refused "normal is given 33 times; 32 is the most" convex-volume $(printf '0 0 1 %s ' $(seq 33))
+refused "point is nan 0 0; $finite" contains nan 0 0
+refused "--max-distance is -1; $size" signed-distance 0 0 0 --max-distance -1
+refused "point is 0 0 1e999; $finite" closest-point 0 0 1e999
+refused "--max-distance is -inf; $size" closest-point 0 0 0 --max-distance -inf
+refused "point is nan 0 0; $finite" closest-point nan 0 0 --first 2
+refused "--max-distance is nan; $size" closest-point 0 0 0 --max-distance nan --accuracy 1
+refused "min is 0 0 nan; $finite" closest-point-box 0 0 nan 1 1 1
+refused "point is nan 0 0; $finite" to-lattice nan 0 0
+refused "radius is -1; $finite_size" contacts-sphere 0 0 0 -1 0
+refused "margin is -1; $finite_size" contacts-capsule 0 0 0 1 0 0 1 -1
+refused "half_axis_c is 0 0 nan; $finite" contacts-oriented-box 0 0 0 1 0 0 0 1 0 0 0 nan 0
+refused "--max-distance is -1; $size" contacts-hull 0 0 0 --max-distance -1
+# shellcheck disable=SC2046
+refused "vertex is given 65 times; 64 is the most" contacts-hull $(printf '0 0 %s ' $(seq 65))
+refused "displacement is 0 nan -1; $finite" sweep-sphere 0 0 0 1 0 nan -1
+refused "radius is -1; $finite_size" sweep-capsule 0 0 0 1 1 1 -1 0 0 1
+refused "--skin is -1; $finite_size" sweep-box 0 0 0 1 1 1 0 0 1 --skin -1
+refused "half axis 3 of 3 is 0 0 nan; $finite" sweep-oriented-box 0 0 0 1 0 0 0 1 0 0 0 nan 0 0 1
+refused "vertex 2 of 3 is 0 inf 0; $finite" sweep-hull 0 0 -1 0 0 0 0 inf 0 0 0 1
+# shellcheck disable=SC2046
+refused "vertex is given 65 times; 64 is the most" sweep-hull 0 0 -1 $(printf '0 0 %s ' $(seq 65))
+# Out of range: what reaches farthest.
+run 6 query box.espl sweep-sphere 0 0 0 1 0 0 -1e30
+err_has "; displacement is 0 0 -1e30."
 run 6 query box.espl capsule 1e30 0 0 1e30 1 0 1 --json
 json '.status == "out_of_range"'
 run 6 query sheet.espl contains 0 0 0
@@ -206,10 +251,13 @@ out_has "farther apart"
 claim "two blobs refuse what cannot be placed, and tell when the work was limited"
 run 6 query box.espl overlaps box.espl --rotate 0 0 0 0 --json
 json '.status == "invalid_argument" and (has("overlaps") | not)'
-run 6 query box.espl distance box.espl --scale -1
-run 6 query box.espl within-distance box.espl nan
+refused "--rotate is 0 0 0 0; $direction" distance box.espl --rotate 0 0 0 0
+refused "--scale is -1; it must be above 0, and finite" distance box.espl --scale -1
+refused "--move is 0 inf 0; $finite" touches box.espl --move 0 inf 0
+refused "distance is nan; $size" within-distance box.espl nan
 run 6 query box.espl overlaps box.espl --move 1e38 0 0
 err_has "too far away"
+err_has "; --move is 1e38 0 0."
 run 0 query split.espl contacts split.espl --limit 3 # with duplicate references
 out_has "3 contacts, and there are more"
 run 0 query split.espl overlaps split.espl

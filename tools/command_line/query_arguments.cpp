@@ -117,12 +117,11 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
 
 void add_words(CLI::App* verb, const QueryKind& kind, QueryArguments& arguments) {
     if (kind.words.empty()) return;
-    std::string description = words_text(kind);
-    if (kind.repeats_words) description += "; once or more";
     const int count = static_cast<int>(word_count(kind));
-    verb->add_option("words", arguments.words, description)
+    const bool is_repeated = kind.repeats.which != Repeats::Which::none;
+    verb->add_option("words", arguments.words, words_text(kind))
         ->required()
-        ->expected(count, kind.repeats_words ? std::numeric_limits<int>::max() / 2 : count)
+        ->expected(static_cast<int>(least_count(kind)), is_repeated ? std::numeric_limits<int>::max() / 2 : count)
         ->type_name("");
 }
 

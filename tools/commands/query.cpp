@@ -1,12 +1,14 @@
 // query: runs one query of a blob. Each family of kinds is in query/<family>.cpp.
 #include "commands.hpp"
 #include "query/kinds.hpp"
+#include "query/refusal.hpp"
 
 namespace espalier::tools {
 
 ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments) {
     QueryCall call(kind, arguments);
-    return print_answer(kind.name, kind.run(call));
+    const Answer answer = kind.run(call);
+    return print_answer(kind.name, answer, reason_of(kind, arguments, answer.status));
 }
 
 }  // namespace espalier::tools

@@ -185,10 +185,10 @@ const char* name_of(QueryStatus status) {
     return "unknown";
 }
 
-ExitCode print_answer(const char* kind, const Answer& answer) {
+ExitCode print_answer(const char* kind, const Answer& answer, const std::string& reason) {
     const bool is_whole = answer.status == QueryStatus::ok || answer.status == QueryStatus::output_full;
     const bool is_answer = is_whole || answer.status == QueryStatus::work_limit;
-    const CommandError refusal(ExitCode::no_answer, text("query ", kind, ": ", describe(answer.status), '.'));
+    const CommandError refusal(ExitCode::no_answer, text("query ", kind, ": ", reason, '.'));
     if (answer.record.as_json()) {
         Json document = json_document();
         document["query"] = kind;

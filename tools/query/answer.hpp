@@ -81,8 +81,8 @@ Json json_box(const Box& box);
 /// A status as it is spelled in status.hpp.
 const char* name_of(QueryStatus status);
 
-/// Prints the answer to stdout, of a refused query the status alone and that in JSON only. Returns no_answer
-/// and reports that on stderr when the query was refused or answered in part.
-ExitCode print_answer(const char* kind, const Answer& answer);
+/// Prints the answer to stdout, of a refused query the status alone and that in JSON only. Returns no_answer and
+/// reports the reason on stderr when the query was refused or answered in part.
+ExitCode print_answer(const char* kind, const Answer& answer, const std::string& reason);
 
 }  // namespace espalier::tools

@@ -159,7 +159,7 @@ Answer tree_answer(QueryCall& call) {
 QueryKinds blob_kinds() {
     constexpr const char* family = "What the blob holds";
     return {
-        {family, "bounds", "The bounds of the whole asset, those that it carries", {}, 0, bounds_answer, false, 0},
+        {family, "bounds", "The bounds of the whole asset, those that it carries", {}, 0, bounds_answer, {}, 0},
         {family,
          "lattice",
          "Where the lattice begins, its step, and how many steps the asset is long",

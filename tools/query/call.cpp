@@ -23,6 +23,8 @@ float length_argument(const std::string& input, std::string_view name) {
     return value ? *value : static_cast<float>(parse_length(input, name));
 }
 
+std::string typed(const std::string& word) { return word.starts_with(" -") ? word.substr(1) : word; }
+
 namespace {
 
 std::uint32_t mask_argument(const std::string& input) {
@@ -60,23 +62,15 @@ std::array<GivenOption, 11> given_options(const QueryArguments& arguments) {
 }  // namespace
 
 QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : arguments_(arguments) {
-    const unsigned count = word_count(kind);
     const std::size_t given = arguments.words.size();
-    if (kind.repeats_words ? given == 0 || given % count != 0 : given != count) {
-        throw CommandError(ExitCode::usage, text("query ", kind.name, " takes ", counted(count, "argument"),
-                                                 kind.repeats_words ? ", once or more: " : ": ", words_text(kind),
-                                                 ", not ", given, '.'));
+    const std::optional<std::vector<const QueryWord*>> words = words_of(kind, given);
+    if (!words) {
+        throw CommandError(ExitCode::usage, text("query ", kind.name, " takes ", counted(word_count(kind), "argument"),
+                                                 ": ", words_text(kind), "; here are ", given, '.'));
     }
     std::size_t next = 0;
-    while (next < given) {
-        for (const QueryWord& word : kind.words) {
-            for (unsigned i = 0; i < word.count; ++i) {
-                std::string input = arguments.words[next++];
-                if (input.starts_with(" -")) input.erase(0, 1);  // main.cpp marks negative numbers
-                read_word(input, word);
-            }
-        }
-    }
+    for (const QueryWord* word : *words)
+        for (unsigned i = 0; i < word->count; ++i) read_word(typed(arguments.words[next++]), *word);
     if (!arguments.mask.empty()) mask_ = mask_argument(arguments.mask);
     open_asset(kind);
 }

@@ -22,6 +22,9 @@ float length_argument(const std::string& input, std::string_view name);
 /// The same without units.
 float number_argument(const std::string& input, std::string_view name);
 
+/// Returns a word as it was typed: main.cpp marks negative numbers by a space.
+std::string typed(const std::string& word);
+
 class QueryCall {
 public:
     /// Reads all words, then opens the blob or the scene. Throws CommandError, also when that does not answer the kind

@@ -119,7 +119,7 @@ QueryKinds distance_kinds() {
          {point_word("point")},
          option_max_distance | option_first | option_accuracy,
          closest_point_answer,
-         false,
+         {},
          option_max_distance | option_mask},
         {family,
          "closest-point-segment",

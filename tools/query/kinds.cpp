@@ -1,5 +1,7 @@
 #include "kinds.hpp"
 
+#include <algorithm>
+
 #include "base/numbers.hpp"
 
 namespace espalier::tools {
@@ -9,6 +11,8 @@ std::string words_text(const QueryKind& kind) {
     for (const QueryWord& word : kind.words) {
         result += text(result.empty() ? "" : ", ", word.name, word.count == 3 ? " x y z" : "");
     }
+    if (kind.repeats.which == Repeats::Which::all) result += "; once or more";
+    if (kind.repeats.which == Repeats::Which::last) result += "; the last any number of times";
     return result;
 }
 
@@ -16,6 +20,27 @@ unsigned word_count(const QueryKind& kind) {
     unsigned count = 0;
     for (const QueryWord& word : kind.words) count += word.count;
     return count;
+}
+
+unsigned least_count(const QueryKind& kind) {
+    return word_count(kind) - (kind.repeats.which == Repeats::Which::last ? kind.words.back().count : 0);
+}
+
+std::optional<std::vector<const QueryWord*>> words_of(const QueryKind& kind, std::size_t arguments) {
+    std::vector<const QueryWord*> words;
+    std::size_t taken = 0;
+    const auto take = [&](const QueryWord& word) {
+        words.push_back(&word);
+        taken += word.count;
+    };
+    const bool is_last = kind.repeats.which == Repeats::Which::last;
+    for (std::size_t i = 0; i + (is_last ? 1 : 0) < kind.words.size(); ++i) take(kind.words[i]);
+    while (kind.repeats.which != Repeats::Which::none && taken < arguments) {
+        if (is_last) take(kind.words.back());
+        else std::for_each(kind.words.begin(), kind.words.end(), take);
+    }
+    if (taken != arguments) return std::nullopt;
+    return words;
 }
 
 const QueryKinds& query_kinds() {

@@ -8,6 +8,7 @@
 
 #include "answer.hpp"
 #include "call.hpp"
+#include "range.hpp"
 
 namespace espalier::tools {
 
@@ -22,15 +23,26 @@ struct QueryWord {
     };
     const char* name;
     Type type;
-    unsigned count = 1;  ///< 3: x y z
+    unsigned count = 1;           ///< 3: x y z
+    Range range = Range::finite;  ///< what the query accepts
 };
 
-constexpr QueryWord point_word(const char* name) { return {name, QueryWord::Type::length, 3}; }
-constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3}; }
-constexpr QueryWord length_word(const char* name) { return {name, QueryWord::Type::length, 1}; }
+constexpr QueryWord point_word(const char* name, Range range = Range::finite) {
+    return {name, QueryWord::Type::length, 3, range};
+}
+constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3, Range::direction}; }
+constexpr QueryWord length_word(const char* name, Range range) { return {name, QueryWord::Type::length, 1, range}; }
 constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type::index, 1}; }
-constexpr QueryWord steps_word(const char* name) { return {name, QueryWord::Type::steps, 3}; }
+constexpr QueryWord steps_word(const char* name, Range range = Range::finite) {
+    return {name, QueryWord::Type::steps, 3, range};
+}
 constexpr QueryWord name_word(const char* name) { return {name, QueryWord::Type::name, 1}; }
+
+/// Which words may stand more than once: all in turn, once or more; or the last one, any number of times.
+struct Repeats {
+    enum class Which : std::uint8_t { none, all, last } which = Which::none;
+    std::size_t most = 0;
+};
 
 /// The options that a kind takes; command_line/query_arguments.cpp describes each.
 enum QueryOption : unsigned {
@@ -59,15 +71,19 @@ struct QueryKind {
     std::vector<QueryWord> words;
     unsigned options;
     Answer (*run)(QueryCall& call);
-    bool repeats_words = false;                            ///< once or more
+    Repeats repeats = {};
     std::optional<unsigned> scene_options = std::nullopt;  ///< those that scenes take; nothing if they do not answer
     bool is_of_scenes_only = false;
 };
 
-/// Words as help and messages show them: "centre x y z, radius".
+/// Words as help and messages show them: "centre x y z, radius; once or more".
 std::string words_text(const QueryKind& kind);
-/// How many arguments the words are.
+/// How many arguments the words are, each word once.
 unsigned word_count(const QueryKind& kind);
+/// The least number of arguments.
+unsigned least_count(const QueryKind& kind);
+/// Returns the words that so many arguments are, in order; none if there are too few or too many.
+std::optional<std::vector<const QueryWord*>> words_of(const QueryKind& kind, std::size_t arguments);
 
 using QueryKinds = std::vector<QueryKind>;
 QueryKinds ray_kinds();

@@ -150,7 +150,7 @@ QueryKinds pair_kinds() {
         {family,
          "within-distance",
          "Whether the surfaces are within a distance of each other",
-         {name_word("OTHER"), length_word("distance")},
+         {name_word("OTHER"), length_word("distance", Range::size)},
          placed,
          within_answer},
     };

@@ -110,7 +110,7 @@ QueryKinds scene_pair_kinds() {
          {},
          0,
          pairs_answer,
-         false,
+         {},
          option_limit | option_from | option_mask | option_work_limit,
          true},
     };
