@@ -5,11 +5,12 @@
 
 namespace espalier::tools {
 
-bool holds(Range range, std::span<const double> values, std::span<const double> before) {
+bool holds(Range range, std::span<const double> values) {
     const auto all = [values](auto is) { return std::all_of(values.begin(), values.end(), is); };
     const bool are_finite = all([](double value) { return std::isfinite(value); });
     switch (range) {
         case Range::finite:
+        case Range::apart:
             return are_finite;
         case Range::number:
             return all([](double value) { return !std::isnan(value); });
@@ -19,8 +20,6 @@ bool holds(Range range, std::span<const double> values, std::span<const double> 
             return are_finite && all([](double value) { return value >= 0.0; });
         case Range::direction:
             return are_finite && !all([](double value) { return value == 0.0; });
-        case Range::apart:
-            return are_finite && !std::equal(values.begin(), values.end(), before.begin(), before.end());
         case Range::factor:
             return are_finite && all([](double value) { return value > 0.0; });
     }

@@ -17,8 +17,8 @@ enum class Range : std::uint8_t {
     factor,       ///< finite and above 0
 };
 
-/// Returns whether the coordinates of an argument, of which `before` has as many, are in the range.
-bool holds(Range range, std::span<const double> values, std::span<const double> before);
+/// Returns whether the coordinates of an argument are in the range, but for lengths that round to zero.
+bool holds(Range range, std::span<const double> values);
 
 /// Returns the words after "it must be".
 const char* describe(Range range);

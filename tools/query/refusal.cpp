@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/numbers.hpp"
@@ -73,13 +73,10 @@ std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& 
     return arguments;
 }
 
-/// Returns the argument that the query refuses. One that is short beyond rounding has no other sign than the refusal.
+/// Returns the argument that the query refuses. A length that rounds to zero has no other sign than the refusal.
 const Argument* invalid_one(const std::vector<Argument>& arguments) {
-    std::span<const double> before;
-    for (const Argument& argument : arguments) {
-        if (!holds(argument.range, argument.values, before)) return &argument;
-        before = argument.values;
-    }
+    for (const Argument& argument : arguments)
+        if (!holds(argument.range, argument.values)) return &argument;
     const auto may_be_short = [](const Argument& argument) {
         return argument.range == Range::direction || argument.range == Range::apart;
     };
