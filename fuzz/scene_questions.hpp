@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include <espalier/scene.hpp>
 #include <espalier/scenes/moving_scene.hpp>
@@ -62,8 +63,18 @@ void compare_with_loop(const Scene& scene, bool is_sound, ShapesNear shapes, tes
     judge(tests::compare_overlaps(scene, OrientedBox{corner, {shapes.way(), shapes.way(), shapes.way()}}, filter));
     judge(tests::compare_overlaps(scene, Triangle{shapes.point(), shapes.point(), shapes.point()}, filter));
     judge(tests::compare_overlaps(scene, cone, filter));
-    judge(tests::compare_sweeps(scene, sphere, shapes.way(), filter));
-    judge(tests::compare_sweeps(scene, capsule, shapes.way(), filter));
+    const Vec3 vertices[] = {shapes.point(), shapes.point(), shapes.point(), shapes.point(), shapes.point()};
+    SceneSweepOptions options;
+    options.filter = filter;
+    options.culling = static_cast<FaceCulling>(random.below(3));
+    options.ignore_leaving = random.coin();
+    options.skin = random.coin() ? shapes.length() : 0.0f;
+    judge(tests::compare_sweeps(scene, sphere, shapes.way(), options));
+    judge(tests::compare_sweeps(scene, capsule, shapes.way(), options));
+    judge(tests::compare_sweeps(scene, box, shapes.way(), options));
+    judge(tests::compare_sweeps(scene, OrientedBox{corner, {shapes.way(), shapes.way(), shapes.way()}}, shapes.way(),
+                                options));
+    judge(tests::compare_sweeps(scene, ConvexHull{std::span(vertices).first(random.below(6))}, shapes.way(), options));
 }
 
 inline float any_number(tests::Random& random) {
@@ -90,8 +101,16 @@ void ask_with_any_bits(const Scene& scene, tests::Random& random) {
     static_cast<void>(for_each_overlap(scene, Triangle{a, b, c}, ignore));
     static_cast<void>(for_each_overlap(scene, Cone{a, b, c.x}, ignore));
     static_cast<void>(for_each_candidate(scene, Box{a, b}, [](InstanceId) {}));
-    static_cast<void>(sweep(scene, Sphere{a, b.x}, c));
-    static_cast<void>(sweep(scene, Capsule{a, b, c.x}, d));
+    SceneSweepOptions options;
+    options.culling = static_cast<FaceCulling>(random.below(256));
+    options.ignore_leaving = random.coin();
+    options.skin = any_number(random);
+    const Vec3 vertices[] = {a, b, c};
+    static_cast<void>(sweep(scene, Sphere{a, b.x}, c, options));
+    static_cast<void>(sweep(scene, Capsule{a, b, c.x}, d, options));
+    static_cast<void>(sweep(scene, Box{a, b}, d, options));
+    static_cast<void>(sweep(scene, OrientedBox{a, {b, c, d}}, b, options));
+    static_cast<void>(sweep(scene, ConvexHull{vertices}, d, options));
 }
 
 }  // namespace espalier::fuzz

@@ -243,12 +243,37 @@ requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(c
                                                                                Mask mask)
 = delete;
 
+/// SweepOptions for scenes. A parameter type: it refers to the callable of the filter.
+struct SceneSweepOptions {
+    SceneFilter filter = {};                  ///< counts the instances and triangles that it keeps
+    FaceCulling culling = FaceCulling::none;  ///< as in SweepOptions
+    bool ignore_leaving = false;              ///< as in SweepOptions, for each triangle by itself
+    /// As in SweepOptions, in world units. It stops the shape in front of the first contact, which is found without it.
+    float skin = 0.0f;
+};
+
 /// Returns the first contact of the shape as it moves by `displacement`; of equally early ones that with the lowest
-/// instance. Refuses as sweep() of a blob does.
+/// instance. A contact at the start comes first: of several instances that the shape touches there, the lowest counts,
+/// and of that the triangle that the shape is in deepest.
+///
+/// Refuses as sweep() of a blob does. A Box is swept as the OrientedBox that it becomes in local space.
 InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneFilter& filter = {}) noexcept;
+                        const SceneSweepOptions& options = {}) noexcept;
 InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneFilter& filter = {}) noexcept;
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const BakedScene& scene, const Box& box, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const BakedScene& scene, const OrientedBox& box, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const BakedScene& scene, const ConvexHull& hull, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+
+/// Returns the first contact with a triangle that the filter keeps.
+template <SweptShape Shape>
+InScene<SweepHit> sweep(const BakedScene& scene, const Shape& shape, Vec3 displacement,
+                        const SceneFilter& filter) noexcept {
+    return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
+}
 
 /// Calls the visitor with each instance whose box in the tree touches the box, widened by the slack of rounding, in
 /// ascending order; of a tile, with each instance in it whose box does. The boxes of the tree are larger than their
@@ -339,7 +364,8 @@ QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visito
 //
 // t of rays and sweeps is that of the local query, since to_local() keeps it. Points are those of to_world(), normals
 // those of normal_to_world(), distances local ones times the scale of the instance, rounded once.
-// closest_point() passes max_distance / scale to the query of the blob. As in transforms, distances, products and
+// closest_point() passes max_distance / scale to the query of the blob. So does sweep() with a skin: it is moved into
+// local space as a radius is. A hull is moved by its vertices. As in transforms, distances, products and
 // quotients below 2^-100 count as zero. What a tile returns is moved once more: it
 // compares distances before they are multiplied by its scale.
 //

@@ -50,7 +50,8 @@ private:
     Transform transform_;
 };
 
-/// Moves a point or a shape from the world into the local space of the transform.
+/// Moves a point or a shape from the world into the local space of the transform; for a ConvexHull move each of its
+/// vertices.
 ///
 /// Any bit pattern is a safe argument. Coordinates become NaN, which every query refuses, if the transform is not
 /// valid: a number is not finite, the rotation has length zero, or the scale is not between 2^-100 and 2^100. O(1).

@@ -119,19 +119,40 @@ static void ask_rays_of(struct asking* asking, uint32_t mask, espalier_scene_fil
              espalier_scene_for_each_overlap_##shape(asking->scene, at, visit_kept, asking, mask, filter, bits)); \
     } while (0)
 
+/* Two ways of sweeping a shape. */
+#define SWEEP(shape, at)                                                                                           \
+    do {                                                                                                           \
+        tell_contact(asking, espalier_scene_sweep_##shape(asking->scene, at, way, mask, filter, bits));            \
+        tell_contact(asking, espalier_scene_sweep_##shape##_with_options(asking->scene, at, way, mask, &options)); \
+    } while (0)
+
+static void ask_sweeps_of(struct asking* asking, uint32_t mask, espalier_scene_filter filter, uint32_t* bits) {
+    const struct question* question = asking->question;
+    const struct asked_shapes shapes = shapes_of(question);
+    const espalier_vec3 way = question->directions[1];
+    espalier_scene_sweep_options options = {0};
+    options.filter = filter;
+    options.user = bits;
+    options.skin = question->lengths[1];
+    options.culling = (espalier_face_culling)(question->bits & 3);
+    options.ignore_leaving = (question->bits & 8) != 0;
+    SWEEP(sphere, &shapes.sphere);
+    SWEEP(capsule, &shapes.capsule);
+    SWEEP(box, &shapes.box);
+    SWEEP(oriented_box, &shapes.oriented_box);
+    SWEEP(convex_hull, &shapes.convex_hull);
+}
+
 static void ask_shapes_of(struct asking* asking, uint32_t mask, espalier_scene_filter filter, uint32_t* bits) {
     const struct question* question = asking->question;
     const struct asked_shapes shapes = shapes_of(question);
-    const espalier_vec3* directions = question->directions;
     ASK(sphere, &shapes.sphere);
     ASK(capsule, &shapes.capsule);
     ASK(box, &shapes.box);
     ASK(oriented_box, &shapes.oriented_box);
     ASK(cone, &shapes.cone);
     ASK(triangle, &shapes.triangle);
-    tell_contact(asking, espalier_scene_sweep_sphere(asking->scene, &shapes.sphere, directions[1], mask, filter, bits));
-    tell_contact(asking,
-                 espalier_scene_sweep_capsule(asking->scene, &shapes.capsule, directions[2], mask, filter, bits));
+    ask_sweeps_of(asking, mask, filter, bits);
     tell_nearest(asking, espalier_scene_closest_point(asking->scene, question->points[3], question->lengths[3], mask));
     asking->visits = question->bits % 5u;
     tell(asking, espalier_scene_for_each_candidate(asking->scene, &shapes.box, visit_instance, asking, mask));

@@ -235,8 +235,9 @@ const char* const table = R"(
     closest_point(BakedScene, Vec3, float, uint32_t)              espalier_scene_closest_point
     for_each_candidate(BakedScene, Box, Visitor<InstanceId>, uint32_t) espalier_scene_for_each_candidate
 
-    Shape: Sphere Capsule
+    Shape: Sphere Capsule Box OrientedBox ConvexHull
     sweep(BakedScene, Shape, Vec3, SceneFilter)                   espalier_scene_sweep_shape
+    sweep(BakedScene, Shape, Vec3, SceneSweepOptions)             espalier_scene_sweep_shape_with_options
 
     Shape: Sphere Capsule Box OrientedBox Cone Triangle
     overlaps(BakedScene, Shape, SceneFilter)                      espalier_scene_overlaps_shape
@@ -282,8 +283,9 @@ const char* const table = R"(
     closest_point(MovingScene, Vec3, float, uint32_t)             espalier_scene_closest_point
     for_each_candidate(MovingScene, Box, Visitor<InstanceId>, uint32_t) espalier_scene_for_each_candidate
 
-    Shape: Sphere Capsule
+    Shape: Sphere Capsule Box OrientedBox ConvexHull
     sweep(MovingScene, Shape, Vec3, SceneFilter)                  espalier_scene_sweep_shape
+    sweep(MovingScene, Shape, Vec3, SceneSweepOptions)            espalier_scene_sweep_shape_with_options
 
     Shape: Sphere Capsule Box OrientedBox Cone Triangle
     overlaps(MovingScene, Shape, SceneFilter)                     espalier_scene_overlaps_shape
@@ -378,16 +380,27 @@ std::string types_of(std::string parameters) {
     return types;
 }
 
-/// The shapes that the templates of a header take: those that it names itself, else those that queries of scenes take
-/// or all that overlaps take.
-std::set<std::string> shapes_of(const std::string& code) {
+/// The shapes that a concept names.
+std::set<std::string> shapes_of(const std::string& concept_text) {
     const std::regex shape("same_as<Shape, (\\w+)>");
     std::set<std::string> shapes;
-    for (std::sregex_iterator match(code.begin(), code.end(), shape), end; match != end; ++match)
+    for (std::sregex_iterator match(concept_text.begin(), concept_text.end(), shape), end; match != end; ++match)
         shapes.insert((*match)[1]);
-    const bool of_scenes = code.find("<SceneShape Shape>") != std::string::npos;
-    const Path others = project / "lib/espalier" / (of_scenes ? "scene.hpp" : "shapes.hpp");
-    return shapes.empty() ? shapes_of(text_of(others)) : shapes;
+    return shapes;
+}
+
+/// The shapes that the last template in the code before a place takes: those of its concept, or of the code if it
+/// names none.
+std::set<std::string> shapes_before(const std::string& code, std::size_t place) {
+    static const std::map<std::string, Path> headers = {
+        {"OverlapShape", "shapes.hpp"}, {"SweptShape", "sweep.hpp"}, {"SceneShape", "scene.hpp"}};
+    const std::size_t begin = code.rfind("template <", place);
+    const std::size_t name = begin + std::string("template <").size();
+    const std::string of_template = code.substr(name, code.find(' ', name) - name);
+    if (of_template == "class") return shapes_of(code);
+    const std::string text = text_of(project / "lib/espalier" / headers.at(of_template));
+    const std::size_t definition = text.find("concept " + of_template + " =");
+    return shapes_of(text.substr(definition, text.find(';', definition) - definition));
 }
 
 /// The class around a place in the code and "::"; nothing for a friend, and where there is no class.
@@ -425,7 +438,7 @@ std::set<std::string> functions_of(const Path& header) {
             function = class_around(code, static_cast<std::size_t>(match->position())) + function;
         if (!std::regex_search(function, std::regex(", Shape\\b"))) functions.insert(function);
         else
-            for (const std::string& shape : shapes_of(code))
+            for (const std::string& shape : shapes_before(code, static_cast<std::size_t>(match->position())))
                 functions.insert(replaced(function, "\\bShape\\b", shape.c_str()));
     }
     return functions;
@@ -481,10 +494,11 @@ std::map<std::string, std::string> counterparts() {
     return result;
 }
 
-/// The source, and again for each shape that its macro ASK is used for, with the shape in the functions' names.
+/// The source, and again for each shape that its macro ASK or SWEEP is used for, with the shape in the functions'
+/// names.
 std::string expanded(const std::string& source) {
     std::string result = source;
-    const std::regex use("ASK\\(([a-z_]+), &?[a-z]");
+    const std::regex use("(?:ASK|SWEEP)\\(([a-z_]+), &?[a-z]");
     for (std::sregex_iterator match(source.begin(), source.end(), use), end; match != end; ++match)
         result += replaced(source, "##shape(##)?", (*match)[1].str().c_str());
     return result;

@@ -113,6 +113,8 @@ private:
     void shapes_in(const Scene& scene, const SceneFilter& filter);
     template <class Scene, class Shape>
     void shape_in(const Scene& scene, const Shape& shape, const SceneFilter& filter);
+    template <class Scene, class Shape>
+    void sweep_in(const Scene& scene, const Shape& shape, const SceneFilter& filter);
     void tell(const Result<InstanceHandle>& handle);
     InstanceHandle some_handle(std::uint32_t bits);
     [[nodiscard]] Transform some_transform(int i) const;

@@ -102,6 +102,17 @@ void Expecting::shape_in(const Scene& scene, const Shape& shape, const SceneFilt
     tell(for_each_overlap(scene, shape, visit, filter));
 }
 
+template <class Scene, class Shape>
+void Expecting::sweep_in(const Scene& scene, const Shape& shape, const SceneFilter& filter) {
+    tell(sweep(scene, shape, direction(1), filter));
+    SceneSweepOptions options;
+    options.filter = filter;
+    options.skin = asked_.lengths[1];
+    options.culling = static_cast<FaceCulling>(asked_.bits & 3);
+    options.ignore_leaving = (asked_.bits & 8) != 0;
+    tell(sweep(scene, shape, direction(1), options));
+}
+
 template <class Scene>
 void Expecting::shapes_in(const Scene& scene, const SceneFilter& filter) {
     shape_in(scene, sphere(), filter);
@@ -110,8 +121,12 @@ void Expecting::shapes_in(const Scene& scene, const SceneFilter& filter) {
     shape_in(scene, oriented_box(), filter);
     shape_in(scene, cone(), filter);
     shape_in(scene, triangle(), filter);
-    tell(sweep(scene, sphere(), direction(1), filter));
-    tell(sweep(scene, capsule(), direction(2), filter));
+    sweep_in(scene, sphere(), filter);
+    sweep_in(scene, capsule(), filter);
+    sweep_in(scene, box(), filter);
+    sweep_in(scene, oriented_box(), filter);
+    const std::array<Vec3, 4> vertices = all_points();
+    sweep_in(scene, convex_hull(vertices), filter);
     tell(closest_point(scene, point(3), length(3), filter.mask()));
     visits_ = asked_.bits % 5;
     const auto visit = [&](InstanceId id) {

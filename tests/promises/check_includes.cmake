@@ -100,7 +100,7 @@ check_layers(runtime "<espalier/((scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_he
   "sweeps: ${walks} rays proximity"
   "transforms: base"
   "pairs: ${walks} transforms"
-  "scenes: ${walks} open rays proximity transforms"
+  "scenes: ${walks} open rays proximity sweeps transforms"
   "moving_scenes/box_tree: base blob lanes traversal transforms"
   "moving_scenes: base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree"
   "deformation: base lattice blob"

@@ -105,6 +105,7 @@ std::uint64_t ask_moving_scene(const MovingScene& scene, const BakedScene& baked
     static_cast<void>(for_each_hit(scene, ray, [&](InstanceId instance, const RayHit&) { add(instance); }));
     add(closest_point(scene, point).instance);
     add(sweep(scene, sphere, way).instance);
+    add(sweep(scene, box, way).instance);
     found.add(overlaps(scene, sphere).yes());
     static_cast<void>(for_each_overlap(scene, sphere, [&](InstanceId instance, TriangleId) { add(instance); }));
     static_cast<void>(for_each_candidate(scene, box, add));

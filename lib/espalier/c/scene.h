@@ -155,6 +155,46 @@ espalier_scene_sweep_hit espalier_scene_sweep_sphere(const espalier_scene* scene
 espalier_scene_sweep_hit espalier_scene_sweep_capsule(const espalier_scene* scene, const espalier_capsule* capsule,
                                                       espalier_vec3 displacement, uint32_t mask,
                                                       espalier_scene_filter filter, void* user);
+espalier_scene_sweep_hit espalier_scene_sweep_box(const espalier_scene* scene, const espalier_box* box,
+                                                  espalier_vec3 displacement, uint32_t mask,
+                                                  espalier_scene_filter filter, void* user);
+espalier_scene_sweep_hit espalier_scene_sweep_oriented_box(const espalier_scene* scene,
+                                                           const espalier_oriented_box* box, espalier_vec3 displacement,
+                                                           uint32_t mask, espalier_scene_filter filter, void* user);
+espalier_scene_sweep_hit espalier_scene_sweep_convex_hull(const espalier_scene* scene, const espalier_convex_hull* hull,
+                                                          espalier_vec3 displacement, uint32_t mask,
+                                                          espalier_scene_filter filter, void* user);
+
+/* Selects the triangles that count, and where the shape stops. All zero, it selects all triangles and no skin. */
+typedef struct ESPALIER_SHARED_ espalier_scene_sweep_options {
+    espalier_scene_filter filter; /* null keeps all */
+    void* user;                   /* passed to `filter` */
+    float skin;                   /* in world units */
+    espalier_face_culling culling;
+    bool ignore_leaving;
+    uint8_t reserved[2];
+} espalier_scene_sweep_options;
+
+/* Returns the first contact under some options. */
+espalier_scene_sweep_hit espalier_scene_sweep_sphere_with_options(const espalier_scene* scene,
+                                                                  const espalier_sphere* sphere,
+                                                                  espalier_vec3 displacement, uint32_t mask,
+                                                                  const espalier_scene_sweep_options* options);
+espalier_scene_sweep_hit espalier_scene_sweep_capsule_with_options(const espalier_scene* scene,
+                                                                   const espalier_capsule* capsule,
+                                                                   espalier_vec3 displacement, uint32_t mask,
+                                                                   const espalier_scene_sweep_options* options);
+espalier_scene_sweep_hit espalier_scene_sweep_box_with_options(const espalier_scene* scene, const espalier_box* box,
+                                                               espalier_vec3 displacement, uint32_t mask,
+                                                               const espalier_scene_sweep_options* options);
+espalier_scene_sweep_hit espalier_scene_sweep_oriented_box_with_options(const espalier_scene* scene,
+                                                                        const espalier_oriented_box* box,
+                                                                        espalier_vec3 displacement, uint32_t mask,
+                                                                        const espalier_scene_sweep_options* options);
+espalier_scene_sweep_hit espalier_scene_sweep_convex_hull_with_options(const espalier_scene* scene,
+                                                                       const espalier_convex_hull* hull,
+                                                                       espalier_vec3 displacement, uint32_t mask,
+                                                                       const espalier_scene_sweep_options* options);
 
 typedef espalier_visit (*espalier_instance_visitor)(espalier_instance_id instance, void* user);
 /* Calls the visitor with each instance whose box in the tree touches the box, in ascending order; of a tile, with each

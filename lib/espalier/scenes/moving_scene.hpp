@@ -209,9 +209,20 @@ requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(c
                                                                                Mask mask)
 = delete;
 InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneFilter& filter = {}) noexcept;
+                        const SceneSweepOptions& options = {}) noexcept;
 InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneFilter& filter = {}) noexcept;
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const MovingScene& scene, const Box& box, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const MovingScene& scene, const OrientedBox& box, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+InScene<SweepHit> sweep(const MovingScene& scene, const ConvexHull& hull, Vec3 displacement,
+                        const SceneSweepOptions& options = {}) noexcept;
+template <SweptShape Shape>
+InScene<SweepHit> sweep(const MovingScene& scene, const Shape& shape, Vec3 displacement,
+                        const SceneFilter& filter) noexcept {
+    return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
+}
 QueryStatus for_each_candidate(const MovingScene& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask = 0xFFFFFFFF) noexcept;
 

@@ -57,7 +57,8 @@ namespace espalier::detail {
     other(convex_hull, ConvexHull) other(sweep_options, SweepOptions) twin(pair_touch, PairTouch)             \
     twin(strided_vec3, Strided<Vec3>) twin(strided_float, Strided<float>)                                     \
     twin(strided_triangle_id, Strided<TriangleId>) twin(filled_lists, FilledLists)                            \
-    twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)
+    twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)                 \
+    other(scene_sweep_options, SceneSweepOptions)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.

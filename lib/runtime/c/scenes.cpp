@@ -34,6 +34,16 @@ private:
     Keeps keeps_;
 };
 
+/// Returns options of C as C++ takes them, with a filter that outlives the call.
+SceneSweepOptions cpp(const espalier_scene_sweep_options& options, const SceneFilter& filter) {
+    SceneSweepOptions result;
+    result.filter = filter;
+    result.culling = static_cast<FaceCulling>(options.culling);
+    result.ignore_leaving = options.ignore_leaving;
+    result.skin = options.skin;
+    return result;
+}
+
 }  // namespace
 
 uint32_t espalier_scene_mesh_count(const void* bytes, size_t size) { return mesh_count_of_scene(cpp(bytes, size)); }
@@ -137,15 +147,25 @@ espalier_query_status espalier_scene_for_each_candidate(const espalier_scene* sc
     return c(for_each_candidate(cpp(scene), cpp(box), visitor(visit, user), mask));
 }
 
+/// Defines the functions that sweep a shape.
 #define SCENE_SWEEP(name)                                                                                           \
     espalier_scene_sweep_hit espalier_scene_sweep_##name(const espalier_scene* scene, const espalier_##name* shape, \
                                                          espalier_vec3 displacement, uint32_t mask,                 \
                                                          espalier_scene_filter filter, void* user) {                \
         return c(sweep(cpp(scene), cpp(shape), cpp(displacement), Selection(mask, filter, user)));                  \
+    }                                                                                                               \
+    espalier_scene_sweep_hit espalier_scene_sweep_##name##_with_options(                                            \
+        const espalier_scene* scene, const espalier_##name* shape, espalier_vec3 displacement, uint32_t mask,       \
+        const espalier_scene_sweep_options* options) {                                                              \
+        const Selection selected(mask, options->filter, options->user);                                             \
+        return c(sweep(cpp(scene), cpp(shape), cpp(displacement), cpp(*options, selected)));                        \
     }
 
 SCENE_SWEEP(sphere)
 SCENE_SWEEP(capsule)
+SCENE_SWEEP(box)
+SCENE_SWEEP(oriented_box)
+SCENE_SWEEP(convex_hull)
 
 /// Defines the functions that test and visit overlaps with a shape.
 #define SCENE_OVERLAPS(name, Cpp)                                                                                     \

@@ -106,13 +106,28 @@ InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float 
 }
 
 InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), sphere, displacement, filter);
+                        const SceneSweepOptions& options) noexcept {
+    return sweep(MovingSceneQuery(scene).scene(), sphere, displacement, options);
 }
 
 InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), capsule, displacement, filter);
+                        const SceneSweepOptions& options) noexcept {
+    return sweep(MovingSceneQuery(scene).scene(), capsule, displacement, options);
+}
+
+InScene<SweepHit> sweep(const MovingScene& scene, const Box& box, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep(MovingSceneQuery(scene).scene(), box, displacement, options);
+}
+
+InScene<SweepHit> sweep(const MovingScene& scene, const OrientedBox& box, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep(MovingSceneQuery(scene).scene(), box, displacement, options);
+}
+
+InScene<SweepHit> sweep(const MovingScene& scene, const ConvexHull& hull, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep(MovingSceneQuery(scene).scene(), hull, displacement, options);
 }
 
 QueryStatus for_each_candidate(const MovingScene& scene, const Box& box, Visitor<InstanceId> visit,

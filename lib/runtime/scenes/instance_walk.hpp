@@ -135,13 +135,17 @@ public:
 
     [[nodiscard]] explicit operator bool() const { return static_cast<bool>(best_); }
     [[nodiscard]] const Hit* operator->() const { return &best_.hit; }
+    [[nodiscard]] const Hit& operator*() const { return best_.hit; }
     /// Returns whether the result is better: has a lower key, or an equal one and a lower instance. Notes a refusal.
     bool is_better(const Hit& hit, InstanceId instance, float Hit::*key) {
+        // By their bits, which order numbers that are not negative, also subnormal ones in any mode.
+        return is_better(hit, instance, magnitude_bits(hit.*key), magnitude_bits(best_.hit.*key));
+    }
+    /// Returns the same for a key of the caller's and that of the best result.
+    bool is_better(const Hit& hit, InstanceId instance, std::uint32_t key, std::uint32_t best_key) {
         if (is_refused(hit.status)) refusal_ = status_in_scene(hit.status);
         if (hit.status != QueryStatus::ok) return false;
-        // By their bits, which order numbers that are not negative, also subnormal ones in any mode.
-        const std::uint32_t own = magnitude_bits(hit.*key), other = magnitude_bits(best_.hit.*key);
-        return !best_ || own < other || (own == other && instance < best_.instance);
+        return !best_ || key < best_key || (key == best_key && instance < best_.instance);
     }
     void set(const Hit& hit, InstanceId instance) {
         best_.hit = hit;

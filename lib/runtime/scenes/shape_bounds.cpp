@@ -102,6 +102,18 @@ ShapeBounds bounds_of(const Triangle& triangle) noexcept {
     return builder.bounds();
 }
 
+ShapeBounds bounds_of(const ConvexHull& hull) noexcept {
+    BoundsBuilder builder(hull.vertices.empty() ? Vec3{} : hull.vertices[0]);
+    if (hull.vertices.size() > max_hull_vertices) builder.refuse();
+    else
+        for (const Vec3& vertex : hull.vertices) {
+            builder.require(vertex);
+            builder.add_point(vertex);
+        }
+    if (hull.vertices.empty()) builder.set_empty();
+    return builder.bounds();
+}
+
 ShapeBounds bounds_of(const Cone& cone) noexcept {
     BoundsBuilder builder(cone.apex);
     builder.require({cone.radius, 0.0f, 0.0f});

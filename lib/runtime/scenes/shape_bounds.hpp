@@ -8,6 +8,9 @@ namespace espalier::detail {
 /// From farther away, in steps, the slack exceeds the scene: every box may be met.
 inline constexpr float farthest_reach = 0x1p42f;
 
+/// Returns the box around a shape that only sweeps take. Those around other shapes are in espalier/scene.hpp.
+ShapeBounds bounds_of(const ConvexHull& hull) noexcept;
+
 /// The tree of a scene, as seen from the anchor of a shape.
 struct SceneAround {
     float offset[3];  ///< of the tree's lattice point 0 0 0 from the anchor

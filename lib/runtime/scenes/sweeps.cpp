@@ -2,6 +2,8 @@
 #include <espalier/scene.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
+#include <runtime/sweeps/contact_time.hpp>
+#include <runtime/transforms/local_hull.hpp>
 
 namespace espalier {
 
@@ -9,48 +11,142 @@ using namespace detail;
 
 namespace {
 
+bool has_finite_radius(const Sphere& sphere) { return is_finite(sphere.radius); }
+bool has_finite_radius(const Capsule& capsule) { return is_finite(capsule.radius); }
 template <class Shape>
-InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, Vec3 displacement, const SceneFilter& filter) {
-    const ShapeBounds bounds = bounds_of(shape);
-    const bool is_sound = is_finite(displacement) && is_finite(shape.radius);
+bool has_finite_radius(const Shape&) {
+    return true;  // it has none
+}
+
+/// A shape in the local space of an instance.
+template <class Shape>
+class LocalShape {
+public:
+    LocalShape(const Transform& transform, const Shape& world) : shape_(to_local(transform, world)) {}
+    [[nodiscard]] const auto& shape() const { return shape_; }
+
+private:
+    decltype(to_local(Transform(), Shape())) shape_;  // of a Box an OrientedBox
+};
+template <>
+class LocalShape<ConvexHull> : public LocalHull {
+public:
+    using LocalHull::LocalHull;
+};
+
+/// Returns the box around a shape for its sweep: wider by what the lattice of an instance may move it farther than a
+/// shape that stays where it is (docs/numerics.md, Scenes).
+template <class Shape>
+ShapeBounds bounds_of_sweep(const SceneData& scene, const Shape& shape) {
+    ShapeBounds bounds = bounds_of(shape);
+    const float farther = scene.coarsest_step * 0x1p-6f;
+    bounds.low = {bounds.low.x - farther, bounds.low.y - farther, bounds.low.z - farther};
+    bounds.high = {bounds.high.x + farther, bounds.high.y + farther, bounds.high.z + farther};
+    return bounds;
+}
+
+/// Returns the place of a contact in the order of contacts: by its t without a skin, those at the start before others.
+std::uint32_t order_of(const SweepHit& hit, float contact_t) {
+    return hit.starts_overlapping ? 0 : magnitude_bits(contact_t) + 1;
+}
+
+template <class Shape>
+InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+                                   const SceneSweepOptions& options, float& contact_t);
+
+/// Returns the options of a sweep as those of a mesh or of a tile at the place of an instance.
+template <class Options, class Part>
+Options local_options(const SceneSweepOptions& world, const FilterOfInstance& keep, const Part& part) {
+    const Transform& transform = keep.instance.transform;
+    const float skin = to_local(transform, Sphere{transform.translation, world.skin}).radius;
+    return {keep.of(part), world.culling, world.ignore_leaving, skin};
+}
+template <class Shape>
+InScene<SweepHit> sweep_part(const Blob& mesh, const Shape& local, const Vec3& displacement,
+                             const SceneSweepOptions& options, const FilterOfInstance& keep, float& contact_t) {
+    return in_tile(detail::sweep_to_contact(mesh, local, displacement, local_options<SweepOptions>(options, keep, mesh),
+                                            contact_t));
+}
+template <class Shape>
+InScene<SweepHit> sweep_part(const BakedScene& tile, const Shape& local, const Vec3& displacement,
+                             const SceneSweepOptions& options, const FilterOfInstance& keep, float& contact_t) {
+    return sweep_to_contact(tile, local, displacement, local_options<SceneSweepOptions>(options, keep, tile),
+                            contact_t);
+}
+
+/// Returns what sweep() returns. Where that is a contact, writes the t that it has without a skin.
+template <class Shape>
+InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+                                   const SceneSweepOptions& options, float& contact_t) {
+    const SceneData& data = data_of(scene);
+    const ShapeBounds bounds = bounds_of_sweep(data, shape);
+    const bool is_sound =
+        is_finite(displacement) && has_finite_radius(shape) && is_radius(options.skin) && is_finite(options.skin);
     const QueryStatus status = !scene ? refusal_of(scene) : is_sound ? bounds.status : QueryStatus::invalid_argument;
-    if (status != QueryStatus::ok) return BestInScene<SweepHit>(status).result();
+    if (is_refused(status)) return BestInScene<SweepHit>(status).result();
     SweepHit miss;
     miss.status = QueryStatus::not_found;
     miss.t = 1.0f;
     BestInScene<SweepHit> best(miss);
-    const SceneData& data = data_of(scene);
+    if (status == QueryStatus::not_found) return best.result();  // an empty shape
+    const SceneFilter& filter = options.filter;
     const float magnitude =
         maximum(maximum(absolute(displacement.x), absolute(displacement.y)), absolute(displacement.z));
     const Passage passage(data, bounds, displacement, magnitude);
     const auto move = [&](const VisitedInstance& instance, float& limit) {
         const FilterOfInstance keep = {filter, instance};
+        const LocalShape<Shape> local(instance.transform, shape);
+        float t = 0.0f;
         InScene<SweepHit> hit = instance.query([&](const auto& part) {
-            return in_tile(sweep(part, to_local(instance.transform, shape),
-                                 direction_to_local(instance.transform, displacement), keep.of(part)));
+            return sweep_part(part, local.shape(), direction_to_local(instance.transform, displacement), options, keep,
+                              t);
         });
-        if (!best.is_better(*hit, instance.id_of(hit.instance), &SweepHit::t)) return Visit::next;
+        if (!best.is_better(*hit, instance.id_of(hit.instance), order_of(*hit, t), order_of(*best, contact_t)))
+            return Visit::next;
         hit.hit.point = to_world(instance.transform, hit->point);
         hit.hit.normal = normal_to_world(instance.transform, hit->normal);
         hit.hit.face_normal = normal_to_world(instance.transform, hit->face_normal);
         best.set(*hit, instance.id_of(hit.instance));
-        limit = passage.key_of(limit_above(hit->t));
+        contact_t = t;
+        limit = passage.key_of(limit_above(t));
         return Visit::next;
     };
     visit_nearest_instances(data, filter.mask(), passage, passage.key_of(1.0f), move);
     return best.result();
 }
 
+template <class Shape>
+InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+                           const SceneSweepOptions& options) {
+    float contact_t = 0.0f;
+    return sweep_to_contact(scene, shape, displacement, options, contact_t);
+}
+
 }  // namespace
 
 InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
-    return sweep_in(scene, sphere, displacement, filter);
+                        const SceneSweepOptions& options) noexcept {
+    return sweep_in(scene, sphere, displacement, options);
 }
 
 InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
-    return sweep_in(scene, capsule, displacement, filter);
+                        const SceneSweepOptions& options) noexcept {
+    return sweep_in(scene, capsule, displacement, options);
+}
+
+InScene<SweepHit> sweep(const BakedScene& scene, const Box& box, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep_in(scene, box, displacement, options);
+}
+
+InScene<SweepHit> sweep(const BakedScene& scene, const OrientedBox& box, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep_in(scene, box, displacement, options);
+}
+
+InScene<SweepHit> sweep(const BakedScene& scene, const ConvexHull& hull, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
+    return sweep_in(scene, hull, displacement, options);
 }
 
 }  // namespace espalier

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include <espalier/sweep.hpp>
+#include <runtime/sweeps/contact_time.hpp>
 #include <runtime/sweeps/queries.hpp>
 
 namespace espalier {
@@ -11,7 +12,8 @@ using namespace detail;
 namespace {
 
 template <class Sweep, class Shape>
-SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement, const SweepOptions& options) {
+SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement, const SweepOptions& options,
+                     float& contact_t) {
     SweepHit hit;
     if (!blob) return hit;
     hit.status = QueryStatus::invalid_argument;
@@ -28,25 +30,48 @@ SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacem
     if (blob.triangle_count() == 0) return hit;
     const FoundContact found = ESPALIER_DISPATCH(first_contact, data_of(blob), rounded, options);
     if (found.step == no_contact) return hit;
+    contact_t = share_of_way(tick_before(found.step));
     return to_sweep_hit(data_of(blob), rounded, found, radius_in_steps(data_of(blob), options.skin));
 }
 
 }  // namespace
 
+SweepHit detail::sweep_to_contact(const Blob& blob, const Sphere& sphere, const Vec3& displacement,
+                                  const SweepOptions& options, float& contact_t) noexcept {
+    return sweep_shape<CapsuleSweep>(blob, sphere, displacement, options, contact_t);
+}
+SweepHit detail::sweep_to_contact(const Blob& blob, const Capsule& capsule, const Vec3& displacement,
+                                  const SweepOptions& options, float& contact_t) noexcept {
+    return sweep_shape<CapsuleSweep>(blob, capsule, displacement, options, contact_t);
+}
+SweepHit detail::sweep_to_contact(const Blob& blob, const OrientedBox& box, const Vec3& displacement,
+                                  const SweepOptions& options, float& contact_t) noexcept {
+    return sweep_shape<HullSweep>(blob, box, displacement, options, contact_t);
+}
+SweepHit detail::sweep_to_contact(const Blob& blob, const ConvexHull& hull, const Vec3& displacement,
+                                  const SweepOptions& options, float& contact_t) noexcept {
+    return sweep_shape<HullSweep>(blob, hull, displacement, options, contact_t);
+}
+
 SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, const SweepOptions& options) noexcept {
-    return sweep_shape<CapsuleSweep>(blob, sphere, displacement, options);
+    float contact_t;
+    return sweep_to_contact(blob, sphere, displacement, options, contact_t);
 }
 SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, const SweepOptions& options) noexcept {
-    return sweep_shape<CapsuleSweep>(blob, capsule, displacement, options);
+    float contact_t;
+    return sweep_to_contact(blob, capsule, displacement, options, contact_t);
 }
 SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, const SweepOptions& options) noexcept {
-    return sweep_shape<BoxSweep>(blob, box, displacement, options);
+    float contact_t;
+    return sweep_shape<BoxSweep>(blob, box, displacement, options, contact_t);
 }
 SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, const SweepOptions& options) noexcept {
-    return sweep_shape<HullSweep>(blob, box, displacement, options);
+    float contact_t;
+    return sweep_to_contact(blob, box, displacement, options, contact_t);
 }
 SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, const SweepOptions& options) noexcept {
-    return sweep_shape<HullSweep>(blob, hull, displacement, options);
+    float contact_t;
+    return sweep_to_contact(blob, hull, displacement, options, contact_t);
 }
 
 }  // namespace espalier

@@ -74,6 +74,8 @@ void check_answers(MovingScene& scene) {
     check(compare_overlaps(scene, Sphere{{0.5f, 0.5f, 0.5f}, 1.0f}));
     check(compare_overlaps(scene, Box{{-9.0f, -9.0f, -9.0f}, {0.0f, 0.0f, 9.0f}}, 1));
     check(compare_sweeps(scene, Sphere{{-9.0f, 0.0f, 0.0f}, 0.25f}, {20.0f, 1.0f, 0.0f}));
+    const Vec3 vertices[] = {{-9.0f, 0.0f, 0.0f}, {-8.0f, 0.0f, 0.0f}, {-9.0f, 1.0f, 0.5f}};
+    check(compare_sweeps(scene, ConvexHull{vertices}, {20.0f, 1.0f, 0.0f}, SceneSweepOptions{.skin = 0.5f}));
     check_pairs(scene);
 }
 

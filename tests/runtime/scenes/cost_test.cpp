@@ -58,6 +58,17 @@ StackUse most_stack_of_overlaps(Make make) {
     });
 }
 
+/// The stack of sweeps of the shapes that `make` makes, under some options.
+template <class Make>
+StackUse most_stack_of_sweeps(Make make) {
+    return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
+        const auto shape = make(maker);
+        const Vec3 way = maker.displacement();
+        const SceneSweepOptions options = maker.sweep_options({});
+        return stack_use([&] { (void)sweep(scene, shape, way, options)->t; });
+    });
+}
+
 template <class Query>
 StackUse most_stack_of_rays(Query query) {
     return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
@@ -79,6 +90,9 @@ TEST_SUITE("cost") {
             const Capsule capsule = maker.capsule();
             const Vec3 displacement = maker.displacement();
             const Box box = maker.box();
+            const OrientedBox turned = maker.oriented_box();
+            const std::vector<Vec3> vertices = maker.hull_vertices();
+            const SceneSweepOptions options = maker.sweep_options({});
             const std::byte* const bytes = detail::data_of(scene).tree.bytes;
             const std::uint64_t before = allocation_count();
             REQUIRE(open_scene({bytes, scene.size()}, meshes, tiles));
@@ -89,8 +103,11 @@ TEST_SUITE("cost") {
             (void)overlaps(scene, sphere);
             (void)for_each_overlap(scene, box, [](InstanceId, TriangleId) {});
             (void)for_each_candidate(scene, box, [](InstanceId) {});
-            (void)sweep(scene, sphere, displacement)->t;
-            (void)sweep(scene, capsule, displacement)->t;
+            (void)sweep(scene, sphere, displacement, options)->t;
+            (void)sweep(scene, capsule, displacement, options)->t;
+            (void)sweep(scene, box, displacement, options)->t;
+            (void)sweep(scene, turned, displacement, options)->t;
+            (void)sweep(scene, ConvexHull{vertices}, displacement, options)->t;
             allocations += allocation_count() - before;
         });
         CHECK(allocations == 0);
@@ -135,15 +152,16 @@ TEST_SUITE("cost") {
             {"overlaps, a triangle", 5120,
              most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.triangle(); })},
             {"overlaps, a cone", 5632, most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.cone(); })},
-            {"sweep, a sphere", 9216, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
-                 const Sphere sphere = maker.sphere();
+            {"sweep, a sphere", 9216, most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.sphere(); })},
+            {"sweep, a capsule", 10240, most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.capsule(); })},
+            {"sweep, a box", 10240, most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.box(); })},
+            {"sweep, an oriented box", 10240,
+             most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.oriented_box(); })},
+            {"sweep, a hull", 11008, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                 const std::vector<Vec3> vertices = maker.hull_vertices();
                  const Vec3 way = maker.displacement();
-                 return stack_use([&] { (void)sweep(scene, sphere, way)->t; });
-             })},
-            {"sweep, a capsule", 10240, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
-                 const Capsule capsule = maker.capsule();
-                 const Vec3 way = maker.displacement();
-                 return stack_use([&] { (void)sweep(scene, capsule, way)->t; });
+                 const SceneSweepOptions options = maker.sweep_options({});
+                 return stack_use([&] { (void)sweep(scene, ConvexHull{vertices}, way, options)->t; });
              })},
             {"for_each_candidate", 896, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
                  const Box box = maker.box();

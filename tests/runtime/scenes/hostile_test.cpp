@@ -44,6 +44,8 @@ bool exercise(const std::vector<std::byte>& bytes) {
     static_cast<void>(overlaps(scene, sphere).yes());
     static_cast<void>(for_each_overlap(scene, sphere, [](InstanceId, TriangleId) {}));
     static_cast<void>(sweep(scene, sphere, {5.0f, 0.0f, 0.0f})->t);
+    const Vec3 vertices[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static_cast<void>(sweep(scene, ConvexHull{vertices}, {5.0f, 0.0f, 0.0f}, SceneSweepOptions{.skin = 0.5f})->t);
     static_cast<void>(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}));
     static_cast<void>(verify_scene(exact).sound);
     return static_cast<bool>(scene);

@@ -262,6 +262,29 @@ OrientedBox SceneQueryMaker::oriented_box() {
     return box;
 }
 
+std::vector<Vec3> SceneQueryMaker::hull_vertices() {
+    const Vec3 middle = point();
+    const float size = length();
+    const bool is_flat = random_.below(4) == 0;
+    const std::uint32_t most = random_.below(8) == 0 ? static_cast<std::uint32_t>(max_hull_vertices) + 1 : 12;
+    std::vector<Vec3> vertices(random_.below(most));
+    for (Vec3& vertex : vertices) {
+        const Vec3 way = random_.in_cube(size);
+        vertex = {middle.x + way.x, middle.y + (is_flat ? 0.0f : way.y), middle.z + way.z};
+    }
+    return vertices;
+}
+
+SceneSweepOptions SceneQueryMaker::sweep_options(const SceneFilter& filter) {
+    SceneSweepOptions options;
+    options.filter = filter;
+    if (random_.below(4) == 0) return options;
+    options.culling = static_cast<FaceCulling>(random_.below(3));
+    options.ignore_leaving = random_.coin();
+    options.skin = random_.coin() ? 0.0f : 0.25f * length();
+    return options;
+}
+
 Triangle SceneQueryMaker::triangle() {
     Triangle triangle;
     triangle.a = point();

@@ -56,11 +56,15 @@ public:
     Capsule capsule();
     Box box();
     OrientedBox oriented_box();
+    /// The vertices of a hull: 0 to 64 of them, some in one plane.
+    std::vector<Vec3> hull_vertices();
     Triangle triangle();
     Cone cone();
     /// On, near or far from the surface of an instance.
     Vec3 point();
     Vec3 displacement();
+    /// What a sweep ignores and the skin, with a filter. Every fourth ones are the default.
+    SceneSweepOptions sweep_options(const SceneFilter& filter);
     [[nodiscard]] Random& random() { return random_; }
 
 private:

@@ -26,6 +26,9 @@ struct Questions {
     Box box;
     Cone cone;
     Vec3 displacement;
+    OrientedBox turned;
+    std::vector<Vec3> vertices;
+    SceneSweepOptions options;
 };
 
 struct Answers {
@@ -36,16 +39,18 @@ struct Answers {
     std::vector<QueryStatus> ends;
     std::vector<InstanceId> instances;
     std::vector<TriangleId> triangles;
-    InScene<SweepHit> contact;
+    std::vector<InScene<SweepHit>> contacts;
 
     friend bool same(const Answers& a, const Answers& b) {
         if (!same_bits(*a.hit, *b.hit) || a.hit.instance != b.hit.instance || a.any != b.any) return false;
         if (a.every_hit.size() != b.every_hit.size()) return false;
         for (std::size_t i = 0; i < a.every_hit.size(); ++i)
             if (!same_bits(a.every_hit[i], b.every_hit[i])) return false;
+        for (std::size_t i = 0; i < a.contacts.size(); ++i)
+            if (!same_bits(*a.contacts[i], *b.contacts[i]) || a.contacts[i].instance != b.contacts[i].instance)
+                return false;
         return same_bits(*a.nearest, *b.nearest) && a.nearest.instance == b.nearest.instance && a.ends == b.ends &&
-               a.instances == b.instances && a.triangles == b.triangles && same_bits(*a.contact, *b.contact) &&
-               a.contact.instance == b.contact.instance;
+               a.instances == b.instances && a.triangles == b.triangles;
     }
 };
 
@@ -54,7 +59,10 @@ Answers ask(const BakedScene& scene, const Questions& q) {
     answers.hit = raycast(scene, q.ray);
     answers.any = occluded(scene, q.ray);
     answers.nearest = closest_point(scene, q.point, q.max_distance);
-    answers.contact = sweep(scene, q.sphere, q.displacement);
+    answers.contacts = {sweep(scene, q.sphere, q.displacement, q.options),
+                        sweep(scene, q.box, q.displacement, q.options),
+                        sweep(scene, q.turned, q.displacement, q.options),
+                        sweep(scene, ConvexHull{q.vertices}, q.displacement, q.options)};
     const auto hit = [&](InstanceId instance, const RayHit& each) {
         answers.instances.push_back(instance);
         answers.every_hit.push_back(each);
@@ -73,8 +81,16 @@ Questions questions_of(SceneQueryMaker& maker) {
     constexpr float tiny[] = {1e-40f, 0x1p-149f, -1e-40f, 0.0f, -0.0f, 0x1p-126f, 0x1p-101f};
     Random& random = maker.random();
     const auto small = [&] { return tiny[random.below(7)]; };
-    Questions q = {maker.ray(), maker.point(), maker.sphere().radius, maker.sphere(),
-                   maker.box(), maker.cone(),  maker.displacement()};
+    Questions q = {.ray = maker.ray(),
+                   .point = maker.point(),
+                   .max_distance = maker.sphere().radius,
+                   .sphere = maker.sphere(),
+                   .box = maker.box(),
+                   .cone = maker.cone(),
+                   .displacement = maker.displacement(),
+                   .turned = maker.oriented_box(),
+                   .vertices = maker.hull_vertices(),
+                   .options = maker.sweep_options({})};
     switch (random.below(8)) {
         case 0:
             q.ray.direction = {q.ray.direction.x * 0x1p120f, q.ray.direction.y * 0x1p120f,
@@ -87,6 +103,7 @@ Questions questions_of(SceneQueryMaker& maker) {
         case 2:
             q.max_distance = small();
             q.sphere.radius = small();
+            q.options.skin = small();
             break;
         case 3:
             q.box.max.x = q.box.min.x = 0.0f;
@@ -95,6 +112,7 @@ Questions questions_of(SceneQueryMaker& maker) {
         case 4:
             q.cone.radius = small();
             q.displacement = {small(), small(), q.displacement.z};
+            for (Vec3& vertex : q.vertices) vertex.y = small();
             break;
         default:
             break;

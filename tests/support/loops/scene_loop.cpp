@@ -30,6 +30,25 @@ struct InstanceInLoop {
         const auto local = to_local(outer, shape);
         return tile == nullptr ? function(local) : function(to_local(inner, local));
     }
+    template <class Function>
+    auto in_local(const ConvexHull& hull, Function function) const {
+        std::vector<Vec3> vertices;
+        for (const Vec3& vertex : hull.vertices) {
+            const Vec3 local = to_local(outer, vertex);
+            vertices.push_back(tile == nullptr ? local : to_local(inner, local));
+        }
+        return function(ConvexHull{vertices});
+    }
+    template <class Function>
+    auto in_local(const Box& box, Function function) const {
+        if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)
+            return function(box);  // empty in every space; it has no oriented form
+        const OrientedBox local = to_local(outer, box);
+        return tile == nullptr ? function(local) : function(to_local(inner, local));
+    }
+    [[nodiscard]] float length_in_local(float length) const {
+        return in_local(Sphere{{}, length}, [](const Sphere& local) { return local.radius; });
+    }
     [[nodiscard]] Vec3 direction_in_local(const Vec3& direction) const {
         const Vec3 local = direction_to_local(outer, direction);
         return tile == nullptr ? local : direction_to_local(inner, local);
@@ -249,32 +268,49 @@ template SceneComparison compare_overlaps(const MovingScene&, const Cone&, const
 
 template <class Scene, class Shape>
 SceneComparison compare_sweeps(const Scene& scene, const Shape& shape, const Vec3& displacement,
-                               const SceneFilter& filter) {
-    SceneLoop<Scene> loop(scene, filter);
-    const auto sweep_in = [&](const InstanceInLoop& instance) {
+                               const SceneSweepOptions& options) {
+    SceneLoop<Scene> loop(scene, options.filter);
+    InScene<SweepHit> expected;
+    expected.hit.status = QueryStatus::not_found;
+    expected.hit.t = 1.0f;
+    float first = 2.0f;  // -1 at the start
+    loop.for_each_instance([&](const InstanceInLoop& instance) {
         const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
-        return instance.in_local(shape, [&](const Shape& local) {
-            return sweep(instance.blob, local, instance.direction_in_local(displacement), keep);
-        });
-    };
-    const auto move = [](const InstanceInLoop& instance, SweepHit hit) {
+        SweepOptions local = {keep, options.culling, options.ignore_leaving, instance.length_in_local(options.skin)};
+        const auto sweep_with = [&](const SweepOptions& with) {
+            return instance.in_local(shape, [&](const auto& moved) {
+                return sweep(instance.blob, moved, instance.direction_in_local(displacement), with);
+            });
+        };
+        SweepHit hit = sweep_with(local);
+        loop.note(hit.status);
+        if (!hit) return;
+        // The first contact is that without a skin.
+        local.skin = 0.0f;
+        const float time = hit.starts_overlapping ? -1.0f : sweep_with(local).t;
+        if (!(time < first)) return;
+        first = time;
         hit.point = instance.in_world(hit.point);
         hit.normal = instance.normal_in_world(hit.normal);
         hit.face_normal = instance.normal_in_world(hit.face_normal);
-        return hit;
-    };
-    InScene<SweepHit> expected = loop.best(&SweepHit::t, sweep_in, move);
-    if (!expected) expected.hit.t = 1.0f;
-    const InScene<SweepHit> hit = sweep(scene, shape, displacement, filter);
+        expected = {hit, instance.id};
+    });
+    const InScene<SweepHit> hit = sweep(scene, shape, displacement, options);
     SceneComparison result;
     result.is_found = static_cast<bool>(hit);
     if (!loop.may_be_refused(hit->status) && !(same_bits(*hit, *expected) && hit.instance == expected.instance))
         result.fault = "the first contact is another one than in the loop";
     return result;
 }
-template SceneComparison compare_sweeps(const BakedScene&, const Sphere&, const Vec3&, const SceneFilter&);
-template SceneComparison compare_sweeps(const MovingScene&, const Sphere&, const Vec3&, const SceneFilter&);
-template SceneComparison compare_sweeps(const BakedScene&, const Capsule&, const Vec3&, const SceneFilter&);
-template SceneComparison compare_sweeps(const MovingScene&, const Capsule&, const Vec3&, const SceneFilter&);
+template SceneComparison compare_sweeps(const BakedScene&, const Sphere&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const MovingScene&, const Sphere&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const BakedScene&, const Capsule&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const MovingScene&, const Capsule&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const BakedScene&, const Box&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const MovingScene&, const Box&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const BakedScene&, const OrientedBox&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const MovingScene&, const OrientedBox&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const BakedScene&, const ConvexHull&, const Vec3&, const SceneSweepOptions&);
+template SceneComparison compare_sweeps(const MovingScene&, const ConvexHull&, const Vec3&, const SceneSweepOptions&);
 
 }  // namespace espalier::tests

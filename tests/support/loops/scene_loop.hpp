@@ -30,9 +30,9 @@ SceneComparison compare_closest_points(const Scene& scene, const Vec3& point, fl
 /// Compares whether anything overlaps, and what does. Shape is any SceneShape.
 template <class Scene, class Shape>
 SceneComparison compare_overlaps(const Scene& scene, const Shape& shape, const SceneFilter& filter = {});
-/// Shape is Sphere or Capsule.
+/// Shape is any SweptShape. In the loop, a first sweep of each instance finds the contact and a second one the skin.
 template <class Scene, class Shape>
 SceneComparison compare_sweeps(const Scene& scene, const Shape& shape, const Vec3& displacement,
-                               const SceneFilter& filter = {});
+                               const SceneSweepOptions& options = {});
 
 }  // namespace espalier::tests

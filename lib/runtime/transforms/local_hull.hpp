@@ -1,0 +1,30 @@
+// A convex hull moved into the local space of a transform: as to_local() moves each of its vertices.
+#pragma once
+
+#include <cstddef>
+
+#include <espalier/shapes.hpp>
+#include <runtime/transforms/rotation.hpp>
+
+namespace espalier::detail {
+
+/// A hull with its vertices, of which it has at most max_hull_vertices.
+class LocalHull {
+public:
+    [[gnu::noinline]] LocalHull(const Transform& transform, const ConvexHull& world) : count_(world.vertices.size()) {
+        if (is_identity(transform)) {
+            for (std::size_t i = 0; i < count_; ++i) vertices_[i] = world.vertices[i];
+            return;
+        }
+        const PreparedTransform prepared(transform);
+        for (std::size_t i = 0; i < count_; ++i) vertices_[i] = prepared.point_to_local(world.vertices[i]);
+    }
+
+    [[nodiscard]] ConvexHull shape() const { return {{vertices_, count_}}; }
+
+private:
+    std::size_t count_;
+    Vec3 vertices_[max_hull_vertices];
+};
+
+}  // namespace espalier::detail
