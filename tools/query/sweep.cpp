@@ -1,5 +1,4 @@
 // Shapes that move along a straight line.
-#include <type_traits>
 #include <vector>
 
 #include "base/choices.hpp"
@@ -27,19 +26,25 @@ Answer hit_answer(const QueryCall& call, const SweepHit& hit, InstanceId instanc
     return answer;
 }
 
-template <class Shape>
-Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacement) {
-    if constexpr (std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Capsule>) {
-        if (const BakedScene* scene = call.scene()) {
-            const InScene<SweepHit> found = sweep(*scene, shape, displacement, call.mask());
-            return hit_answer(call, *found, found.instance);
-        }
-    }
-    SweepOptions options;
+/// Returns the options of the command line as those of a blob or of a scene.
+template <class Options>
+Options sweep_options(const QueryCall& call) {
+    Options options;
     options.culling = call.options().culling;
     options.ignore_leaving = call.options().ignore_leaving;
     options.skin = length_argument(call.options().skin, "--skin");
-    return hit_answer(call, sweep(call.blob(), shape, displacement, options));
+    return options;
+}
+
+template <class Shape>
+Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacement) {
+    if (const BakedScene* scene = call.scene()) {
+        auto options = sweep_options<SceneSweepOptions>(call);
+        options.filter = call.mask();
+        const InScene<SweepHit> found = sweep(*scene, shape, displacement, options);
+        return hit_answer(call, *found, found.instance);
+    }
+    return hit_answer(call, sweep(call.blob(), shape, displacement, sweep_options<SweepOptions>(call)));
 }
 
 Answer sphere_answer(QueryCall& call) {
@@ -82,7 +87,7 @@ Answer hull_answer(QueryCall& call) {
 
 QueryKinds sweep_kinds() {
     constexpr const char* family = "Sweeps; t is the part of the displacement until contact";
-    constexpr unsigned options = option_culling | option_sweep;
+    constexpr unsigned options = option_culling | option_sweep, in_scene = options | option_mask;
     return {
         {family,
          "sweep-sphere",
@@ -91,7 +96,7 @@ QueryKinds sweep_kinds() {
          options,
          sphere_answer,
          {},
-         option_mask},
+         in_scene},
         {family,
          "sweep-capsule",
          "What a moving capsule touches first",
@@ -99,27 +104,32 @@ QueryKinds sweep_kinds() {
          options,
          capsule_answer,
          {},
-         option_mask},
+         in_scene},
         {family,
          "sweep-box",
          "What a moving axis-aligned box touches first",
          {point_word("min"), point_word("max"), point_word("displacement")},
          options,
-         box_answer},
+         box_answer,
+         {},
+         in_scene},
         {family,
          "sweep-oriented-box",
          "What a moving box of any orientation touches first; half axes lead from center to faces",
          {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
           point_word("displacement")},
          options,
-         oriented_box_sweep_answer},
+         oriented_box_sweep_answer,
+         {},
+         in_scene},
         {family,
          "sweep-hull",
          "What a moving convex hull touches first: its displacement, then each vertex",
          {point_word("displacement"), point_word("vertex")},
          options,
          hull_answer,
-         {Repeats::Which::last, max_hull_vertices}},
+         {Repeats::Which::last, max_hull_vertices},
+         in_scene},
     };
 }
 

@@ -65,7 +65,26 @@ def queries():
         is_equal("the contact", scene["hit"], blob["hit"])
         if scene["hit"] and blob["hit"]:
             close("t", scene["t"], blob["t"], 1e-3)
-        ask("forest.esps", "sweep-capsule", *at, *corner, 0.5, 0, -40, 0)
+        corners = [c for x in (at[0], corner[0]) for z in (at[2], corner[2]) for c in (x, at[1], z)]
+        for shape in (("sweep-capsule", *at, *corner, 0.5, 0, -40, 0), ("sweep-box", *at, *corner, 0, -40, 0),
+                      ("sweep-oriented-box", *at, 5, 1, 0, -1, 5, 0, 0, 0, 4, 0, -40, 0),
+                      ("sweep-hull", 0, -40, 0, *corners)):
+            for options in ((), ("--culling", "back"), ("--ignore-leaving",)):
+                scene, blob = (ask(path, *shape, *options) for path in ("forest.esps", "forest.espl"))
+                is_equal("the contact of %s" % shape[0], scene["hit"], blob["hit"])
+                if scene["hit"]:
+                    close("t", scene["t"], blob["t"], 1e-3)
+                    is_equal("the start", scene["starts_overlapping"], blob["starts_overlapping"])
+            is_equal("a mask of no bit", ask("forest.esps", *shape, "--mask", "0")["hit"], False)
+    stops = 0
+    for _ in range(12):
+        ball = [chance.uniform(0, 110), 80, chance.uniform(0, 100), 0.5, 0, -100, 0]
+        scene, stopped = (ask("forest.esps", "sweep-sphere", *ball, "--skin", skin) for skin in (0, 2))
+        if scene["hit"] and scene["normal"][1] > 0.5:
+            stops += 1
+            close("the skin in world units", (scene["t"] - stopped["t"]) * 100 * scene["normal"][1], 2, 1e-3)
+    if stops == 0:
+        fail("no ball was stopped by its skin")
     claim("limits, lists of candidates, instances and bounds")
     limited = ask("forest.esps", "box", -500, -500, -500, 500, 500, 500, "--limit", "5")
     is_equal("the limited list", (limited["status"], limited["count"]), ("output_full", 5))
@@ -77,7 +96,7 @@ def queries():
         fail("no scale in the text")
     ask("forest.esps", "bounds")
     claim("what a scene does not answer is refused, and says so")
-    for words, text in ((["contains", 0, 0, 0], "contains"), (["tree"], "tree"), (["sweep-box", *[0] * 9], "sweep-box"),
+    for words, text in ((["contains", 0, 0, 0], "contains"), (["tree"], "tree"),
                         (["lattice-segment", *[0] * 6], "lattice-segment"),
                         (["ray", 0, 0, 0, 1, 0, 0, "--first", 2], "--first"),
                         (["sphere", 0, 0, 0, 1, "--accuracy", 1], "--accuracy"),
