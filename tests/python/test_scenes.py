@@ -52,6 +52,18 @@ def test_points_sweeps_and_volumes(scene, random):
     np.testing.assert_array_equal(lists.counts() > 0, touching.yes)
     moved = scene.sweep(espalier.Sphere(points, 0.5), closest["point"] - points)
     assert (moved["status"] == 0).all() and (moved["t"] < 1).all()
+    boxes = espalier.Box(points - 0.5, points + 0.5)
+    axes = np.broadcast_to(0.5 * np.eye(3, dtype=np.float32), (200, 3, 3))
+    signs = 0.5 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    ways = 2 * (closest["point"] - points)
+    moved = scene.sweep(boxes, ways)
+    assert (moved["status"] == 0).all() and (moved["t"] < 0.5).all()
+    turned = scene.sweep(espalier.OrientedBox(points, axes), ways)
+    np.testing.assert_allclose(turned["t"], moved["t"], atol=1e-5)
+    hulls = scene.sweep(espalier.ConvexHull(points[:, None] + signs), ways)
+    np.testing.assert_allclose(hulls["t"], moved["t"], atol=1e-5)
+    with pytest.raises(TypeError):
+        scene.sweep(espalier.Cone(points, points, 1.0), ways)
 
 
 def test_instances_bytes_and_refusals(scene, blob, places):

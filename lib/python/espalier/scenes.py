@@ -13,7 +13,7 @@ from .blob import Blob
 from .errors import BakeError, OpenError
 from .rays import culling_number
 from .results import Lists, YesNo
-from .shapes import Capsule, Sphere, Volume, split
+from .shapes import Moving, Volume, split
 
 ALL = 0xFFFFFFFF
 """The mask that shares a bit with that of every instance but 0."""
@@ -69,8 +69,7 @@ class Scene(Baked):
         """Returns the closest point of any surface to each point: an array of SCENE_CLOSEST_POINT."""
         return _core.scene_closest_points(self._core, points, max_distance, mask, threads)
 
-    def sweep(self, shape: Union[Sphere, Capsule], displacement: ArrayLike, *, mask: int = ALL,
-              threads: int = 1) -> NDArray[Any]:
+    def sweep(self, shape: Moving, displacement: ArrayLike, *, mask: int = ALL, threads: int = 1) -> NDArray[Any]:
         """Returns the first contact of each shape as it moves by a displacement: an array of SCENE_SWEEP_HIT."""
         return _core.scene_sweeps(self._core, *split(shape), displacement, mask, threads)
 

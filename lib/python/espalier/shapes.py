@@ -89,7 +89,7 @@ class ConvexHull(NamedTuple):
 Volume = Union[Sphere, Capsule, Box, OrientedBox, Triangle, Cone, ConvexVolume]
 """What overlaps() takes. Scenes take no ConvexVolume."""
 Moving = Union[Sphere, Capsule, Box, OrientedBox, ConvexHull]
-"""What sweep() takes. Scenes take a Sphere or a Capsule."""
+"""What sweep() takes."""
 Body = Union[Sphere, Capsule, OrientedBox, ConvexHull]
 """What contacts() takes."""
 
