@@ -69,9 +69,14 @@ class Scene(Baked):
         """Returns the closest point of any surface to each point: an array of SCENE_CLOSEST_POINT."""
         return _core.scene_closest_points(self._core, points, max_distance, mask, threads)
 
-    def sweep(self, shape: Moving, displacement: ArrayLike, *, mask: int = ALL, threads: int = 1) -> NDArray[Any]:
-        """Returns the first contact of each shape as it moves by a displacement: an array of SCENE_SWEEP_HIT."""
-        return _core.scene_sweeps(self._core, *split(shape), displacement, mask, threads)
+    def sweep(self, shape: Moving, displacement: ArrayLike, *, culling: str = "none", ignore_leaving: bool = False,
+              skin: float = 0.0, mask: int = ALL, threads: int = 1) -> NDArray[Any]:
+        """Returns the first contact of each shape as it moves by a displacement: an array of SCENE_SWEEP_HIT.
+
+        Options are those of Blob.sweep(), with the skin in world units.
+        """
+        options = (culling_number(culling), ignore_leaving, skin)
+        return _core.scene_sweeps(self._core, *split(shape), displacement, options, mask, threads)
 
     def overlaps(self, shape: Volume, *, mask: int = ALL, threads: int = 1) -> YesNo:
         """Returns whether any triangle touches each shape. Takes no ConvexVolume."""

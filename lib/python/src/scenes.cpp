@@ -7,6 +7,7 @@
 #include "parts.hpp"
 #include "rays.hpp"
 #include "shape_batches.hpp"
+#include "sweeps.hpp"
 
 #include <cstring>
 
@@ -131,12 +132,14 @@ py::array closest_points(const HeldScene& self, const py::handle& given, const p
 }
 
 py::array sweeps(const HeldScene& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
-                 std::uint32_t mask, unsigned threads) {
+                 const GivenSweepOptions& given_options, std::uint32_t mask, unsigned threads) {
+    auto options = sweep_options<SceneSweepOptions>(given_options);
+    options.filter = SceneFilter(mask);
     Floats ways(displacement, "displacement", {3});
     return answer_shapes(
         kind, given, &ways, dtype_of("scene_sweep_hit"), threads,
         [&](const auto& shape, std::size_t i) requires requires { sweep(self.scene, shape, Vec3{}, SceneFilter()); } {
-            return sweep(self.scene, shape, ways.as<Vec3>().at(i), SceneFilter(mask));
+            return sweep(self.scene, shape, ways.as<Vec3>().at(i), options);
         });
 }
 

@@ -3,10 +3,7 @@
 #include "dtypes.hpp"
 #include "held_blob.hpp"
 #include "shape_batches.hpp"
-
-#include <tuple>
-
-#include <pybind11/stl.h>
+#include "sweeps.hpp"
 
 #include <espalier/sweep.hpp>
 
@@ -15,11 +12,8 @@ namespace espalier::python {
 namespace {
 
 py::array sweeps(const HeldBlob& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
-                 const std::tuple<int, bool, float>& given_options, unsigned threads) {
-    SweepOptions options;
-    options.culling = static_cast<FaceCulling>(std::get<0>(given_options));
-    options.ignore_leaving = std::get<1>(given_options);
-    options.skin = std::get<2>(given_options);
+                 const GivenSweepOptions& given_options, unsigned threads) {
+    const auto options = sweep_options<SweepOptions>(given_options);
     Floats ways(displacement, "displacement", {3});
     return answer_shapes(
         kind, given, &ways, dtype_of("sweep_hit"),
