@@ -134,6 +134,12 @@ run 0 query box.espl contains 0.5 1 1.5
 out_has "inside"
 run 0 query box.espl contains 0.5 1 3.5 --json
 json '.inside == false'
+run 0 query box.espl winding-number 0.5 1 1.5 16 --json
+json '.winding == 1'
+run 0 query box.espl winding-number 0.5 1 3.5 16 --json
+json '.winding == 0'
+run 1 query box.espl winding-number 0.5 1 3.5 1
+err_has "directions is 1; it must be from 2 to 4096"
 run 0 query box.espl signed-distance 0.5 1 2.75 --json
 json '.found and .distance == -0.25 and .point == [0.5, 1, 3] and .on_shape == null and .side == "back"'
 run 0 query box.espl signed-distance 0.5 1 3.25 --json

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/choices.hpp"
+#include "base/numbers.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {
@@ -101,6 +102,19 @@ Answer contains_answer(QueryCall& call) {
     return answer;
 }
 
+Answer winding_number_answer(QueryCall& call) {
+    const Vec3 point = call.next_vector();
+    const std::uint32_t directions = call.next_index();
+    if (directions < 2 || directions > max_winding_directions)
+        throw CommandError(ExitCode::usage,
+                           text("directions is ", directions, "; it must be from 2 to ", max_winding_directions));
+    Answer answer(call);
+    const Result<float> winding = winding_number(call.blob(), point, directions);
+    if (winding.status != QueryStatus::ok) answer.status = winding.status;
+    else answer.record.add("winding", *winding);
+    return answer;
+}
+
 Answer signed_distance_answer(QueryCall& call) {
     const ClosestPoint nearest = signed_distance(call.blob(), call.next_vector(), max_distance(call));
     Answer answer = nearest_answer(call, nearest);
@@ -139,6 +153,12 @@ QueryKinds distance_kinds() {
          {point_word("point")},
          0,
          contains_answer},
+        {family,
+         "winding-number",
+         "About how often a surface, open or not, winds around a point: inside above 0.5; 64 directions are usual",
+         {point_word("point"), index_word("directions")},
+         0,
+         winding_number_answer},
         {family,
          "signed-distance",
          "The distance of a point to a closed surface, negative inside",
