@@ -256,7 +256,7 @@ TEST_SUITE("stack") {
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
                  2},
-                {"collect_contacts, resumed", 6656,
+                {"collect_contacts, resumed", 6912,
                  placed_row(
                      [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
                          PairContact contacts[1];
@@ -277,7 +277,7 @@ TEST_SUITE("stack") {
                          (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
                      }),
                  2},
-                {"distance, two blobs", 6656,
+                {"distance, two blobs", 6912,
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)distance(a, b, WorkLimit(20'000), 1e30f); }),
                  2},
