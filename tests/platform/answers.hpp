@@ -103,12 +103,7 @@ inline void ask_hull_sweeps(const Blob& blob, Questions& questions, std::uint32_
         const OrientedBox box = questions.oriented_box(number);
         ask_sweep(blob, box, way, answers);
         Vec3 vertices[12];
-        for (std::size_t i = 0; i < std::size(vertices); ++i) {
-            const Vec3& half = box.half_axes[i % 3];
-            const float along = i < 3 ? 0.0f : i < 6 ? -1.0f : i < 9 ? 0.5f : 0.25f;
-            const Vec3 from = i < 9 ? box.center : vertices[i - 3];
-            vertices[i] = {from.x + along * half.y, from.y + along * half.z, from.z + along * half.x};
-        }
+        fill_vertices_around(box, vertices);
         ask_sweep(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, way,
                   answers);
     }

@@ -172,10 +172,14 @@ private:
         add(nearest->status);
         add(nearest.instance);
         hash_.add(nearest->point);
-        const InScene<SweepHit> contact = sweep(scene_, Sphere{point, 0.5f}, in_cube(16.0f));
-        add(contact->status);
-        add(contact.instance);
-        hash_.add(contact->t);
+        const Vec3 way = in_cube(16.0f);
+        const Box box = {point, {point.x + 1.0f, point.y + 0.5f, point.z + 0.75f}};
+        for (const InScene<SweepHit>& contact :
+             {sweep(scene_, Sphere{point, 0.5f}, way), sweep(scene_, box, way, SceneSweepOptions{.skin = 0.25f})}) {
+            add(contact->status);
+            add(contact.instance);
+            hash_.add(contact->t);
+        }
         answers_.spheres += 1;
         const QueryStatus status = for_each_overlap(scene_, Sphere{point, 2.0f}, [&](InstanceId instance, TriangleId) {
             answers_.overlaps += 1;

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <iterator>
 #include <span>
 
 #include <espalier/espalier.hpp>
@@ -284,5 +285,15 @@ private:
     std::uint32_t corner_count_ = 0;
     std::uint32_t state_ = 0x9E3779B9u;
 };
+
+/// Writes the vertices of a hull: the center of a box, and places along its axes with their coordinates turned.
+inline void fill_vertices_around(const OrientedBox& box, Vec3 (&vertices)[12]) {
+    for (std::size_t i = 0; i < std::size(vertices); ++i) {
+        const Vec3& half = box.half_axes[i % 3];
+        const float along = i < 3 ? 0.0f : i < 6 ? -1.0f : i < 9 ? 0.5f : 0.25f;
+        const Vec3 from = i < 9 ? box.center : vertices[i - 3];
+        vertices[i] = {from.x + along * half.y, from.y + along * half.z, from.z + along * half.x};
+    }
+}
 
 }  // namespace espalier::platform

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
+#include <span>
 
 #include <espalier/scene.hpp>
 
@@ -82,6 +84,9 @@ inline void add_hit(Fingerprint& fingerprint, const InScene<SweepHit>& hit) {
     fingerprint.add(hit->t);
     fingerprint.add(hit->point);
     fingerprint.add(hit->normal);
+    fingerprint.add(hit->face_normal);
+    fingerprint.add(hit->starts_overlapping);
+    fingerprint.add(static_cast<std::uint32_t>(hit->feature));
 }
 
 inline void add_answer(Fingerprint& fingerprint, const YesNo& answer) {
@@ -130,6 +135,18 @@ void ask_overlaps(const BakedScene& scene, const Shape& shape, std::uint32_t mas
     answers.fingerprint.add(status);
 }
 
+template <class Shape>
+void ask_sweep(const BakedScene& scene, const Shape& shape, const Vec3& way, std::uint32_t mask, Answers& answers) {
+    answers.calls += 2;
+    add_hit(answers.fingerprint, sweep(scene, shape, way, mask));
+    SceneSweepOptions options;
+    options.filter = mask;
+    options.culling = FaceCulling::back;
+    options.ignore_leaving = true;
+    options.skin = 0.125f;
+    add_hit(answers.fingerprint, sweep(scene, shape, way, options));
+}
+
 inline void ask_others(const BakedScene& scene, SceneQuestions& questions, std::uint32_t number, std::uint32_t mask,
                        Answers& answers) {
     Fingerprint& fingerprint = answers.fingerprint;
@@ -149,10 +166,16 @@ inline void ask_others(const BakedScene& scene, SceneQuestions& questions, std::
     fingerprint.add(nearest->distance);
     const Sphere sphere = questions.sphere(number);
     const Vec3 way = questions.displacement(number);
-    add_hit(fingerprint, sweep(scene, sphere, way, mask));
-    const Capsule capsule = questions.capsule(number);
-    add_hit(fingerprint, sweep(scene, capsule, way, mask));
-    answers.calls += 4;
+    ask_sweep(scene, sphere, way, mask, answers);
+    ask_sweep(scene, questions.capsule(number), way, mask, answers);
+    ask_sweep(scene, questions.box(number), way, mask, answers);
+    const OrientedBox turned = questions.oriented_box(number);
+    ask_sweep(scene, turned, way, mask, answers);
+    Vec3 vertices[12];
+    fill_vertices_around(turned, vertices);
+    ask_sweep(scene, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, way, mask,
+              answers);
+    answers.calls += 2;
     const auto visit = [&](InstanceId instance) {
         fingerprint.add(instance.index);
         fingerprint.add(instance.in_tile);
