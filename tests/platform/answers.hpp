@@ -290,6 +290,15 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
     }
 }
 
+inline void ask_windings(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Result<float> winding = winding_number(blob, questions.point(number), 6);
+        ++answers.calls;
+        answers.fingerprint.add(winding.status);
+        answers.fingerprint.add(winding.value);
+    }
+}
+
 /// What enters of a closest pair: of a miss its limit as the distance, of a refusal what entered before.
 struct PairWords {
     Vec3 on_shape, point;
@@ -366,6 +375,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_in_steps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_hull_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_contacts(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_windings(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 
