@@ -316,11 +316,14 @@ const std::set<std::string> only_in_c = {"espalier_abi",
                                          "espalier_moving_scene_is_open",
                                          "espalier_moving_scene_view",
                                          "espalier_bake",
+                                         "espalier_bake_scene",
                                          "espalier_describe_bake_status",
                                          "espalier_init_bake_options",
                                          "espalier_init_mesh_view",
                                          "espalier_release_bake_result",
-                                         "espalier_size_of_baking"};
+                                         "espalier_size_of_baking",
+                                         "espalier_verify",
+                                         "espalier_verify_scene"};
 /// Headers without queries: the baker's, the bytes of a blob, a type of parameters, numbers.
 const std::set<std::string> other_headers = {"bake.hpp", "format.hpp", "function_ref.hpp"};
 

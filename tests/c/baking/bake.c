@@ -31,6 +31,28 @@ static int check_blob(int number, const espalier_bake_result* baked) {
     return 0;
 }
 
+static int check_scene(int number, const espalier_bake_result* baked) {
+    espalier_bytes blob;
+    espalier_instance instance;
+    const espalier_bake_result* result;
+    blob.bytes = baked->bytes;
+    blob.byte_count = baked->byte_count;
+    memset(&instance, 0, sizeof instance);
+    instance.transform = espalier_identity();
+    instance.mask = 1;
+    result = espalier_bake_scene(&blob, 1, &instance, 1);
+    EXPECT(result->status == ESPALIER_BAKE_OK);
+    EXPECT(result->byte_count > blob.byte_count);
+    baked = espalier_verify_scene(result->bytes, result->byte_count);
+    EXPECT(baked->status == ESPALIER_BAKE_OK);
+    espalier_release_bake_result(baked);
+    baked = espalier_verify(result->bytes, result->byte_count);
+    EXPECT(baked->status == ESPALIER_BAKE_NOT_SOUND && baked->message[0] != '\0');
+    espalier_release_bake_result(baked);
+    espalier_release_bake_result(result);
+    return 0;
+}
+
 int misbehaviour_of_baking(void) {
     int number = 0, stops = 0, wrong;
     espalier_mesh_view mesh;
@@ -54,6 +76,8 @@ int misbehaviour_of_baking(void) {
     EXPECT(baked->report->triangles == 12);
     EXPECT(baked->remap_count == 12);
     wrong = check_blob(number, baked);
+    if (wrong != 0) return wrong;
+    wrong = check_scene(50, baked);
     if (wrong != 0) return wrong;
     espalier_release_bake_result(baked);
     espalier_release_bake_result(NULL);

@@ -59,7 +59,7 @@ void check_refused(const espalier_bake_result* given, espalier_bake_status statu
 
 }  // namespace
 
-TEST_SUITE("c baking") {
+TEST_SUITE("scenes") {
     TEST_CASE("c api: a scene has the bytes of the same scene from C++") {
         const Bytes small = some_blob(1.0f), large = some_blob(2.0f);
         const std::array blobs = {in_c(small), in_c(large)};

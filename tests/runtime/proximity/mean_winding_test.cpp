@@ -67,7 +67,7 @@ double error_of(const Blob& blob, unsigned directions, std::uint64_t count, doub
 }  // namespace
 
 TEST_SUITE("mean winding") {
-    TEST_CASE("distance: the winding number of a closed surface is whole and that of contains") {
+    TEST_CASE("inside: the winding number of a closed surface is whole and that of contains") {
         Random random(41);
         std::uint64_t inside = 0;
         for_each_profile([&](Profile profile) {
@@ -83,7 +83,7 @@ TEST_SUITE("mean winding") {
         CHECK(inside > 20);
     }
 
-    TEST_CASE("distance: the winding number of a surface that was baked inside out is negative") {
+    TEST_CASE("inside: the winding number of a surface that was baked inside out is negative") {
         Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
         for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
         const OpenedBlob opened(mesh);
@@ -91,7 +91,7 @@ TEST_SUITE("mean winding") {
         CHECK(*winding_number(opened.blob, {2.0f, 0.2f, 0.3f}) == 0.0f);
     }
 
-    TEST_CASE("distance: the winding number of an open surface is near its solid angle, nearer with more directions") {
+    TEST_CASE("inside: the winding number of an open surface is near its solid angle and nearer with more directions") {
         const Mesh sphere = make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f});
         const std::size_t all = sphere.triangles.size();
         for (const std::size_t missing : {all / 20, all / 4, all / 2}) {
@@ -109,7 +109,7 @@ TEST_SUITE("mean winding") {
         }
     }
 
-    TEST_CASE("distance: a winding number refuses what it cannot answer") {
+    TEST_CASE("inside: a winding number refuses what it cannot answer") {
         const OpenedBlob opened(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}));
         const Vec3 middle = {0.0f, 0.0f, 0.0f};
         CHECK(winding_number(Blob(), middle).status == QueryStatus::not_open);

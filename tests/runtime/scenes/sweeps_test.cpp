@@ -96,7 +96,7 @@ std::vector<Instance> cubes_on_grid(std::size_t count, std::uint64_t seed) {
 }  // namespace
 
 TEST_SUITE("sweeps") {
-    TEST_CASE("scene: a skin is a length in the world at every scale, also in tiles") {
+    TEST_CASE("scene: a skin is a length in the world at every scale and in tiles") {
         const float skin = 0.25f;
         // The face of the cube is at x = 6 in each of them.
         std::vector<OpenedScene> scenes;
@@ -124,7 +124,7 @@ TEST_SUITE("sweeps") {
         }
     }
 
-    TEST_CASE("scene: the first contact is found without the skin, which then stops the shape in front of it") {
+    TEST_CASE("scene: the first contact is found without the skin that stops the shape in front of it") {
         // A wall at x = 10, and behind it a slope on which a skin stops far in front.
         std::vector<OpenedBlob> blobs;
         Mesh wall, slope;
@@ -157,7 +157,7 @@ TEST_SUITE("sweeps") {
         CHECK_MESSAGE(comparison.fault == nullptr, comparison.fault);
     }
 
-    TEST_CASE("scene: culling follows the rotation of an instance, and a filter its triangles") {
+    TEST_CASE("scene: culling follows the rotation of an instance and a filter its triangles") {
         // The upper one is turned over: it faces down.
         const std::vector<Instance> instances = {placed_at({0, 0, 4}, 2.0f, {1, 0, 0, 0}), placed_at({0, 0, 0}, 0.5f)};
         const OpenedScene opened(one_triangle(), instances);
@@ -269,7 +269,7 @@ TEST_SUITE("sweeps") {
         CHECK(left > scaled(10));
     }
 
-    TEST_CASE("scene: sweeps refuse what sweeps of blobs refuse, and empty shapes touch nothing") {
+    TEST_CASE("scene: sweeps refuse what sweeps of blobs refuse and empty shapes touch nothing") {
         const OpenedScene opened(one_cube(), {placed_at({0, 0, 0}), placed_at({10, 0, 0}, half_root)});
         const BakedScene& scene = opened.scene;
         const BakedScene closed;
