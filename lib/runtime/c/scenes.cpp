@@ -85,7 +85,7 @@ espalier_instance_result espalier_scene_instance_at(const espalier_scene* scene,
 }
 
 espalier_mesh_result espalier_scene_mesh_at(const espalier_scene* scene, espalier_instance_id instance) {
-    return c(mesh_at(cpp(scene), cpp(instance)));
+    return c(espalier::mesh_at(cpp(scene), cpp(instance)));
 }
 
 espalier_yes_no espalier_scene_is_on_common_lattice(const espalier_scene* scene, espalier_instance_id instance) {
