@@ -6,6 +6,7 @@
 
 #include <engines/bullet_shape.hpp>
 
+#include "bullet_world.hpp"
 #include "drop.hpp"
 #include "support/meshes/mesh.hpp"
 
@@ -44,12 +45,8 @@ std::unique_ptr<btCollisionShape> shape_of(const Body& body) {
 
 Drop drop_in_bullet(const tests::Mesh& mesh, const Blob& blob) {
     Drop result;
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-    world.setGravity({0, 0, -9.81f});
+    BulletWorld bullet;
+    btDiscreteDynamicsWorld& world = bullet.world;
 
     Arrays arrays(mesh);
     btTriangleIndexVertexArray triangles(static_cast<int>(arrays.indices.size() / 3), arrays.indices.data(),

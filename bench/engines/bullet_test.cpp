@@ -13,6 +13,7 @@
 #include <engines/bullet_shape.hpp>
 #include <espalier/bake.hpp>
 
+#include "bullet_world.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/meshes/mesh.hpp"
 
@@ -62,12 +63,8 @@ bool count_corrected(btManifoldPoint& contact, const btCollisionObjectWrapper* f
 
 /// Sends a body of one kilogram along x for two seconds, without friction.
 Ride ride(const Blob& blob, btConvexShape& shape, btScalar height, ContactAddedCallback callback) {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-    world.setGravity({0, 0, -9.81f});
+    bench::BulletWorld bullet;
+    btDiscreteDynamicsWorld& world = bullet.world;
     EspalierShape level(blob);
     btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &level));
     ground.setCollisionFlags(ground.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);

@@ -146,16 +146,10 @@ TEST_SUITE("loop") {
     TEST_CASE("scene: sweeps of every shape among moving instances equal the loop over all instances") {
         const auto compare = [](const MovingScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
             std::size_t found = 0;
-            const auto add = [&](const auto& shape) {
+            maker.make_swept_shapes([&](const auto& shape) {
                 const SceneSweepOptions options = maker.sweep_options(any_filter(i, maker.random()));
                 found += checked(compare_sweeps(scene, shape, maker.displacement(), options));
-            };
-            add(maker.sphere());
-            add(maker.capsule());
-            add(maker.box());
-            add(maker.oriented_box());
-            const std::vector<Vec3> vertices = maker.hull_vertices();
-            add(ConvexHull{vertices});
+            });
             return found;
         };
         CHECK(count_found(34, scaled(100), compare) > scaled(200));

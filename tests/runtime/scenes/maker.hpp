@@ -65,6 +65,16 @@ public:
     Vec3 displacement();
     /// What a sweep ignores and the skin, with a filter. Every fourth ones are the default.
     SceneSweepOptions sweep_options(const SceneFilter& filter);
+    /// Calls add(shape) with a shape of each kind that sweeps take.
+    template <class Add>
+    void make_swept_shapes(const Add& add) {
+        add(sphere());
+        add(capsule());
+        add(box());
+        add(oriented_box());
+        const std::vector<Vec3> vertices = hull_vertices();
+        add(ConvexHull{vertices});
+    }
     [[nodiscard]] Random& random() { return random_; }
 
 private:

@@ -1,0 +1,213 @@
+// Bodies as find_contacts() takes them: each has its middle, how far it reaches in a direction, a box or shape around
+// it and its margin, and its kernel.
+#pragma once
+
+#include <espalier/shapes.hpp>
+#include <runtime/contacts/hull_body.hpp>
+#include <runtime/contacts/touch.hpp>
+#include <runtime/lattice/rounder.hpp>
+
+namespace espalier::detail::contacts {
+
+/// A sphere.
+struct SphereBody {
+    RoundedPoint center;
+    float radius;  ///< lattice steps
+
+    QueryStatus round(const BlobData& blob, const Sphere& sphere, float margin) {
+        radius = radius_in_steps(blob, sphere.radius);
+        return round_point(blob, sphere.center, sphere.radius + margin, center);
+    }
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const { return relative_to(center, triangle); }
+    [[nodiscard]] int fraction_bits() const { return center.fraction_bits; }
+    [[nodiscard]] static float core_reach(const Vec3&) { return 0.0f; }
+    void touch(const LatticeTriangle& triangle, float, Touches& touches) const {
+        touch_point(center, triangle, touches);
+    }
+    static Vec3 middle_of(const Sphere& sphere) { return sphere.center; }
+    static float reach_of(const Sphere& sphere, const Vec3&) { return sphere.radius; }
+    static Sphere grown(const Sphere& sphere, float margin) { return {sphere.center, sphere.radius + margin}; }
+};
+
+/// A capsule.
+struct CapsuleBody {
+    RoundedSegment segment;
+    Integer3 doubled_middle;
+    float radius;
+
+    QueryStatus round(const BlobData& blob, const Capsule& capsule, float) {
+        radius = radius_in_steps(blob, capsule.radius);
+        const QueryStatus status = round_segment(blob, {capsule.from, capsule.to}, segment);
+        if (status == QueryStatus::ok) doubled_middle = segment.from + segment.to;
+        return status;
+    }
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
+        return relative_to(doubled_middle, fraction_bits(), triangle);
+    }
+    [[nodiscard]] int fraction_bits() const { return segment.fraction_bits + 1; }
+    [[nodiscard]] float core_reach(const Vec3& way) const {
+        const Integer3 whole = segment.to - segment.from;
+        const Vec3 axis = {to_float(whole.x), to_float(whole.y), to_float(whole.z)};
+        return absolute(dot(axis, way)) * power_of_two(-fraction_bits());
+    }
+    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
+        touch_segment(segment, triangle, reach, touches);
+    }
+    static Vec3 middle_of(const Capsule& capsule) {
+        const Vec3 &a = capsule.from, &b = capsule.to;
+        return {0.5f * a.x + 0.5f * b.x, 0.5f * a.y + 0.5f * b.y, 0.5f * a.z + 0.5f * b.z};
+    }
+    static float reach_of(const Capsule& capsule, const Vec3& way) {
+        const Vec3 &a = capsule.from, &b = capsule.to;
+        const Vec3 half = {0.5f * b.x - 0.5f * a.x, 0.5f * b.y - 0.5f * a.y, 0.5f * b.z - 0.5f * a.z};
+        return capsule.radius + absolute(half.x * way.x + half.y * way.y + half.z * way.z);
+    }
+    static Capsule grown(const Capsule& capsule, float margin) {
+        return {capsule.from, capsule.to, capsule.radius + margin};
+    }
+};
+
+/// An oriented box.
+struct OrientedBoxBody {
+    BoxBody box;
+    static constexpr float radius = 0.0f;
+
+    QueryStatus round(const BlobData& blob, const OrientedBox& world, float margin) {
+        float center[3], half[3][3], spread[3] = {};
+        Rounder rounder(blob);
+        for (int i = 0; i < 3; ++i) {
+            rounder.add_vector(world.half_axes[i], half[i]);
+            for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
+        }
+        rounder.add_point(world.center, center);
+        const float near = radius_in_steps(blob, margin);
+        bool is_away = false;
+        for (int k = 0; k < 3; ++k) {
+            rounder.extend(rounder.distance(k, center[k]) + spread[k]);
+            const float last = blob.extent_steps[k];
+            const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
+            is_away = is_away || gap > (spread[k] + near) * (1.0f + 0x1p-20f) + 4.0f;
+        }
+        if (is_away) return QueryStatus::not_found;
+        if (!(rounder.reach() < shape_reach)) return QueryStatus::out_of_range;
+        box.fraction_bits = fraction_bits_for(rounder.reach(), volume_grid);
+        box.center = to_grid(center, box.fraction_bits);
+        const float scale = power_of_two(-box.fraction_bits);
+        auto& units = box.units;
+        box.size = 0.0f;
+        for (int i = 0; i < 3; ++i) {
+            units[i] = to_grid(half[i], box.fraction_bits);
+            box.half[i] = {to_float(units[i].x) * scale, to_float(units[i].y) * scale, to_float(units[i].z) * scale};
+            box.size += absolute(box.half[i].x) + absolute(box.half[i].y) + absolute(box.half[i].z);
+        }
+        for (int i = 0; i < 3; ++i)
+            box.face[i] = direction_of(wide_cross(units[i == 2 ? 0 : i + 1], units[i == 0 ? 2 : i - 1]));
+        return QueryStatus::ok;
+    }
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
+        return relative_to(box.center, box.fraction_bits, triangle);
+    }
+    [[nodiscard]] int fraction_bits() const { return box.fraction_bits; }
+    [[nodiscard]] float core_reach(const Vec3& way) const { return reach_along(box.half, way); }
+    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
+        touch_box(box, triangle, reach, touches);
+    }
+    static Vec3 middle_of(const OrientedBox& world) { return world.center; }
+    static float reach_of(const OrientedBox& world, const Vec3& way) { return reach_along(world.half_axes, way); }
+    static float reach_along(const Vec3 (&half_axes)[3], const Vec3& way) {
+        float sum = 0.0f;
+        for (const Vec3& half : half_axes) sum += absolute(dot(half, way));
+        return sum;
+    }
+    /// The box along the axes around it and the margin, with room for rounding.
+    static Box grown(const OrientedBox& world, float margin) {
+        Vec3 reach;
+        for (const Vec3& half : world.half_axes) {
+            reach.x += absolute(half.x);
+            reach.y += absolute(half.y);
+            reach.z += absolute(half.z);
+        }
+        const Vec3& c = world.center;
+        constexpr float more = 1.0f + 0x1p-20f;
+        const auto far = [&](float at, float by) { return by * more + margin * more + absolute(at) * 0x1p-20f; };
+        const Vec3 by = {far(c.x, reach.x), far(c.y, reach.y), far(c.z, reach.z)};
+        return {{c.x - by.x, c.y - by.y, c.z - by.z}, {c.x + by.x, c.y + by.y, c.z + by.z}};
+    }
+};
+
+/// A convex hull.
+struct ConvexHullBody {
+    HullBody hull;
+    bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
+    static constexpr float radius = 0.0f;
+
+    [[gnu::noinline]] QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
+        if (world.vertices.empty()) return QueryStatus::not_found;
+        float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
+        Rounder rounder(blob);
+        for (const Vec3& vertex : world.vertices) {
+            rounder.add_point(vertex, at);
+            for (int k = 0; k < 3; ++k) {
+                low[k] = minimum(low[k], at[k]);
+                high[k] = maximum(high[k], at[k]);
+            }
+        }
+        const float near = radius_in_steps(blob, margin) * (1.0f + 0x1p-20f) + 4.0f;
+        for (int k = 0; k < 3; ++k)
+            if (low[k] > blob.extent_steps[k] + near || high[k] < -near) return QueryStatus::not_found;
+        if (!(rounder.reach() < contact_hull_reach)) return QueryStatus::out_of_range;
+        const int bits = fraction_bits_for(rounder.reach(), point_grid);
+        unsigned count = 0;
+        for (const Vec3& vertex : world.vertices) {
+            rounder.add_point(vertex, at);
+            for (int k = 0; k < 3; ++k) hull.vertex[count][k] = static_cast<std::int32_t>(to_grid(at[k], bits));
+            ++count;
+        }
+        set_vertices(hull, hull.vertex, count, bits);
+        return QueryStatus::ok;
+    }
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
+        return relative_to(hull.middle, hull.fraction_bits, triangle);
+    }
+    [[nodiscard]] int fraction_bits() const { return hull.fraction_bits; }
+    [[nodiscard]] float core_reach(const Vec3& way) const {
+        float most = 0.0f;
+        for (unsigned i = 0; i < hull.vertex_count; ++i) most = maximum(most, -dot(hull.at(i), way));
+        return most;
+    }
+    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) {
+        if (!has_faces) find_faces(hull);
+        has_faces = true;
+        touch_hull(hull, triangle, reach, touches);
+    }
+    static Vec3 middle_of(const ConvexHull& world) {
+        const float share = 1.0f / static_cast<float>(world.vertices.size());
+        Vec3 middle;
+        for (const Vec3& vertex : world.vertices) middle = middle + vertex * share;
+        return middle;
+    }
+    static float reach_of(const ConvexHull& world, const Vec3& way) {
+        const Vec3 middle = middle_of(world);
+        float most = 0.0f;
+        for (const Vec3& vertex : world.vertices) most = maximum(most, dot(middle - vertex, way));
+        return most;
+    }
+    /// The box along the axes around it and the margin, with room for rounding.
+    static Box grown(const ConvexHull& world, float margin) {
+        if (world.vertices.empty()) return {};
+        Vec3 low = world.vertices.front(), high = low;
+        for (const Vec3& v : world.vertices) {
+            low = {minimum(low.x, v.x), minimum(low.y, v.y), minimum(low.z, v.z)};
+            high = {maximum(high.x, v.x), maximum(high.y, v.y), maximum(high.z, v.z)};
+        }
+        const auto by = [margin](float at) { return margin * (1.0f + 0x1p-20f) + absolute(at) * 0x1p-20f; };
+        return {{low.x - by(low.x), low.y - by(low.y), low.z - by(low.z)},
+                {high.x + by(high.x), high.y + by(high.y), high.z + by(high.z)}};
+    }
+
+private:
+    /// Nothing of a hull may be as far from the asset, in lattice steps.
+    static constexpr float contact_hull_reach = 0x1p29f;
+};
+
+}  // namespace espalier::detail::contacts
