@@ -86,7 +86,7 @@ TEST_SUITE("hostile") {
                     const auto mask = static_cast<std::byte>(1u << (bit % 8));
                     buffer.bytes()[bit / 8] ^= mask;
                     repair_checksum(buffer.bytes());
-                    if (open_and_exercise(buffer.bytes(), bit, 12)) ++opened;
+                    if (open_and_exercise(buffer.bytes(), bit, 8)) ++opened;
                     buffer.bytes()[bit / 8] ^= mask;
                 }
                 repair_checksum(buffer.bytes());

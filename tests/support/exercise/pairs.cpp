@@ -110,7 +110,7 @@ void exercise_pairs(Exercise& run) {
     const QueryStatus enumerated = for_each_contact(placed(), other, visit, limit);
     verdict.require(visited >= listed.count && (visited == 0 || !is_refused(enumerated)),
                     "a refused query visits pairs");
-    exercise_touches(run, placed(), other, limit, listed.in(pairs));
+    if (run.random.coin()) exercise_touches(run, placed(), other, limit, listed.in(pairs));
     // A page resumes within its limit, also from a cursor that no query returned.
     const Cursor from = run.random.below(4) != 0
                             ? listed.next
