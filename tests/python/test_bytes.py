@@ -2,6 +2,7 @@
 
 import gc
 import mmap
+import os
 import pickle
 
 import numpy as np
@@ -27,6 +28,33 @@ def test_bytes_are_looked_at_and_kept(blob, points, directions, expected):
     del opened
     gc.collect()
     assert bytes(view) == bytes(blob) and view.readonly
+
+
+def test_a_blob_is_saved_to_the_file_that_it_was_opened_from(blob, points, directions, expected, tmp_path):
+    path = tmp_path / "torus.espl"
+    blob.save(path)
+    opened = espalier.open_blob(path)
+    opened.save(path)
+    assert path.read_bytes() == bytes(blob)
+    espalier.bake([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]).save(str(path))
+    same(opened.raycast(points, directions), expected)
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_file_that_cannot_be_written_stays(blob, tmp_path):
+    path = tmp_path / "torus.espl"
+    path.write_bytes(b"before")
+    (tmp_path / f"torus.espl.{os.getpid()}.part").mkdir()
+    with pytest.raises(OSError):
+        blob.save(path)
+    assert path.read_bytes() == b"before"
+    with pytest.raises(FileNotFoundError):
+        blob.save(tmp_path / "absent" / "torus.espl")
+    link = tmp_path / "link.espl"
+    link.symlink_to("target.espl")
+    blob.save(link)
+    assert link.is_symlink() and (tmp_path / "target.espl").read_bytes() == bytes(blob)
+    blob.save("/dev/null")
 
 
 def test_files_are_mapped(blob, points, directions, expected, tmp_path):

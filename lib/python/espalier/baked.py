@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import mmap
 import os
 from typing import Any, Union
@@ -45,9 +46,25 @@ class Baked:
         return float(self._facts["max_error"])
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes the bytes to a file."""
-        with open(path, "wb") as file:
-            file.write(self.data)
+        """Writes the bytes to a file, which replaces one of that name when it is whole.
+
+        So a blob can be saved to the file that it was opened from, and others that are mapped from it stay as they are.
+        """
+        target = os.fspath(path)
+        if os.path.exists(target) and not os.path.isfile(target):  # a pipe or a device
+            with open(target, "wb") as file:
+                file.write(self.data)
+            return
+        target = os.path.realpath(target)  # a link stays one
+        part = f"{target}.{os.getpid()}.part"
+        try:
+            with open(part, "wb") as file:
+                file.write(self.data)
+            os.replace(part, target)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.remove(part)
+            raise
 
     def __bytes__(self) -> bytes:
         return bytes(self.data)
