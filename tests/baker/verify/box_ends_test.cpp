@@ -282,7 +282,7 @@ TEST_SUITE("box ends") {
         unsigned count = 0;
         const std::filesystem::path folder = std::filesystem::path(ESPALIER_PROJECT_FOLDER) / "tests/format_versions";
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-            if (entry.path().extension() != ".espl") continue;
+            if (!entry.path().filename().string().starts_with("2.")) continue;  // scenes have versions of their own
             CAPTURE(entry.path().string());
             std::ifstream file(entry.path(), std::ios::binary);
             const std::string text{std::istreambuf_iterator<char>(file), {}};
