@@ -8,7 +8,8 @@ Every day
   check       Builds the runtime and the baker, runs their unit tests, and compiles the single file
               (3 minutes from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
-  test        Builds everything and runs every test, then again under the sanitizers (20 minutes).
+  test        Builds everything and runs every test, then again under the sanitizers
+              (60 to 90 minutes).
               test --strict fails at a compiler warning or a missing include too, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
@@ -29,6 +30,8 @@ Before a release
               mutate [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--claims TEXT...] [--publish]
               The parts are verifier, decode, quantiser, traversal, rounding, small and queries; --since selects the files
               of lib whose code differs from a commit; --publish writes the table of docs/testing.md. Results are kept.
+  release     Makes the files of a release in build/packages: Debian packages, checked by lintian, and an archive with the
+              command that needs no packages (5 minutes).
   firmware    Counts code, instructions, bytes read and stack of queries on six emulated Cortex-M cores (3 minutes):
               firmware [FOLDER_OF_MESHES]
 
