@@ -212,3 +212,14 @@ def test_pairs(library, blob, opened, random):
         assert filled.count == lists.counts()[i]
         ours = lists.items[lists.offsets[i] : lists.offsets[i + 1]]
         np.testing.assert_array_equal(np.sort(ours[["a", "b"]]), np.sort(found[: filled.count][["a", "b"]]))
+    touches = pairs.touches(blob, blob, places, others, work_limit=100_000, threads=2)
+    for name in "ab":
+        np.testing.assert_array_equal(touches.items[name], lists.items[name])
+    same(touches.status, lists.status)
+    owner = touches.queries()
+    some = slice(None, None, 7)
+    contacts = lists.items[some]
+    assert 1 <= touches.items["count"].min() and touches.items["depth"].min() >= 0 and len(contacts) > 100
+    same(touches.items[some],
+         library.each("espalier_pair_touch_of", espalier.PAIR_TOUCH, None, len(contacts),
+                      lambda i: two(owner[some][i]) + (contacts[i : i + 1].ctypes.data_as(ctypes.c_void_p),)))

@@ -62,23 +62,37 @@ def _number(of: str, name: str, names: Sequence[str]) -> int:
     return names.index(name)
 
 
+def _moved(positions: ArrayLike, origin: ArrayLike, shape: tuple[int, int], name: str) -> Any:
+    """Returns positions less the origin, as the baker rounds those of the mesh."""
+    array = np.asarray(positions)
+    if array.shape != shape or array.dtype.kind not in "iuf":
+        raise ValueError(f"{name} must be numbers in the shape {shape}, not {array.dtype} in {array.shape}")
+    with np.errstate(over="ignore"):
+        return (array.astype(np.float64) - np.asarray(origin, np.float64)).astype(np.float32)
+
+
 def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], **options: Any) -> Blob:
     """Bakes several meshes into one blob. bake() has the options."""
     return _bake(meshes, 3, **options)
 
 
 def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_level: int, *, bits: Optional[int] = None,
-          tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: str = "balanced",
+          tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: Optional[str] = None,
           effort: str = "normal", original_ids: bool = False, drop_bad_triangles: bool = False,
           flat_angle: Optional[float] = None, bounds: bool = False, origin: ArrayLike = (0.0, 0.0, 0.0),
           builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
-          max_leaf_triangles: int = 62, threads: int = 1) -> Blob:
+          max_leaf_triangles: int = 62, threads: int = 1, deformable: bool = False, range: Optional[ArrayLike] = None,
+          poses: Sequence[ArrayLike] = ()) -> Blob:
     # stack_level: whose line warnings name, counted from here.
     given = [option is not None for option in (bits, tolerance, step_exponent)]
     if sum(given) > 1:
         raise ValueError("give one of bits, tolerance and step_exponent")
     if flat_angle is not None and not flat_angle >= 0.0:
         raise ValueError("flat_angle must be None, which stores no edges, or 0 or more degrees")
+    if not deformable and (range is not None or len(poses) > 0):
+        raise ValueError("range and poses are options of a bake with deformable=True")
+    if profile is None:
+        profile = "fast" if deformable else "balanced"
     kind, resolution = _BITS, 16.0
     if bits is not None:
         kind, resolution = _BITS, float(bits)
@@ -92,7 +106,7 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         "original_ids": bool(original_ids), "drop_bad_triangles": bool(drop_bad_triangles),
         "flat_angle": flat_angle, "bounds": bool(bounds), "duplicate_budget": duplicate_budget,
         "byte_price": byte_price, "max_leaf_triangles": max_leaf_triangles, "threads": threads,
-        "origin": tuple(float(x) for x in np.asarray(origin, np.float64).reshape(3)),
+        "origin": tuple(float(x) for x in np.asarray(origin, np.float64).reshape(3)), "deformable": bool(deformable),
     }
     arrays = []
     for number, each in enumerate(meshes):
@@ -101,6 +115,11 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         materials = None if mesh.materials is None else integer_array(mesh.materials, "materials" + name)
         arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), materials,
                        mesh.name, mesh.file, mesh.mesh))
+    options["range"] = None if range is None else _moved(range, origin, (2, 3), "range").reshape(6)
+    count = sum(len(array[0]) for array in arrays)
+    options["poses"] = np.empty((len(poses), count, 3), np.float32)
+    for number, pose in enumerate(poses):
+        options["poses"][number] = _moved(pose, origin, (count, 3), f"pose {number}")
     baked = _core.bake(arrays, options)
     if isinstance(baked[0], int):
         raise BakeError(*baked)
@@ -121,11 +140,14 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
     Options, all by name:
     bits: of the largest extent, 1 to 24; 16 unless one of the next two is given. tolerance: the largest distance
     between source and baked surface, in the unit of the mesh. step_exponent: of the lattice's step, a power of two.
-    profile: "fast", "balanced", "small" or "tiny". effort: "fast", "normal" or "best".
+    profile: "fast", "balanced" (the default), "small" or "tiny". effort: "fast", "normal" or "best".
     original_ids: stores the source of each triangle, for raycast_sources(). Without it, `blob.remap` has the same.
     drop_bad_triangles: drops triangles with NaN or wrong indices, which else refuse the bake.
     flat_angle: in degrees; stores how the surface bends at edges, for contacts(). bounds: stores tighter bounds.
     origin: (3,), subtracted from all positions; queries then take coordinates relative to it.
+    deformable: bakes a blob whose vertices refit() can move, in profile "fast". range: (2, 3), the box in which all
+    positions of all poses lie; by default the box of mesh and poses, a tenth wider on each side. poses: arrays of (n, 3), each with the
+    positions of all meshes in a row, which the tree suits.
     builder, duplicate_budget, byte_price, max_leaf_triangles: for studies; docs/baking.md. threads: 0 is one per
     processor. The bytes depend on neither threads nor machine.
 

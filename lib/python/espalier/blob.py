@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from .errors import OpenError
 from .integers import integer_array
 from .points import ShapeQueries
 from .rays import RayQueries
+from .results import Status
 
 PROFILES = ("fast", "balanced", "small", "tiny")
 
@@ -21,6 +22,16 @@ def triangle_numbers(triangles: ArrayLike) -> NDArray[np.uint32]:
     """Returns numbers of triangles as the library takes them: those that no blob can have become NO_TRIANGLE."""
     array = integer_array(triangles, "numbers of triangles")
     return np.ascontiguousarray(array, np.uint32).reshape(array.shape)
+
+
+class Refitted(NamedTuple):
+    """A deformable blob in another pose."""
+
+    blob: Blob
+    """The blob in the pose, with bytes of its own."""
+    quality: float
+    """The cost of the tree in this pose over that at rest, for an average ray. About 1 is as good as at rest; from 1.5
+    on, bake again with this pose among `poses`."""
 
 
 class Blob(Baked, RayQueries, ShapeQueries):
@@ -57,6 +68,11 @@ class Blob(Baked, RayQueries, ShapeQueries):
     def is_closed(self) -> bool:
         """Whether contains() and signed_distance() answer."""
         return bool(self._facts["is_closed"])
+
+    @property
+    def is_deformable(self) -> bool:
+        """Whether refit() can move the vertices."""
+        return bool(self._facts["is_deformable"])
 
     @property
     def has_original_ids(self) -> bool:
@@ -102,11 +118,41 @@ class Blob(Baked, RayQueries, ShapeQueries):
         """
         return _core.original_hits(self._core, np.ascontiguousarray(hits).reshape(np.shape(hits)), remap, threads)
 
+    def refit(self, positions: ArrayLike) -> Refitted:
+        """Returns the blob with its vertices at other positions, without a bake. This blob stays as it is.
+
+        positions: (n, 3), of all baked meshes in a row, unused ones included, and relative to the `origin` of the bake.
+        Each pose is within max_error of its source, and has the bytes of no other history. O(n).
+
+        Raises ValueError for a blob that was baked without `deformable`, for another number of positions, and for a
+        position that is not finite or outside of the `range` of the bake.
+        """
+        array = np.asarray(positions)
+        if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
+            raise ValueError(f"positions must be numbers in the shape (n, 3), not {array.dtype} in {array.shape}")
+        with np.errstate(over="ignore"):
+            moved = _core.refit(self._core, np.ascontiguousarray(array, np.float32))
+        if isinstance(moved[0], int):
+            raise ValueError(_refusal_of_refit(Status(moved[0]), moved[1], array))
+        return Refitted(Blob(moved[0], None, self.remap), moved[1])
+
     def __reduce__(self) -> Any:
         return open_blob, (bytes(self),)
 
     def __repr__(self) -> str:
         return f"<espalier.Blob of {self.triangle_count} triangles, {self._facts['size']} bytes, {self.profile}>"
+
+
+def _refusal_of_refit(status: Status, position: int, positions: NDArray[Any]) -> str:
+    if status == Status.NO_DATA:
+        return "the blob was baked without deformable=True"
+    if status == Status.OUT_OF_RANGE:
+        return f"position {position} is {positions[position].tolist()}, outside of the range that the blob was baked with"
+    with np.errstate(over="ignore"):
+        is_finite = position >= len(positions) or np.isfinite(positions[position].astype(np.float32)).all()
+    if not is_finite:
+        return f"position {position} is {positions[position].tolist()}, which float32 does not hold as finite numbers"
+    return f"{len(positions)} positions are {'more' if position < len(positions) else 'fewer'} than the blob was baked from"
 
 
 def open_blob(source: Any) -> Blob:

@@ -48,6 +48,15 @@ def contacts(a: Blob, b: Blob, place_a: ArrayLike = ORIGIN, place_b: ArrayLike =
     return Lists(*_core.pairs_contact_lists(a._core, b._core, place_a, place_b, _visits(work_limit), threads))
 
 
+def touches(a: Blob, b: Blob, place_a: ArrayLike = ORIGIN, place_b: ArrayLike = ORIGIN, *,
+            work_limit: Optional[int] = None, threads: int = 1) -> Lists:
+    """Returns where, how deep and in which direction each pair of triangles of contacts() touches: lists of PAIR_TOUCH.
+
+    b leaves the triangle of a when it moves by `depth` along `normal`: the shortest way out of these two alone.
+    """
+    return Lists(*_core.pairs_touch_lists(a._core, b._core, place_a, place_b, _visits(work_limit), threads))
+
+
 def distance(a: Blob, b: Blob, place_a: ArrayLike = ORIGIN, place_b: ArrayLike = ORIGIN,
              max_distance: ArrayLike = np.inf, *, work_limit: Optional[int] = None, threads: int = 1) -> NDArray[Any]:
     """Returns the smallest distance of the surfaces within max_distance, and where: an array of BLOB_DISTANCE.

@@ -153,6 +153,8 @@ CONTACT = _record("contact")
 """point (3), normal (3), distance, triangle, feature, side."""
 PAIR_CONTACT = _record("pair_contact")
 """a, b, status."""
+PAIR_TOUCH = _record("pair_touch")
+"""points (6, 3), of which the first `count` count, normal (3), depth, a, b, count."""
 BLOB_DISTANCE = _record("blob_distance")
 """distance, on_a (3), on_b (3), a, b, status."""
 SCENE_RAY_HIT = _record("scene_ray_hit")

@@ -77,6 +77,20 @@ struct MeshArrays {
     }
 };
 
+/// The poses that the tree of a deformable blob suits.
+using Poses = py::array_t<float, py::array::c_style>;
+
+void set_deformation(const py::dict& given, const Poses& poses, espalier_bake_options& options) {
+    options.deformable = given["deformable"].cast<bool>();
+    if (!given["range"].is_none()) {
+        const auto range = given["range"].cast<std::array<float, 6>>();
+        options.has_range = 1;
+        options.range = {{range[0], range[1], range[2]}, {range[3], range[4], range[5]}};
+    }
+    options.poses = poses.data();
+    options.pose_count = static_cast<std::size_t>(poses.shape(0));
+}
+
 espalier_bake_options options_of(const py::dict& given) {
     espalier_bake_options options;
     espalier_init_bake_options(&options, sizeof options);
@@ -157,7 +171,9 @@ py::tuple bake_meshes(const py::list& given, const py::dict& given_options) {
         meshes.back()->view.name = meshes.back()->name.c_str();
         views.push_back(meshes.back()->view);
     }
-    const espalier_bake_options options = options_of(given_options);
+    espalier_bake_options options = options_of(given_options);
+    const auto poses = given_options["poses"].cast<Poses>();
+    set_deformation(given_options, poses, options);
     const espalier_bake_result* result = nullptr;
     Blob blob;
     {

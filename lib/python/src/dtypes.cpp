@@ -92,6 +92,10 @@ std::map<std::string, py::dtype> make_all() {
                            ESPALIER_FIELD(Contact, feature, "u1"), ESPALIER_FIELD(Contact, side, "u1")}, sizeof(Contact));
     all["pair_contact"] = make({ESPALIER_FIELD(PairContact, a, "u4"), ESPALIER_FIELD(PairContact, b, "u4"),
                                 ESPALIER_FIELD(PairContact, status, "u1")}, sizeof(PairContact));
+    all["pair_touch"] = make({ESPALIER_FIELD(PairTouch, points, "(6,3)f4"), ESPALIER_FIELD(PairTouch, normal, "3f4"),
+                              ESPALIER_FIELD(PairTouch, depth, "f4"), ESPALIER_FIELD(PairTouch, a, "u4"),
+                              ESPALIER_FIELD(PairTouch, b, "u4"), ESPALIER_FIELD(PairTouch, count, "u1")},
+                             sizeof(PairTouch));
     all["blob_distance"] = make({ESPALIER_FIELD(BlobDistance, distance, "f4"), ESPALIER_FIELD(BlobDistance, on_a, "3f4"),
                                  ESPALIER_FIELD(BlobDistance, on_b, "3f4"), ESPALIER_FIELD(BlobDistance, a, "u4"),
                                  ESPALIER_FIELD(BlobDistance, b, "u4"), ESPALIER_FIELD(BlobDistance, status, "u1")},

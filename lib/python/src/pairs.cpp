@@ -92,6 +92,19 @@ py::tuple pairs_contact_lists(const HeldBlob& a, const HeldBlob& b, const py::ha
         });
 }
 
+/// Returns (offsets, touches, statuses), as pairs_contact_lists().
+py::tuple pairs_touch_lists(const HeldBlob& a, const HeldBlob& b, const py::handle& place_a, const py::handle& place_b,
+                            std::uint64_t limit, unsigned threads) {
+    const Places places(place_a, place_b, py::float_(0.0));
+    return make_lists<PairTouch>(
+        places.batch, dtype_of("pair_touch"), threads, [&](std::size_t i, Growing<PairTouch>& touches) {
+            return append(touches, [&](const auto& push) {
+                return for_each_touch(PlacedBlob(a.blob, places.place_a.at(i)),
+                                      PlacedBlob(b.blob, places.place_b.at(i)), push, WorkLimit(limit));
+            });
+        });
+}
+
 }  // namespace
 
 void bind_pairs(py::module_& module) {
@@ -100,6 +113,7 @@ void bind_pairs(py::module_& module) {
     module.def("pairs_distance", pairs_distance);
     module.def("pairs_within", pairs_within);
     module.def("pairs_contact_lists", pairs_contact_lists);
+    module.def("pairs_touch_lists", pairs_touch_lists);
 }
 
 }  // namespace espalier::python

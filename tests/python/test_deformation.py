@@ -1,0 +1,103 @@
+"""Deformable blobs: poses are those of C, bit for bit, and what is refused names the position."""
+
+import ctypes
+import pickle
+
+import numpy as np
+import pytest
+
+import espalier
+from conftest import same
+
+
+@pytest.fixture(scope="module")
+def stretched(mesh):
+    positions = mesh[0].copy()
+    positions[:, 2] *= 2
+    positions[:, 0] += 0.25 * positions[:, 1]
+    return positions
+
+
+@pytest.fixture(scope="module")
+def cloth(mesh, stretched):
+    return espalier.bake(*mesh, deformable=True, range=[[-6, -6, -4], [6, 6, 4]], poses=[stretched], original_ids=True)
+
+
+def test_a_pose_has_the_bytes_of_c(library, cloth, stretched):
+    opened = library.open(cloth)
+    size = library.c.espalier_deformable_bytes
+    size.restype = ctypes.c_size_t
+    data = ctypes.create_string_buffer(bytes(cloth), len(bytes(cloth)))
+    count = size(ctypes.c_void_p(opened.address))
+    memory = ctypes.create_string_buffer(256 + 16)
+    mesh = ctypes.c_void_p((ctypes.addressof(memory) + 15) & ~15)
+    other = ctypes.create_string_buffer(library.c.espalier_size_of(b"blob") + 16)
+    copy = ctypes.c_void_p((ctypes.addressof(other) + 15) & ~15)
+    assert library.c.espalier_open(data, ctypes.c_size_t(len(data)), copy) == 0
+    assert library.c.espalier_create_deformable(copy, data, ctypes.c_size_t(count), mesh) == 0
+    result = type("Result", (ctypes.Structure,), {"_fields_": [("status", ctypes.c_uint8), ("position", ctypes.c_uint32),
+                                                               ("quality", ctypes.c_float)]})
+    library.c.espalier_deformable_refit.restype = result
+    moved = library.c.espalier_deformable_refit(mesh, stretched.ctypes.data_as(ctypes.c_void_p),
+                                                ctypes.c_size_t(len(stretched)))
+    assert moved.status == 0
+    assert library.c.espalier_deformable_seal(mesh, data, ctypes.c_size_t(len(data))) == 0
+    refitted = cloth.refit(stretched)
+    assert bytes(refitted.blob) == data.raw and refitted.quality == moved.quality
+
+
+def test_a_pose_depends_on_the_positions_alone(mesh, cloth, stretched, points, directions):
+    before = bytes(cloth)
+    pose = cloth.refit(stretched.astype(np.float64)).blob
+    assert bytes(pose) != before and bytes(cloth) == before
+    assert bytes(pose.refit(mesh[0]).blob) == before
+    assert bytes(cloth.refit(mesh[0].tolist()).blob) == before
+    assert pose.is_deformable and not espalier.bake(*mesh).is_deformable
+    espalier.verify(pose)
+    fresh = espalier.bake(stretched, mesh[1], profile="fast")
+    near = points[np.abs(points).max(1) < 10]
+    differences = np.abs(pose.closest_point(near)["distance"] - fresh.closest_point(near)["distance"])
+    assert len(near) > 1000 and differences.max() < 2 * (pose.max_error + fresh.max_error)
+    same(pickle.loads(pickle.dumps(pose)).raycast(points, directions), pose.raycast(points, directions))
+
+
+def test_poses_are_baked_less_the_origin(mesh, stretched):
+    origin = np.array([500_000.0, 4_000_000.0, 100.0])
+    options = dict(deformable=True, bits=12)
+    near = espalier.bake(*mesh, range=[[-6, -6, -4], [6, 6, 4]], poses=[stretched], **options)
+    far = espalier.bake(mesh[0] + origin, mesh[1], range=np.array([[-6, -6, -4], [6, 6, 4]]) + origin,
+                        poses=[stretched + origin], origin=origin, **options)
+    assert near.report["step"] == far.report["step"]
+    np.testing.assert_allclose(near.bounds, far.bounds, atol=0.01)
+    assert len(bytes(espalier.bake(*mesh, poses=[stretched, mesh[0]], **options))) > 0
+
+
+def test_refits_are_refused_by_position(mesh, cloth):
+    positions = mesh[0].copy()
+    positions[17] = 50
+    with pytest.raises(ValueError, match=r"position 17 is \[50.0, 50.0, 50.0\], outside"):
+        cloth.refit(positions)
+    positions[17] = np.nan
+    with pytest.raises(ValueError, match="position 17 is .nan, nan, nan., which float32"):
+        cloth.refit(positions)
+    with pytest.raises(ValueError, match="position 17 .*float32"):
+        cloth.refit(np.where(np.isnan(positions), 1e300, positions.astype(np.float64)))
+    for count, word in ((959, "fewer"), (961, "more")):
+        with pytest.raises(ValueError, match=f"{count} positions are {word}"):
+            cloth.refit(np.resize(mesh[0], (count, 3)))
+    with pytest.raises(ValueError, match="without deformable"):
+        espalier.bake(*mesh).refit(mesh[0])
+    for bad in (mesh[0].ravel(), mesh[0][:, :2], [["a", "b", "c"]]):
+        with pytest.raises(ValueError, match="shape"):
+            cloth.refit(bad)
+
+
+def test_bakes_are_refused(mesh, stretched):
+    with pytest.raises(ValueError, match="deformable=True"):
+        espalier.bake(*mesh, poses=[stretched])
+    with pytest.raises(ValueError, match=r"pose 1 must be numbers in the shape \(960, 3\)"):
+        espalier.bake(*mesh, deformable=True, poses=[stretched, stretched[1:]])
+    with pytest.raises(ValueError, match=r"range must be"):
+        espalier.bake(*mesh, deformable=True, range=[-6, 6])
+    with pytest.raises(espalier.BakeError):
+        espalier.bake(*mesh, deformable=True, profile="small")
