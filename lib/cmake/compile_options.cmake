@@ -24,12 +24,17 @@ function(espalier_compile_options target)
   endif()
 endfunction()
 
+# espalier_precompile_only(<target> <header>...): these headers, if headers are precompiled.
+function(espalier_precompile_only target)
+  if(ESPALIER_PRECOMPILE_HEADERS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
 # espalier_precompile_headers(<target> [<header>...]): what nearly every file of the baker and of the tests includes, and
 # these headers, which take half of the time in which such a file compiles. Off by default, since a file that
 # forgets an include is not noticed then; and not with a compiler cache, which would not find such files again.
 function(espalier_precompile_headers target)
-  if(ESPALIER_PRECOMPILE_HEADERS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <bit> <cmath> <cstdint> <functional> <limits> <optional>
-      <span> <string> <variant> <vector> ${ARGN})
-  endif()
+  espalier_precompile_only(${target} <algorithm> <array> <bit> <cmath> <cstdint> <functional> <limits> <optional>
+    <span> <string> <variant> <vector> ${ARGN})
 endfunction()
