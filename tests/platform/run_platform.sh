@@ -67,4 +67,4 @@ fi
 (cd blobs && "${emulator[@]}" "$programs/make_blobs" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
 check() { "$here/check_golden.sh" "$@" "${emulator[@]}" "$programs/query_answers"; }
 check "$here/golden.txt" "$questions" "$PWD/blobs"
-check "$here/../format_versions/golden.txt" 100 "$here/../format_versions"
+check "$here/../format_versions/golden.txt" "$((questions < 100 ? questions : 100))" "$here/../format_versions"
