@@ -1,5 +1,5 @@
 # WebAssembly with WASI's C library and LLVM's C++ library, which has neither threads nor exceptions: code that throws
-# needs tests/platform/other/no_exceptions.cpp. Debian: clang, lld, llvm, wasi-libc, libclang-rt-14-dev-wasm32 (of clang's
+# needs lib/wasm/src/no_exceptions.cpp. Debian: clang, lld, llvm, wasi-libc, libclang-rt-14-dev-wasm32 (of clang's
 # version), libc++-16-dev-wasm32 and libc++abi-16-dev-wasm32 (or later); nodejs runs it.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)

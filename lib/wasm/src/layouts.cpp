@@ -1,0 +1,143 @@
+// The layouts of the structures of C that the package reads and writes: the names and places of their fields, for
+// instance.js, so that JavaScript repeats none of them.
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+
+#include <espalier/c/bake.h>
+#include <espalier/c/batches/arrays.h>
+#include <espalier/c/batches/rays.h>
+#include <espalier/c/blob.h>
+#include <espalier/c/distance.h>
+#include <espalier/c/original.h>
+#include <espalier/c/ray.h>
+#include <espalier/c/shapes.h>
+#include <espalier/c/status.h>
+#include <espalier/c/sweep.h>
+#include <espalier/c/walk.h>
+
+namespace {
+
+/// Numbers of one kind in a row. Kinds: b, h, w and q are unsigned, of 1, 2, 4 and 8 bytes; i has a sign and 4 bytes;
+/// f and d are floats of 4 and 8 bytes.
+struct Numbers {
+    std::uint32_t kind;
+    std::uint32_t count;
+};
+
+template <class Field>
+constexpr Numbers numbers_of() {
+    if constexpr (std::is_array_v<Field>) {
+        constexpr Numbers one = numbers_of<std::remove_extent_t<Field>>();
+        return {one.kind, one.count * std::extent_v<Field>};
+    } else if constexpr (std::is_same_v<Field, float>) {
+        return {'f', 1};
+    } else if constexpr (std::is_same_v<Field, double>) {
+        return {'d', 1};
+    } else if constexpr (std::is_same_v<Field, espalier_vec3>) {
+        return {'f', 3};
+    } else if constexpr (std::is_same_v<Field, espalier_triangle>) {
+        return {'f', 9};
+    } else if constexpr (std::is_pointer_v<Field>) {
+        return {'w', 1};
+    } else if constexpr (std::is_signed_v<Field>) {
+        static_assert(sizeof(Field) == 4);
+        return {'i', 1};
+    } else {
+        static_assert(std::is_unsigned_v<Field>);
+        return {sizeof(Field) == 1 ? 'b' : sizeof(Field) == 2 ? 'h' : sizeof(Field) == 4 ? 'w' : 'q', 1};
+    }
+}
+
+struct Field {
+    const char* name;
+    std::uint32_t offset;
+    Numbers numbers;
+};
+
+template <class Type>
+constexpr Field field(const char* name, std::size_t offset) {
+    return {name, static_cast<std::uint32_t>(offset), numbers_of<Type>()};
+}
+
+struct Record {
+    const char* name;
+    std::uint32_t bytes;
+    std::uint32_t field_count;
+    const Field* fields;
+};
+
+// Defines the table of a structure from its fields.
+#define RECORD(structure, ...)                           \
+    struct structure##_table {                           \
+        using Structure = espalier_##structure;          \
+        static constexpr const char* name = #structure;  \
+        static constexpr Field fields[] = {__VA_ARGS__}; \
+    };
+#define FIELD(path) field<decltype(Structure::path)>(#path, offsetof(Structure, path))
+#define FINDING(name) FIELD(name.count), FIELD(name.first)
+
+RECORD(blob, FIELD(opaque_))
+RECORD(filled, FIELD(count), FIELD(status))
+RECORD(filled_lists, FIELD(lists), FIELD(count), FIELD(needed), FIELD(status))
+RECORD(strided_vec3, FIELD(first), FIELD(stride))
+RECORD(ray_arrays, FIELD(origins.first), FIELD(origins.stride), FIELD(directions.first), FIELD(directions.stride),
+       FIELD(t_min.first), FIELD(t_min.stride), FIELD(t_max.first), FIELD(t_max.stride), FIELD(culling))
+RECORD(ray_hit, FIELD(t), FIELD(u), FIELD(v), FIELD(normal), FIELD(triangle), FIELD(status), FIELD(side))
+RECORD(closest_point_result, FIELD(point), FIELD(on_shape), FIELD(face_normal), FIELD(distance), FIELD(u), FIELD(v),
+       FIELD(triangle), FIELD(status), FIELD(feature), FIELD(side))
+RECORD(float_result, FIELD(value), FIELD(status))
+RECORD(sweep_hit, FIELD(t), FIELD(point), FIELD(normal), FIELD(face_normal), FIELD(triangle), FIELD(status),
+       FIELD(feature), FIELD(starts_overlapping))
+RECORD(sweep_options, FIELD(skin), FIELD(culling), FIELD(ignore_leaving))
+RECORD(original_triangle, FIELD(file), FIELD(mesh), FIELD(triangle), FIELD(first_corner))
+RECORD(original_triangle_result, FIELD(value.file), FIELD(value.mesh), FIELD(value.triangle), FIELD(value.first_corner),
+       FIELD(status))
+RECORD(original_hit, FIELD(file), FIELD(mesh), FIELD(triangle), FIELD(u), FIELD(v), FIELD(status))
+RECORD(triangle_result, FIELD(value), FIELD(status))
+RECORD(sphere, FIELD(center), FIELD(radius))
+RECORD(capsule, FIELD(from), FIELD(to), FIELD(radius))
+RECORD(box, FIELD(min), FIELD(max))
+RECORD(oriented_box, FIELD(center), FIELD(half_axes))
+RECORD(cone, FIELD(apex), FIELD(axis), FIELD(radius))
+RECORD(triangle, FIELD(a), FIELD(b), FIELD(c))
+RECORD(segment, FIELD(from), FIELD(to))
+RECORD(lattice, FIELD(origin), FIELD(step_exponent), FIELD(extent))
+RECORD(mesh_view, FIELD(size), FIELD(positions), FIELD(position_count), FIELD(position_stride), FIELD(triangles),
+       FIELD(triangle_count), FIELD(triangle_stride), FIELD(materials), FIELD(name), FIELD(file), FIELD(mesh),
+       FIELD(coordinate_type), FIELD(index_type))
+RECORD(bake_options, FIELD(size), FIELD(resolution), FIELD(resolution_kind), FIELD(profile), FIELD(effort),
+       FIELD(builder), FIELD(original_ids), FIELD(drop_bad_triangles), FIELD(with_remap), FIELD(oriented_box),
+       FIELD(sphere), FIELD(k_dop), FIELD(flat_angle), FIELD(origin), FIELD(duplicate_budget), FIELD(byte_price),
+       FIELD(max_leaf_triangles))
+RECORD(bake_report, FIELD(source_triangles), FIELD(source_vertices), FINDING(not_finite), FINDING(index_out_of_range),
+       FINDING(zero_area), FINDING(collapsed), FINDING(duplicate), FIELD(bounds_min), FIELD(bounds_max), FIELD(extent),
+       FIELD(box_volume), FIELD(oriented_box_volume), FIELD(sphere_volume), FIELD(k_dop_volume), FIELD(step),
+       FIELD(max_error), FIELD(conversion_error), FIELD(bits), FIELD(triangles), FIELD(duplicate_references),
+       FIELD(vertices), FIELD(nodes), FIELD(leaves), FIELD(depth), FIELD(bits_that_keep_closed), FIELD(bytes),
+       FIELD(seconds), FIELD(warnings), FIELD(warning_count), FIELD(is_closed))
+RECORD(bake_warning, FIELD(message), FIELD(kind))
+RECORD(bake_result, FIELD(bytes), FIELD(byte_count), FIELD(remap), FIELD(remap_count), FIELD(report), FIELD(message),
+       FIELD(place.file), FIELD(place.mesh), FIELD(place.triangle), FIELD(place.is_known), FIELD(status))
+
+template <class Table>
+constexpr Record record_of = {Table::name, sizeof(typename Table::Structure), std::size(Table::fields), Table::fields};
+
+template <class... Tables>
+struct Records {
+    static constexpr Record all[] = {record_of<Tables>..., {nullptr, 0, 0, nullptr}};
+};
+
+using AllRecords =
+    Records<blob_table, filled_table, filled_lists_table, strided_vec3_table, ray_arrays_table, ray_hit_table,
+            closest_point_result_table, float_result_table, sweep_hit_table, sweep_options_table,
+            original_triangle_table, original_triangle_result_table, original_hit_table, triangle_result_table,
+            sphere_table, capsule_table, box_table, oriented_box_table, cone_table, triangle_table, segment_table,
+            lattice_table, mesh_view_table, bake_options_table, bake_report_table, bake_warning_table,
+            bake_result_table>;
+
+}  // namespace
+
+/// Returns all records; the one after the last has no name.
+extern "C" [[clang::export_name("wasm_records")]] const Record* wasm_records() { return AllRecords::all; }

@@ -1,0 +1,66 @@
+// Batches over arrays of shapes: one call of the functions of C for each.
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/c/blob.h>
+#include <espalier/c/distance.h>
+#include <espalier/c/overlap.h>
+#include <espalier/c/shapes.h>
+#include <espalier/c/sweep.h>
+
+#include "lists.hpp"
+
+// Each function begins with where it writes, as C's own that return a structure.
+
+#define ESPALIER_WASM_OVERLAPS(shape)                                                                              \
+    extern "C" [[clang::export_name("wasm_overlaps_" #shape)]] void wasm_overlaps_##shape(                         \
+        espalier_yes_no* answers, const espalier_blob* blob, const espalier_##shape* shapes, std::size_t count) {  \
+        for (std::size_t i = 0; i < count; ++i) answers[i] = espalier_overlaps_##shape(blob, &shapes[i]);          \
+    }                                                                                                              \
+    extern "C" [[clang::export_name("wasm_collect_overlaps_" #shape)]] void wasm_collect_overlaps_##shape(         \
+        espalier_filled_lists* filled, const espalier_blob* blob, const espalier_##shape* shapes,                  \
+        espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_triangle_id* triangles, \
+        std::size_t capacity) {                                                                                    \
+        *filled = espalier::wasm::collect_overlaps(blob, shapes, count, {statuses, offsets, triangles, capacity},  \
+                                                   espalier_for_each_overlap_##shape);                             \
+    }
+
+ESPALIER_WASM_OVERLAPS(sphere)
+ESPALIER_WASM_OVERLAPS(capsule)
+ESPALIER_WASM_OVERLAPS(box)
+ESPALIER_WASM_OVERLAPS(oriented_box)
+ESPALIER_WASM_OVERLAPS(cone)
+ESPALIER_WASM_OVERLAPS(triangle)
+
+#define ESPALIER_WASM_SWEEP(shape)                                                                        \
+    extern "C" [[clang::export_name("wasm_sweep_" #shape)]] void wasm_sweep_##shape(                      \
+        espalier_sweep_hit* hits, const espalier_blob* blob, const espalier_##shape* shapes,              \
+        const espalier_vec3* displacements, std::size_t count, const espalier_sweep_options* options) {   \
+        for (std::size_t i = 0; i < count; ++i)                                                           \
+            hits[i] = espalier_sweep_##shape##_with_options(blob, &shapes[i], displacements[i], options); \
+    }
+
+ESPALIER_WASM_SWEEP(sphere)
+ESPALIER_WASM_SWEEP(capsule)
+ESPALIER_WASM_SWEEP(box)
+ESPALIER_WASM_SWEEP(oriented_box)
+
+#define ESPALIER_WASM_CLOSEST(shape)                                                                       \
+    extern "C" [[clang::export_name("wasm_closest_point_" #shape)]] void wasm_closest_point_##shape(       \
+        espalier_closest_point_result* nearest, const espalier_blob* blob, const espalier_##shape* shapes, \
+        std::size_t count, float max_distance) {                                                           \
+        for (std::size_t i = 0; i < count; ++i)                                                            \
+            nearest[i] = espalier_closest_point_##shape(blob, &shapes[i], max_distance);                   \
+    }
+
+ESPALIER_WASM_CLOSEST(segment)
+ESPALIER_WASM_CLOSEST(box)
+
+/// Writes how often the surface winds around each point.
+extern "C" [[clang::export_name("wasm_winding_number")]] void wasm_winding_number(espalier_float_result* numbers,
+                                                                                  const espalier_blob* blob,
+                                                                                  const espalier_vec3* points,
+                                                                                  std::size_t count,
+                                                                                  std::uint32_t directions) {
+    for (std::size_t i = 0; i < count; ++i) numbers[i] = espalier_winding_number(blob, points[i], directions);
+}
