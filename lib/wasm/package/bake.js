@@ -1,0 +1,142 @@
+// Baking meshes: their arrays and the options in the memory of an instance that bakes once.
+import { choice, integers, Strided } from './arguments.js';
+import { PROFILES } from './blob.js';
+import { BakeError } from './errors.js';
+
+const EFFORTS = ['fast', 'normal', 'best'];
+const BUILDERS = ['binned_sah', 'sweep_sah', 'spatial_splits', 'agglomerative', 'linear', 'insertion'];
+const BITS = 0, TOLERANCE = 1, STEP = 2;
+const OK = 0, NO_MEMORY = 17, NO_TRIANGLE = 0xFFFFFFFF;
+
+function resolutionOf({ bits, tolerance, stepExponent }) {
+    const given = [[BITS, bits], [TOLERANCE, tolerance], [STEP, stepExponent]].filter(([, number]) => number != null);
+    if (given.length > 1) throw new RangeError('give one of bits, tolerance and stepExponent');
+    return given.length === 0 ? {} : { resolutionKind: given[0][0], resolution: given[0][1] };
+}
+
+/// Returns the fields of espalier_bake_options that differ from its defaults.
+function fieldsOfOptions(options) {
+    const fields = { withRemap: 1, ...resolutionOf(options) };
+    const flag = (name, value) => { fields[name] = Number(Boolean(value)); };
+    flag('originalIds', options.originalIds);
+    flag('dropBadTriangles', options.dropBadTriangles);
+    for (const bounds of ['orientedBox', 'sphere', 'kDop']) flag(bounds, options.bounds);
+    for (const [name, names] of [['profile', PROFILES], ['effort', EFFORTS], ['builder', BUILDERS]])
+        if (options[name] !== undefined) fields[name] = choice(name, options[name], names);
+    for (const name of ['duplicateBudget', 'bytePrice', 'maxLeafTriangles'])
+        if (options[name] !== undefined) fields[name] = options[name];
+    if (options.flatAngle != null) {
+        if (!(options.flatAngle >= 0)) throw new RangeError('flatAngle must be null, which stores no edges, or 0 or more degrees');
+        fields.flatAngle = options.flatAngle;
+    }
+    if (options.origin !== undefined) {
+        if (options.origin.length !== 3) throw new RangeError('origin must have 3 numbers');
+        fields.origin = options.origin;
+    }
+    return fields;
+}
+
+/// Checks the arrays of a mesh. Positions other than float32 become float64, indices other than uint16 become uint32.
+function arraysOf(mesh, number, isOnlyOne) {
+    const of = isOnlyOne ? '' : ` of mesh ${number}`;
+    const positions = new Strided(mesh.positions, 3, `positions${of}`);
+    const triangles = integers(mesh.triangles, `triangles${of}`, true);
+    if (triangles.length % 3 !== 0) throw new RangeError(`triangles${of} must have 3 numbers for each triangle`);
+    const materials = mesh.materials == null ? null : integers(mesh.materials, `materials${of}`);
+    if (materials !== null && materials.length !== triangles.length / 3)
+        throw new RangeError(`materials${of} must have one number for each triangle`);
+    return { positions, triangles, materials, name: mesh.name ?? '', file: mesh.file ?? 0, mesh: mesh.mesh ?? number };
+}
+
+/// Copies an array into memory of an instance and returns its address.
+function place(instance, Type, array) {
+    const address = instance.allocate(array.length * Type.BYTES_PER_ELEMENT);
+    instance.array(Type, address, array.length).set(array);
+    return address;
+}
+
+function writeMesh(instance, address, arrays) {
+    const { positions, triangles, materials, name, file, mesh } = arrays;
+    const Coordinate = positions.array instanceof Float32Array ? Float32Array : Float64Array;
+    const Index = triangles instanceof Uint16Array ? Uint16Array : Uint32Array;
+    instance.functions.espalier_init_mesh_view(address, instance.records.mesh_view.bytes);
+    instance.write('mesh_view', address, {
+        positions: place(instance, Coordinate, positions.array), positionCount: positions.count,
+        positionStride: positions.stride * Coordinate.BYTES_PER_ELEMENT, coordinateType: Number(Coordinate === Float64Array),
+        triangles: place(instance, Index, triangles), triangleCount: triangles.length / 3,
+        triangleStride: 3 * Index.BYTES_PER_ELEMENT, indexType: Number(Index === Uint16Array),
+        materials: materials === null ? 0 : place(instance, Uint32Array, materials),
+        name: place(instance, Uint8Array, new TextEncoder().encode(`${name}\0`)), file, mesh,
+    });
+}
+
+/// Returns the report with findings such as { count, first }, and warnings as texts.
+function readReport(instance, address) {
+    const fields = instance.read('bake_report', address);
+    const report = {};
+    for (const [name, value] of Object.entries(fields)) {
+        const [finding, field] = name.split('.');
+        if (field === undefined) report[name] = value;
+        else (report[finding] ??= {})[field] = field === 'first' ? instance.text(value) : value;
+    }
+    delete report.warningCount;
+    const bytes = instance.records.bake_warning.bytes;
+    report.warnings = Array.from({ length: fields.warningCount }, (_, i) =>
+        instance.text(instance.read('bake_warning', fields.warnings + i * bytes).message));
+    report.isClosed = fields.isClosed !== 0;
+    return report;
+}
+
+/// Returns the source of each triangle: file, mesh, triangle and firstCorner, each in an array.
+function readRemap(instance, address, count) {
+    const { bytes, fields } = instance.records.original_triangle;
+    const column = instance.allocate(4 * count);
+    const remap = {};
+    for (const [name, { offset, Type }] of Object.entries(fields)) {
+        instance.functions.wasm_copy_fields(address + offset, bytes, column, 4, 4, count);
+        remap[name] = instance.array(Type, column, count).slice();
+    }
+    return remap;
+}
+
+function errorOf(instance, result) {
+    const place = result['place.isKnown'] === 0 ? null : {
+        file: result['place.file'], mesh: result['place.mesh'],
+        triangle: result['place.triangle'] === NO_TRIANGLE ? null : result['place.triangle'],
+    };
+    return new BakeError(instance.text(result.message), result.status, place);
+}
+
+/// Calls a function of the baker and returns the fields of its espalier_bake_result.
+export function resultOf(instance, name, ...rest) {
+    try {
+        return instance.read('bake_result', instance.functions[name](...rest) >>> 0);
+    } catch (error) {
+        // What the baker throws in C++ ends the instance. It has one reason to throw.
+        if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+        const text = instance.text(instance.functions.espalier_describe_bake_status(NO_MEMORY) >>> 0);
+        throw new BakeError(text, NO_MEMORY, null, { cause: error });
+    }
+}
+
+/// Checks meshes and options, and returns what bakes them: a function of an instance, which serves once. It returns
+/// bytes, which lie in memory of the instance, the report and the sources.
+export function preparedBake(given, options = {}) {
+    const meshes = Array.isArray(given) ? given : [given];
+    const all = meshes.map((mesh, number) => arraysOf(mesh, number, meshes.length === 1));
+    const fields = fieldsOfOptions(options);
+    return (instance) => {
+        const { mesh_view: view, bake_options: settings } = instance.records;
+        const views = instance.allocate(view.bytes * all.length), optionsAt = instance.allocate(settings.bytes);
+        all.forEach((arrays, i) => writeMesh(instance, views + i * view.bytes, arrays));
+        instance.functions.espalier_init_bake_options(optionsAt, settings.bytes);
+        instance.write('bake_options', optionsAt, fields);
+        const result = resultOf(instance, 'espalier_bake', views, all.length, optionsAt);
+        if (result.status !== OK) throw errorOf(instance, result);
+        return {
+            bytes: instance.array(Uint8Array, result.bytes, result.byteCount),
+            report: readReport(instance, result.report),
+            remap: readRemap(instance, result.remap, result.remapCount),
+        };
+    };
+}

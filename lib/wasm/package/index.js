@@ -1,0 +1,60 @@
+// Espalier: baked collision meshes, queried straight from their bytes.
+import { preparedBake, resultOf } from './bake.js';
+import { Blob } from './blob.js';
+import { VerifyError } from './errors.js';
+import { Instance } from './instance.js';
+import { compiled, hasSimd, moduleBeside } from './load.js';
+
+export { Blob } from './blob.js';
+export { BakeError, EspalierError, MemoryError, OpenError, QueryError, VerifyError } from './errors.js';
+export { hasSimd } from './load.js';
+export { Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
+
+const OK = 0;
+
+/// The library, loaded. Blobs lie in the memory of one instance. Each bake has an instance of its own, since a WebAssembly
+/// memory never shrinks.
+class Espalier {
+    #module;
+    #instance;
+
+    constructor(module, instance) {
+        this.#module = module;
+        this.#instance = instance;
+    }
+
+    get version() {
+        return this.#instance.text(this.#instance.functions.espalier_version() >>> 0);
+    }
+
+    async bake(meshes, options) {
+        const run = preparedBake(meshes, options);
+        const { bytes, ...facts } = run(await Instance.create(this.#module));
+        return new Blob(this.#instance, bytes, facts);
+    }
+
+    openBlob(source) {
+        return new Blob(this.#instance, bytesOf(source));
+    }
+
+    async verify(source) {
+        const bytes = bytesOf(source instanceof Blob ? source.bytes() : source);
+        const instance = await Instance.create(this.#module);
+        const address = instance.allocate(bytes.length);
+        instance.array(Uint8Array, address, bytes.length).set(bytes);
+        const result = resultOf(instance, 'espalier_verify', address, bytes.length);
+        if (result.status !== OK) throw new VerifyError(instance.text(result.message), result.status);
+    }
+}
+
+function bytesOf(source) {
+    if (source instanceof Uint8Array) return source;
+    if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
+    if (source instanceof ArrayBuffer) return new Uint8Array(source);
+    throw new TypeError('the bytes of a blob must be an ArrayBuffer or a view of one');
+}
+
+export async function load(source, { simd = hasSimd() } = {}) {
+    const module = await compiled(source ?? moduleBeside(simd));
+    return new Espalier(module, await Instance.create(module));
+}

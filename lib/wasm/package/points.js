@@ -1,0 +1,70 @@
+// Points against one blob: closest points and triangles, inside, and how often the surface winds around.
+import { places, Strided } from './arguments.js';
+import { fieldsOf } from './batch.js';
+import { RayQueries } from './rays.js';
+import { YesNo } from './results.js';
+
+const SHAPES = { segment: { from: 3, to: 3 }, box: { min: 3, max: 3 } };
+
+export class PointQueries extends RayQueries {
+    closestPoint(points, maxDistance = Infinity) {
+        if (points?.kind !== undefined) return this.#closestToShapes(points, maxDistance);
+        return this.#nearest('espalier_closest_point_arrays', points, maxDistance);
+    }
+
+    signedDistance(points, maxDistance = Infinity) {
+        return this.#nearest('espalier_signed_distance_arrays', points, maxDistance);
+    }
+
+    closestTriangles(points, most, maxDistance = Infinity) {
+        places(most, 'most');
+        return this.#ofPoints(points, (batch, given) => {
+            const record = 'closest_point_result';
+            const nearest = batch.allocateRecords(record, batch.count * most), found = batch.allocateRecords('filled');
+            batch.fill('espalier_closest_triangles_arrays', batch.placeStrided(given), nearest, most, found, batch.count, maxDistance);
+            return batch.pack(record, nearest, most, found);
+        });
+    }
+
+    contains(points) {
+        return this.#ofPoints(points, (batch, given) => {
+            const answers = batch.allocate(batch.count);
+            batch.fill('espalier_contains_arrays', batch.placeStrided(given), answers, batch.count);
+            return new YesNo(batch.copy(Uint8Array, answers));
+        });
+    }
+
+    windingNumber(points, directions = 64) {
+        return this.#ofPoints(points, (batch, given) => {
+            const numbers = batch.allocateRecords('float_result');
+            const packed = batch.placePacked(given, 3);
+            batch.functions.wasm_winding_number(numbers, batch.blob, packed, batch.count, directions);
+            return batch.columns('float_result', numbers);
+        });
+    }
+
+    #ofPoints(points, use) {
+        const given = new Strided(points, 3, 'points');
+        return this.batch([given], (batch) => use(batch, given));
+    }
+
+    #nearest(name, points, maxDistance) {
+        return this.#ofPoints(points, (batch, given) => {
+            const nearest = batch.allocateRecords('closest_point_result');
+            batch.fill(name, batch.placeStrided(given), nearest, batch.count, maxDistance);
+            return batch.columns('closest_point_result', nearest);
+        });
+    }
+
+    #closestToShapes(shape, maxDistance) {
+        const components = SHAPES[shape.kind];
+        if (!components) throw new RangeError(`closestPoint takes points, or a segment or box, and no ${shape.kind}`);
+        const fields = fieldsOf(shape, components, shape.kind);
+        return this.batch(Object.values(fields), (batch) => {
+            const nearest = batch.allocateRecords('closest_point_result');
+            batch.functions[`wasm_closest_point_${shape.kind}`](
+                nearest, batch.blob, batch.placeRecords(shape.kind, fields), batch.count, maxDistance);
+            return batch.columns('closest_point_result', nearest);
+        });
+    }
+}
