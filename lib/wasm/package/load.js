@@ -23,7 +23,7 @@ export async function compiled(given) {
     }
     const url = source instanceof URL ? source : new URL(source, import.meta.url);
     if (url.protocol !== 'file:') return compiled(fetch(url));
-    const { readFile } = await import('node:fs/promises');
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
     return WebAssembly.compile(await readFile(url));
 }
 

@@ -1,0 +1,30 @@
+// The code of docs/wasm.md runs, block after block.
+import assert from 'node:assert';
+import { readFile, writeFile } from 'node:fs/promises';
+import test from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { folder } from './support/setup.mjs';
+
+test('the code of wasm.md runs', async () => {
+    const document = await readFile(new URL('../../docs/wasm.md', import.meta.url), 'utf8');
+    const blocks = [...document.matchAll(/^```js\n([^]*?)^```$/gm)].map(([, code]) => code);
+    assert.ok(blocks.length >= 6);
+    const questions = new URL('support/questions.mjs', import.meta.url), bytes = `${folder}/node_modules/espalier/espalier.wasm`;
+    const start = `import { readFile } from 'node:fs/promises';
+import { lumpyBody, questions } from '${questions}';
+const { positions, triangles } = lumpyBody(), { origins, directions } = questions(20);
+const interleaved = new Float32Array(80), compiledModule = await WebAssembly.compile(await readFile('${bytes}'));
+const printed = [], console = { log: (...values) => printed.push(values) };
+`;
+    const end = '\nexport { blob, down, hits, nearest, printed, swept, touches };\n';
+    await writeFile(`${folder}/documented.mjs`, start + blocks.join('\n') + end);
+    const { blob, down, hits, nearest, printed, swept, touches } = await import(pathToFileURL(`${folder}/documented.mjs`));
+    assert.ok(hits.status.includes(0) && down.t.length === 20 && nearest.distance.length === 10 && touches.length === 20);
+    assert.deepStrictEqual([...swept.status], [0]);
+    assert.ok(blob.maxError <= 0.0005);
+    const [message, triangle] = printed.at(-2);
+    assert.match(message, /triangle 0/);
+    assert.strictEqual(triangle, 0);
+    assert.deepStrictEqual(printed.at(-1), [true, true]);
+});

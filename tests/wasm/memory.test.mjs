@@ -1,0 +1,89 @@
+// The memory of the module: what is released, what survives growth, what is refused.
+import assert from 'node:assert';
+import { readFile } from 'node:fs/promises';
+import test from 'node:test';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
+
+import { lumpyBody, questions } from './support/questions.mjs';
+import { espalier, folder } from './support/setup.mjs';
+
+const { MemoryError, QueryError, Status } = espalier;
+
+/// Loads a module whose memories the test sees.
+async function loadWatched() {
+    const memories = [], { instantiate } = WebAssembly;
+    const watched = await WebAssembly.compile(await readFile(`${folder}/node_modules/espalier/espalier.wasm`));
+    WebAssembly.instantiate = async (module, imports) => {
+        const result = await instantiate(module, imports);
+        // Node has modules of its own.
+        if (module === watched) memories.push(result.exports.memory);
+        return result;
+    };
+    const library = await espalier.load(watched);
+    return { library, sizes: () => memories.map((memory) => memory.buffer.byteLength) };
+}
+
+const { library, sizes } = await loadWatched();
+const mesh = lumpyBody(), { origins, directions } = questions(200);
+const baked = (await library.bake(mesh)).bytes();
+
+test('freed blobs and finished calls leave memory for the next', () => {
+    const use = () => {
+        const blob = library.openBlob(baked);
+        blob.raycast(origins, directions);
+        blob.allHits(origins, directions);
+        blob.closestTriangles(origins, 4);
+        blob.sweep({ kind: 'capsule', from: origins, to: directions, radius: 0.1 }, directions);
+        assert.throws(() => blob.raycast(origins, [0, 0]), RangeError);
+        blob.free();
+    };
+    use();
+    const [before] = sizes();
+    for (let i = 0; i < 10; ++i) use();
+    assert.strictEqual(sizes()[0], before);
+});
+
+test('a bake has memory of its own', async () => {
+    const [before] = sizes();
+    (await library.bake(lumpyBody(40))).free();
+    assert.ok(sizes()[0] - before < 2 ** 20);
+    assert.ok(sizes().at(-1) > before);
+});
+
+test('blobs answer alike after memory has grown', () => {
+    const blob = library.openBlob(baked), before = blob.raycast(origins, directions), [size] = sizes();
+    assert.ok(blob.closestHits(origins, directions, 10_000).length > 0);
+    assert.ok(sizes()[0] > size);
+    assert.deepStrictEqual(blob.raycast(origins, directions), before);
+    blob.free();
+});
+
+test('a freed blob throws with the text of the library', () => {
+    const blob = library.openBlob(baked);
+    assert.strictEqual(blob.isFreed, false);
+    blob.free();
+    blob.free();
+    assert.strictEqual(blob.isFreed, true);
+    for (const call of [() => blob.raycast(origins, directions), () => blob.triangleCount, () => blob.bytes(), () => blob.info()])
+        assert.throws(call, (error) => error instanceof QueryError && error.status === Status.NOT_OPEN && /not open/.test(error.message));
+});
+
+test('forgotten blobs are released', async () => {
+    setFlagsFromString('--expose-gc');
+    const collect = runInNewContext('gc');
+    const [before] = sizes();
+    for (let round = 0; round < 20; ++round) {
+        for (let i = 0; i < 50; ++i) library.openBlob(baked);
+        collect();
+        await new Promise((resolve) => setTimeout(resolve, 1));
+    }
+    assert.ok(sizes()[0] - before < 400 * baked.length, `grown by ${sizes()[0] - before} bytes`);
+});
+
+test('a call that needs more than there is throws and leaves the rest as it was', () => {
+    const blob = library.openBlob(baked), before = blob.raycast(origins, directions);
+    assert.throws(() => blob.closestHits(origins, directions, 1_000_000), MemoryError);
+    assert.deepStrictEqual(blob.raycast(origins, directions), before);
+    blob.free();
+});

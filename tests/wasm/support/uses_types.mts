@@ -1,0 +1,59 @@
+// Uses every declaration of index.d.ts.
+import {
+    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, QueryError, Side, Status,
+    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Corners, type Espalier,
+    type Mesh, type OriginalHits, type RayHits, type SweepHits, type Volume, type WindingNumbers,
+} from 'espalier';
+
+const library: Espalier = await load();
+await load('./espalier.wasm');
+await load(new URL('https://localhost/espalier.wasm'), { simd: false });
+await load(fetch('/espalier.wasm'));
+await load(new Uint8Array(8));
+const hasIt: boolean = hasSimd();
+
+const mesh: Mesh = { positions: new Float64Array(9), triangles: new Uint16Array(3), materials: [1], name: 'walls', file: 0, mesh: 1 };
+const options: BakeOptions = { tolerance: 0.001, profile: 'small', effort: 'best', originalIds: true, flatAngle: 5, origin: [0, 0, 1] };
+const blob: Blob = await library.bake([mesh, { positions: { array: [0, 0, 0], stride: 5 }, triangles: [0, 1, 2] }], options);
+const report: BakeReport | null = blob.report;
+const first: string | undefined = report?.zeroArea.first;
+const info: BlobInfo = blob.info();
+const other: Blob = library.openBlob(blob.bytes());
+await library.verify(other);
+
+const origins = new Float32Array(30), directions = [0, 0, -1];
+const hits: RayHits = blob.raycast(origins, directions, { tMin: 0, tMax: new Float32Array(10), culling: 'back' });
+const isHit: boolean = hits.status[0] === Status.OK && hits.triangle[0] !== NO_TRIANGLE && hits.side[0] === Side.FRONT;
+const answers: YesNo = blob.occluded({ array: origins, stride: 6, offset: 3 }, directions);
+const yes: boolean = answers.yes(0) || answers.valueOr(1, true) || !answers.no(2);
+const lists: Lists<RayHits> = blob.allHits(origins, directions);
+const items: Float32Array = blob.closestHits(origins, directions, 4).items.t.subarray(lists.begin(0), lists.end(0));
+blob.crossings(origins, directions);
+
+const box: Box = { kind: 'box', min: [0, 0, 0], max: [1, 1, 1] };
+const nearest: ClosestPoints = blob.closestPoint(box, 2);
+blob.closestPoint({ kind: 'segment', from: origins, to: directions });
+const isFace: boolean = blob.signedDistance(origins).feature[0] === Feature.FACE;
+const several: Lists<ClosestPoints> = blob.closestTriangles(origins, 4, 1);
+const inside: YesNo = blob.contains(origins);
+const windings: WindingNumbers = blob.windingNumber(origins, 64);
+
+const volumes: Volume[] = [
+    box, { kind: 'sphere', center: origins, radius: 1 }, { kind: 'capsule', from: origins, to: origins, radius: [1] },
+    { kind: 'orientedBox', center: origins, halfAxes: new Float32Array(9) },
+    { kind: 'cone', apex: origins, axis: directions, radius: 1 }, { kind: 'triangle', a: origins, b: origins, c: directions },
+];
+for (const volume of volumes) blob.overlaps(volume);
+const touched: Lists<Uint32Array> = blob.overlappingTriangles(volumes[0]);
+const sweeps: SweepHits = blob.sweep(box, directions, { skin: 0.01, ignoreLeaving: true, culling: 'front' });
+
+const corners: Corners = blob.corners(hits.triangle);
+const sources: OriginalHits = blob.originalHits(hits);
+const materials: Uint16Array = blob.materials([0, 1]);
+blob.originalTriangles(0);
+blob.free();
+const errors: EspalierError[] = [];
+for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
+    for (const error of errors) if (error instanceof type) console.log(error.status);
+
+export { corners, first, hasIt, info, inside, isFace, isHit, items, materials, nearest, several, sources, sweeps, touched, windings, yes };

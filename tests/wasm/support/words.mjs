@@ -1,0 +1,38 @@
+// Answers as words of 32 bits in the order in which answers.cpp writes them.
+
+/// Fields in the order of their structure, and how many numbers each has.
+const ORDER = {
+    hit: { t: 1, u: 1, v: 1, normal: 3, triangle: 1, status: 1, side: 1 },
+    nearest: { point: 3, onShape: 3, faceNormal: 3, distance: 1, u: 1, v: 1, triangle: 1, status: 1, feature: 1, side: 1 },
+    sweep: { t: 1, point: 3, normal: 3, faceNormal: 3, triangle: 1, status: 1, feature: 1, startsOverlapping: 1 },
+    original: { file: 1, mesh: 1, triangle: 1, u: 1, v: 1, status: 1 },
+    winding: { value: 1, status: 1 },
+};
+
+const bits = (array) => array instanceof Float32Array ? new Uint32Array(array.buffer) : array;
+
+/// Returns a function that adds the words of one element to a list.
+function writer(kind, columns) {
+    const fields = Object.entries(ORDER[kind]).map(([name, count]) => [bits(columns[name]), count]);
+    return (words, element) => {
+        for (const [array, count] of fields)
+            for (let k = 0; k < count; ++k) words.push(array[count * element + k]);
+    };
+}
+
+export function wordsOf(kind, columns) {
+    const words = [], write = writer(kind, columns);
+    for (let i = 0; i < columns.status.length; ++i) write(words, i);
+    return words;
+}
+
+/// Words of lists of columns: of each query begin(words, query), its elements, end(words, query).
+export function wordsOfLists(kind, lists, { begin = () => {}, end = () => {} }) {
+    const words = [], write = kind === 'triangle' ? (to, i) => to.push(lists.items[i]) : writer(kind, lists.items);
+    for (let query = 0; query < lists.length; ++query) {
+        begin(words, query);
+        for (let i = lists.begin(query); i < lists.end(query); ++i) write(words, i);
+        end(words, query);
+    }
+    return words;
+}

@@ -1,0 +1,51 @@
+// The types describe the package: a program that uses all of it passes the TypeScript compiler, mistakes do not.
+import assert from 'node:assert';
+import { spawnSync } from 'node:child_process';
+import { copyFile, readFile, writeFile } from 'node:fs/promises';
+import test from 'node:test';
+
+import { espalier, folder } from './support/setup.mjs';
+
+const OPTIONS = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'node16', '--moduleResolution', 'node16', '--lib',
+    'es2022,dom'];
+const isInstalled = spawnSync('tsc', ['--version']).status === 0;
+const skip = isInstalled ? false : 'tsc is not installed (node-typescript; tools/dev wasm installs it)';
+const compile = (file) => spawnSync('tsc', [...OPTIONS, file], { cwd: folder, encoding: 'utf8' });
+
+test('a program that uses the types compiles', { skip }, async () => {
+    await copyFile(new URL('support/uses_types.mts', import.meta.url), `${folder}/uses_types.mts`);
+    const { status, stdout } = compile('uses_types.mts');
+    assert.strictEqual(status, 0, stdout);
+});
+
+test('mistakes do not compile', { skip }, async () => {
+    const mistakes = [
+        'blob.raycast(origins, "down");', 'blob.raycast(origins, origins, { culling: "both" });',
+        'blob.overlaps({ kind: "sphere", center: origins });', 'blob.sweep({ kind: "cone", apex: origins, axis: origins, radius: 1 }, origins);',
+        'const hit: boolean = blob.occluded(origins, origins);', 'new Blob();', 'library.bake({ positions: origins });',
+        'library.bake(mesh, { profile: "huge" });', 'const t: Uint32Array = blob.raycast(origins, origins).t;',
+    ];
+    const start = 'import { load, Blob } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
+        'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\n';
+    await writeFile(`${folder}/mistakes.mts`, start + mistakes.join('\n'));
+    const { stdout } = compile('mistakes.mts');
+    const lines = new Set([...stdout.matchAll(/^mistakes\.mts\((\d+),/gm)].map(([, line]) => Number(line)));
+    const first = start.split('\n').length;
+    assert.deepStrictEqual([...lines].sort((a, b) => a - b), mistakes.map((_, i) => first + i), stdout);
+});
+
+test('every name of the package has a type and every type a value', async () => {
+    const types = await readFile(`${folder}/node_modules/espalier/index.d.ts`, 'utf8');
+    const declared = [...types.matchAll(/^export (?:class|const|function) (\w+)/gm)].map(([, name]) => name).sort();
+    assert.deepStrictEqual(declared, Object.keys(espalier).sort());
+    const library = await espalier.load();
+    const blob = await library.bake({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] });
+    const membersOf = (name) => [...types.match(new RegExp(`export (?:class|interface) ${name} [^]*?\n}`))[0]
+        .matchAll(/^    (?:readonly )?(\w+)[(?:]/gm)].map(([, member]) => member);
+    for (const [name, value] of Object.entries({ Blob: blob, Espalier: library, BakeReport: blob.report, BlobInfo: blob.info() }))
+        for (const member of membersOf(name)) assert.ok(member in value, `${name} has no ${member}`);
+    assert.deepStrictEqual(membersOf('BakeReport').sort(), Object.keys(blob.report).sort());
+    assert.deepStrictEqual(membersOf('BlobInfo').sort(), Object.keys(blob.info()).sort());
+    assert.deepStrictEqual(membersOf('RayHits').sort(), Object.keys(blob.raycast([0, 0, 1], [0, 0, -1])).sort());
+    assert.deepStrictEqual(membersOf('ClosestPoints').sort(), Object.keys(blob.closestPoint([0, 0, 1])).sort());
+});
