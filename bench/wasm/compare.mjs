@@ -1,115 +1,100 @@
-// node --no-liftoff compare.mjs SCALAR SIMD128 BLOB...: times rays by both WebAssembly modules in turns, and compares
-// the bytes of their answers. Above 1 the second module is faster.
-import { readFile } from 'node:fs/promises';
-import { basename } from 'node:path';
-import { argv, exit } from 'node:process';
+// node --no-liftoff compare.mjs PACKAGE [--three FOLDER] [--profile NAME] [--queries COUNT] [--rounds COUNT]
+// [MESH...]: times closest rays and closest points by the npm package in the folder PACKAGE, with SIMD128 and without, in
+// turns, and compares the bits of the answers. With --three against three-mesh-bvh too, which FOLDER/node_modules has
+// with three. A MESH is an .obj or .ply file; by default one is generated. Above 1 a ratio is in favour of SIMD128 or
+// Espalier.
+import { basename, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
 
-const rayCount = 4096, bytesOfRay = 24, raysOfTurn = 128, rounds = 40;
+import { lumpyBody } from '../../tests/wasm/support/questions.mjs';
+import { readMesh } from './mesh_files.mjs';
+import { coherentRays, incoherentRays, points } from './queries.mjs';
+import { loadPeer } from './three_mesh_bvh.mjs';
 
-/// A module with a blob opened in its memory, and room for rays and hits behind the blob.
-async function load(program, blob) {
-    const { instance: { exports } } = await WebAssembly.instantiate(await readFile(program), {});
-    const aligned = (address) => Math.ceil(address / 64) * 64;
-    const blobAt = aligned(exports.__heap_base.value);
-    const boundsAt = aligned(blobAt + blob.length);
-    const raysAt = boundsAt + 64;
-    const hitsAt = aligned(raysAt + rayCount * bytesOfRay);
-    const end = hitsAt + rayCount * exports.bytes_of_hit();
-    exports.memory.grow(Math.max(0, Math.ceil((end - exports.memory.buffer.byteLength) / 65536)));
-    const memory = exports.memory.buffer;
-    new Uint8Array(memory).set(blob, blobAt);
-    if (!exports.open_blob(blobAt, blob.length)) throw new Error(`${program} refuses the blob`);
-    exports.store_bounds(boundsAt);
+const QUERIES_OF_TURN = 512;
+
+const { values, positionals: [packageFolder, ...files] } = parseArgs({
+    allowPositionals: true,
+    options: {
+        three: { type: 'string' }, queries: { type: 'string', default: '4096' }, rounds: { type: 'string', default: '40' },
+        profile: { type: 'string', default: 'balanced' },
+    },
+});
+const queryCount = Number(values.queries), rounds = Number(values.rounds);
+
+/// Returns what a blob answers by a call for some queries: the numbers to compare with the peer, and all bits.
+function engineOf(blob) {
+    const of = (array, first, count) => array.subarray(3 * first, 3 * (first + count));
     return {
-        bounds: new Float32Array(memory, boundsAt, 6),
-        rays: new Float32Array(memory, raysAt, 6 * rayCount),
-        hits: new Uint8Array(memory, hitsAt, rayCount * exports.bytes_of_hit()),
-        cast: (query, first, count) =>
-            exports[query](raysAt + first * bytesOfRay, count, hitsAt + first * exports.bytes_of_hit()),
+        raycast: ({ origins, directions }, first, count) => blob.raycast(of(origins, first, count), of(directions, first, count)),
+        closestPoint: ({ points }, first, count) => blob.closestPoint(of(points, first, count)),
     };
 }
 
-/// Numbers in [0, 1), the same on every machine (mulberry32).
-function randomNumbers(seed) {
-    let state = seed;
-    return () => {
-        state = (state + 0x6D2B79F5) | 0;
-        let z = Math.imul(state ^ (state >>> 15), state | 1);
-        z ^= z + Math.imul(z ^ (z >>> 7), z | 61);
-        return ((z ^ (z >>> 14)) >>> 0) / 4294967296;
-    };
-}
-
-/// As bench/rays.cpp has them: from a sphere around the asset towards random points in its box.
-function incoherentRays(bounds, random) {
-    const radius = 0.6 * Math.hypot(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-    const rays = [];
-    while (rays.length < 6 * rayCount) {
-        const s = [0, 1, 2].map(() => 2 * random() - 1);
-        const length = Math.hypot(...s);
-        if (length > 1 || length < 0.03) continue;
-        const from = s.map((x, k) => (bounds[k] + bounds[3 + k]) / 2 + x * radius / length);
-        const to = [0, 1, 2].map((k) => bounds[k] + random() * (bounds[3 + k] - bounds[k]));
-        rays.push(...from, ...to.map((x, k) => x - from[k]));
-    }
-    return rays;
-}
-
-/// Rows of a picture from the front.
-function coherentRays(bounds) {
-    const radius = 0.5 * Math.hypot(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-    const center = [0, 1, 2].map((k) => (bounds[k] + bounds[3 + k]) / 2);
-    const side = Math.sqrt(rayCount), rays = [];
-    for (let row = 0; row < side; ++row)
-        for (let column = 0; column < side; ++column) {
-            const across = (i) => radius * (2 * i + 1 - side) / side;
-            rays.push(center[0], center[1], center[2] + 2.4 * radius, across(column), across(row), -2.4 * radius);
-        }
-    return rays;
-}
-
-/// Casts a turn's rays once and returns how long that took, in nanoseconds.
-function time(module, query, first) {
+function time(engine, query, given, first, count) {
     const start = process.hrtime.bigint();
-    module.cast(query, first, raysOfTurn);
+    engine[query](given, first, count);
     return Number(process.hrtime.bigint() - start);
 }
 
-/// The shortest time of each turn, summed up: other work on the processor lengthens single turns.
-function compare(modules, query, rays) {
-    for (const module of modules) {
-        module.rays.set(rays);
-        for (let i = 0; i < 5; ++i) module.cast(query, 0, rayCount);
-    }
-    if (Buffer.compare(modules[0].hits, modules[1].hits) !== 0) {
-        console.error('the answers differ');
-        exit(1);
-    }
-    const sums = [0, 0];
-    for (let first = 0; first < rayCount; first += raysOfTurn) {
-        const shortest = [Infinity, Infinity];
+/// Returns nanoseconds for a query by each engine: the shortest time of each turn, summed up, since other work on the
+/// processor lengthens single turns.
+function compare(engines, query, given, count) {
+    const warm = Math.min(rounds, 5);
+    for (const engine of engines) for (let i = 0; i < warm; ++i) engine[query](given, 0, count);
+    const sums = engines.map(() => 0);
+    for (let first = 0; first < count; first += QUERIES_OF_TURN) {
+        const size = Math.min(QUERIES_OF_TURN, count - first), shortest = engines.map(() => Infinity);
         for (let round = 0; round < rounds; ++round)
-            for (const which of [round % 2, 1 - round % 2])
-                shortest[which] = Math.min(shortest[which], time(modules[which], query, first));
-        shortest.forEach((nanoseconds, which) => { sums[which] += nanoseconds / rayCount; });
+            for (let k = 0; k < engines.length; ++k) {
+                const which = (round + k) % engines.length;
+                shortest[which] = Math.min(shortest[which], time(engines[which], query, given, first, size));
+            }
+        shortest.forEach((nanoseconds, which) => { sums[which] += nanoseconds / count; });
     }
-    return { hit: modules[0].cast(query, 0, rayCount) / rayCount, scalar: sums[0], simd128: sums[1], ratio: sums[0] / sums[1] };
+    return sums;
 }
 
-const [, , scalar, simd128, ...blobs] = argv;
-console.log(`node ${process.version}, V8 ${process.versions.v8}`);
-console.log(`${'blob'.padEnd(24)} ${'rays'.padEnd(20)} hit %  scalar ns  SIMD128 ns  ratio`);
-for (const file of blobs) {
-    const blob = await readFile(file);
-    const modules = [await load(scalar, blob), await load(simd128, blob)];
+const bits = (columns) => Object.values(columns).map((array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength));
+
+/// Throws where two modules give other bits. Returns the share of answers that differ from the peer's by a hundredth of
+/// the mesh, or in whether there is a hit.
+function checkAnswers([simd128, scalar, peer], query, given, count, extent) {
+    const ours = simd128[query](given, 0, count);
+    if (Buffer.compare(Buffer.concat(bits(ours)), Buffer.concat(bits(scalar[query](given, 0, count)))) !== 0)
+        throw new Error(`${query}: the answers of SIMD128 and scalar differ`);
+    if (!peer) return null;
+    const theirs = peer[query](given, 0, count), mine = ours.t ?? ours.distance;
+    return theirs.reduce((sum, x, i) => sum + (x === mine[i] || Math.abs(x - mine[i]) <= extent / 100 ? 0 : 1), 0) / count;
+}
+
+const { load } = await import(pathToFileURL(resolve(packageFolder, 'index.js')));
+const libraries = [await load(null, { simd: true }), await load(null, { simd: false })];
+const peer = values.three === undefined ? null : await loadPeer(values.three);
+console.log(`node ${process.version}, V8 ${process.versions.v8}, ${peer?.name ?? 'no peer'}`);
+const titles = ['mesh', 'triangles', 'bytes', 'query', 'hit %', 'SIMD128 ns', 'scalar ns', 'scalar / SIMD128', 'peer ns', 'peer / SIMD128', 'peer bytes', 'bytes / peer', 'differ %'];
+console.log(titles.join('\t'));
+const meshes = files.length > 0 ? files : [null];
+for (const file of meshes) {
+    const mesh = file === null ? lumpyBody(queryCount < 1000 ? 8 : 64) : await readMesh(file);
+    const baked = await libraries[0].bake(mesh, { profile: values.profile, dropBadTriangles: true });
+    const bytes = baked.bytes(), bounds = baked.bounds, tree = peer?.build(mesh) ?? null;
+    const engines = [...libraries.map((library) => engineOf(library.openBlob(bytes))), ...(tree ? [tree] : [])];
+    const extent = Math.max(...[0, 1, 2].map((k) => bounds[3 + k] - bounds[k]));
     const sets = [
-        ['closest, incoherent', 'closest_hits', incoherentRays(modules[0].bounds, randomNumbers(1))],
-        ['closest, coherent', 'closest_hits', coherentRays(modules[0].bounds)],
-        ['any, incoherent', 'any_hits', incoherentRays(modules[0].bounds, randomNumbers(2))],
+        ['closest ray, incoherent', 'raycast', incoherentRays(bounds, queryCount)],
+        ['closest ray, coherent', 'raycast', coherentRays(bounds, queryCount)],
+        ['closest point', 'closestPoint', { points: points(bounds, queryCount) }],
     ];
-    for (const [name, query, rays] of sets) {
-        const row = compare(modules, query, rays);
-        console.log(`${basename(file).padEnd(24)} ${name.padEnd(20)} ${(100 * row.hit).toFixed(0).padStart(5)} ` +
-                    `${row.scalar.toFixed(0).padStart(10)} ${row.simd128.toFixed(0).padStart(11)} ${row.ratio.toFixed(2).padStart(6)}`);
+    for (const [name, query, given] of sets) {
+        const count = Object.values(given)[0].length / 3;
+        const differing = checkAnswers(engines, query, given, count, extent);
+        const found = engines[0][query](given, 0, count).status.reduce((sum, status) => sum + (status === 0), 0) / count;
+        const [simd128, scalar, theirs] = compare(engines, query, given, count);
+        const row = [file === null ? 'generated' : basename(file), baked.triangleCount, bytes.length, name, (100 * found).toFixed(0),
+            simd128.toFixed(0), scalar.toFixed(0), (scalar / simd128).toFixed(2)];
+        if (tree) row.push(theirs.toFixed(0), (theirs / simd128).toFixed(2), tree.bytes, (bytes.length / tree.bytes).toFixed(3), (100 * differing).toFixed(2));
+        console.log(row.join('\t'));
     }
 }
