@@ -16,6 +16,9 @@ Every day
               bench --help lists the options.
   python      Builds the wheel of the Python package, installs it in build/python/environment, and runs its tests and
               its example (5 minutes from nothing).
+  wasm        Builds the npm package in build/wasm/node_modules, and tests it in Node and in a headless Chromium
+              (10 minutes from nothing). wasm --bench [--three FOLDER] [--profile NAME] [MESH...] times rays and closest points
+              with SIMD128 and without, and against three-mesh-bvh, which FOLDER/node_modules has.
   help        Prints this text.
 
 Before a release
@@ -39,7 +42,6 @@ Research
   ab          Compares two commits: both answer the same queries in turns within one process. Without --against the other
               side is the working tree: ab [--against COMMIT] COMMIT MESH... [OPTION...]
               A MESH is a file, or torus, terrain or level; ab --help lists the options (4 minutes).
-  wasm        Times rays in WebAssembly with SIMD128 and without, in Node, and compares the answers (5 minutes): wasm BLOB...
   counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
               on generated meshes and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels

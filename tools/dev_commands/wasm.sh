@@ -1,24 +1,34 @@
-# Rays in WebAssembly: how much faster the runtime is with SIMD128 than without, and whether the answers are the same.
-wasm() {
-    [[ $# -gt 0 ]] || fail "wasm BLOB...: a blob is needed; 'espalier bake MESH -o BLOB' makes one"
-    local blob build=$PWD/build/wasm
-    for blob in "$@"; do [[ -f $blob ]] || fail "there is no blob $blob"; done
-    install_missing "${build_packages[@]}" "${machine_packages[@]}" >&2
-    install_missing $(wasm_packages) >&2
+# The npm package: two WebAssembly modules with their JavaScript, tested in Node and Chromium; and how fast it is.
+
+wasm_package() {
+    local build=$PWD/build/wasm machine
+    install_missing "${build_packages[@]}" "${machine_packages[@]}" "${javascript_packages[@]}" doctest-dev libeigen3-dev
+    install_missing $(wasm_packages)
     check_cmake
-    build_rays "$build/scalar" >&2
-    CXXFLAGS=-msimd128 build_rays "$build/simd128" >&2
+    # The modules, and the programs that give the golden bits.
+    for machine in wasm32 wasm32_simd128; do
+        echo "building for $machine in $build/$machine"
+        bash tests/platform/run_platform.sh "$machine" 100 "$build/$machine" cmake Ninja || fail "$machine: other bits than golden.txt"
+    done
+    # What C++ answers here.
+    build build/wasm/here espalier_wasm_answers -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF -DESPALIER_INSTALL=OFF
+    bash tests/wasm/run.sh "$build/wasm32_simd128" "$build/wasm32" "$build/here/tests/wasm/espalier_wasm_answers" "$build"
+    echo "package  $build/node_modules/espalier"
+    echo "tarball  $(ls "$build"/node_modules/espalier-*.tgz)"
+}
+
+# Needs the package that `tools/dev wasm` builds.
+wasm_bench() {
+    local package=$PWD/build/wasm/node_modules/espalier
+    [[ -d $package ]] || fail "there is no package in $package: 'tools/dev wasm' builds it"
     grep -m 1 '^model name' /proc/cpuinfo || true
-    node --no-liftoff bench/wasm/compare.mjs "$build/scalar/rays" "$build/simd128/rays" "$@"
+    node --no-warnings --no-liftoff bench/wasm/compare.mjs "$package" "$@"
 }
 
-# build_rays FOLDER: FOLDER/rays, with the compiler's flags of the environment
-build_rays() {
-    echo "building the runtime for WebAssembly in $1"
-    mkdir -p "$1"
-    { cmake -S bench/wasm -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_TOOLCHAIN_FILE="$PWD/lib/cmake/toolchains/wasm32-wasi.cmake" && cmake --build "$1" --target rays; } \
-        >"$1/build.log" 2>&1 || { tail -n 60 "$1/build.log" >&2; fail "the build in $1 failed; all of it is in $1/build.log"; }
-}
-
-wasm "$@"
+case ${1-} in
+    --bench) wasm_bench "${@:2}" ;;
+    *)
+        without_arguments wasm "$@"
+        wasm_package
+        ;;
+esac

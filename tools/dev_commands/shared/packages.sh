@@ -8,6 +8,7 @@ test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3 make pkgc
 late_test_packages=(qemu-system-arm libstdc++-arm-none-eabi-newlib jq assimp-testmodels)
 python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools
     python3-wheel python3-venv python3-distributed)
+javascript_packages=(chromium node-typescript)  # the npm package is tested with them; compiling it does not need them
 machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu
     g++-s390x-linux-gnu clang lld llvm nodejs wasi-libc)
 
