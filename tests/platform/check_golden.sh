@@ -15,7 +15,7 @@ case $status in
     77) echo "skipped: this machine has no ${*: -1}"; exit 77 ;;
     *) echo "failed: status $status of $*"; exit "$status" ;;
 esac
-lines=$(grep '^questions ' <<<"$output")
+lines=$(grep '^questions ' <<<"${output//$'\r'/}")  # Windows ends lines with both
 echo "$lines"
 while read -r line; do
     if ! grep -qxF "$line" "$golden"; then

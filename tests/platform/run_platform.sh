@@ -2,8 +2,8 @@
 # run_platform.sh PLATFORM QUESTIONS BUILD_FOLDER CMAKE GENERATOR
 # Builds both libraries for the platform, bakes the blobs and asks them there (under an emulator if need be), and compares
 # bytes and answers with golden.txt; asks the blobs of old format versions too. PLATFORM is another machine (i686 armhf
-# aarch64 riscv64 s390x wasm32 wasm32_simd128), as released or by other options, as in s390x-O1, or a compiler and its options for this
-# machine, as in gcc-O2 and clang-O3-native.
+# aarch64 riscv64 s390x wasm32 wasm32_simd128) or system (windows), as released or by other options, as in s390x-O1, or a
+# compiler and its options for this machine, as in gcc-O2 and clang-O3-native.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
@@ -31,6 +31,9 @@ case $machine in
         use_machine wasm32-wasi wasm-ld node --no-warnings "$here/other/run_wasm.mjs"
         needed+=(llvm-ar)
         ;;
+    windows)
+        use_machine x86_64-w64-mingw32 x86_64-w64-mingw32-g++-posix bash "$here/other/run_wine.sh" "$build/wine"
+        ;;
     gcc | clang)
         compiler=${machine/gcc/g}++
         needed=("$compiler")
@@ -48,6 +51,7 @@ for tool in "${needed[@]}"; do
         exit 77
     fi
 done
+if [[ $machine == windows ]]; then "${emulator[@]}" || exit; fi  # whether there is a Wine, and it runs programs
 
 mkdir -p "$build"
 "$cmake" -S "$here/other" -B "$build" -G "$generator" "${options[@]}" >"$build/configure.log" 2>&1 ||

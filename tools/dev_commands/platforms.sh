@@ -1,9 +1,9 @@
 # The bits of tests/platform/golden.txt on every machine, compiler and instruction set.
 platforms() {
     local questions=2000 build=$PWD/build/platforms here=$PWD/build/release name set failures=0
-    local other=(i686 armhf aarch64 riscv64 s390x wasm32 wasm32_simd128) compiler level
+    local other=(i686 armhf aarch64 riscv64 s390x wasm32 wasm32_simd128 windows) compiler level
     install_missing "${build_packages[@]}" "${machine_packages[@]}" doctest-dev libeigen3-dev
-    install_missing $(wasm_packages)
+    install_missing $(wasm_packages) "${windows_packages[@]}"
     check_cmake
     build build/release espalier_query_answers --preset release
     build build/release espalier_platform_blobs --preset release

@@ -11,6 +11,8 @@ python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3
 javascript_packages=(chromium node-typescript)  # the npm package is tested with them; compiling it does not need them
 machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu
     g++-s390x-linux-gnu clang lld llvm nodejs wasi-libc)
+# Wine takes half a gigabyte: `tools/dev test` does not install it, and skips the tests that need it.
+windows_packages=(g++-mingw-w64-x86-64-posix wine64)
 
 is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null || true) == "install ok installed" ]]; }
 
