@@ -11,6 +11,7 @@ platform=$1 questions=$2 build=$3 cmake=$4 generator=$5
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 emulator=()
+suffix=
 options=()
 needed=()
 # no build type: these flags and no others, so that the compiler vectorises too where it likes
@@ -33,6 +34,7 @@ case $machine in
         ;;
     windows)
         use_machine x86_64-w64-mingw32 x86_64-w64-mingw32-g++-posix bash "$here/other/run_wine.sh" "$build/wine"
+        suffix=.exe
         ;;
     gcc | clang)
         compiler=${machine/gcc/g}++
@@ -68,7 +70,7 @@ if [[ $machine == i686 ]]; then
     ./query_answers >/dev/null 2>&1 || status=$?
     if [[ $status -eq 126 ]]; then emulator=(qemu-i386); fi
 fi
-(cd blobs && "${emulator[@]}" "$programs/make_blobs" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
-check() { "$here/check_golden.sh" "$@" "${emulator[@]}" "$programs/query_answers"; }
+(cd blobs && "${emulator[@]}" "$programs/make_blobs$suffix" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
+check() { "$here/check_golden.sh" "$@" "${emulator[@]}" "$programs/query_answers$suffix"; }
 check "$here/golden.txt" "$questions" "$PWD/blobs"
 check "$here/../format_versions/golden.txt" "$((questions < 100 ? questions : 100))" "$here/../format_versions"
