@@ -13,7 +13,8 @@ test('the code of wasm.md runs', async () => {
     const questions = new URL('support/questions.mjs', import.meta.url), bytes = `${folder}/node_modules/espalier/espalier.wasm`;
     const start = `import { readFile } from 'node:fs/promises';
 import { lumpyBody, questions } from '${questions}';
-const { positions, triangles } = lumpyBody(), { origins, directions } = questions(20);
+const { positions, triangles } = lumpyBody(), asked = questions();
+const origins = asked.origins.subarray(0, 60), directions = asked.directions.subarray(0, 60);
 const interleaved = new Float32Array(80), compiledModule = await WebAssembly.compile(await readFile('${bytes}'));
 const printed = [], console = { log: (...values) => printed.push(values) };
 `;

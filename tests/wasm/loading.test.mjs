@@ -28,7 +28,8 @@ test('the package has both modules and this engine takes the one with SIMD128', 
     } finally {
         WebAssembly.compile = compile;
     }
-    assert.deepStrictEqual(sizes, [simd128.length, scalar.length]);
+    const ours = sizes.filter((size) => size > 500_000);  // Node compiles a small module of its own where Response is first used
+    assert.deepStrictEqual(ours, [simd128.length, scalar.length]);
 });
 
 test('modules need nothing but the part of WASI that the package has', async () => {
