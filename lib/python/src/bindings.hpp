@@ -8,7 +8,6 @@ namespace espalier::python {
 
 void bind_bake(pybind11::module_& module);
 void bind_blob(pybind11::module_& module);
-void bind_deformation(pybind11::module_& module);
 void bind_lookups(pybind11::module_& module);
 void bind_rays(pybind11::module_& module);
 void bind_points(pybind11::module_& module);

@@ -12,7 +12,6 @@ PYBIND11_MODULE(_core, module) {
     bind_dtypes(module);
     bind_blob(module);
     bind_bake(module);
-    bind_deformation(module);
     bind_lookups(module);
     bind_rays(module);
     bind_points(module);
