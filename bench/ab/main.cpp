@@ -37,12 +37,12 @@ Mesh mesh_named(const std::string& word) {
     return mesh;
 }
 
-/// Whether the mesh, in that pose, touches itself. Without such a query poses are as they come.
-bool collides_with_itself(const bench::Instance& instance, const Transform& pose) {
-    const EspalierSideKind* kind = instance.calls().kind("collides");
+/// Returns whether one question of a kind has an answer other than no; false where the side has no such query.
+bool finds(const bench::Instance& instance, const char* name, const std::vector<float>& numbers) {
+    const EspalierSideKind* kind = instance.calls().kind(name);
     if (kind == nullptr) return false;
     const Memory question(kind->question_bytes), answer(kind->answer_bytes);
-    kind->prepare(numbers_of(pose).data(), 1, question.data());
+    kind->prepare(numbers.data(), 1, question.data());
     kind->run(&instance.asset(), question.data(), 1, answer.data());
     std::uint64_t digest = 0;
     kind->digest(answer.data(), 1, &digest);
@@ -69,9 +69,13 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
         std::vector<PairOfInstances> pairs;
         for (std::size_t i = 0; i < options.loads; ++i) pairs.emplace_back(base, other, options.set);
         const PairOfInstances& any = pairs.front();
-        const auto collides = [&](const Transform& pose) { return collides_with_itself(any.base(), pose); };
+        const auto collides = [&](const Transform& pose) { return finds(any.base(), "collides", numbers_of(pose)); };
+        const auto touches = [&](Vec3 p, float radius) {
+            return finds(any.base(), "overlaps_sphere", {p.x, p.y, p.z, radius});
+        };
         if (sets.empty())
-            for (const std::string& name : options.questions) sets.push_back(make_questions(name, mesh, collides));
+            for (const std::string& name : options.questions)
+                sets.push_back(make_questions(name, mesh, collides, touches));
         heading.base_compiler = any.base().calls().compiler;
         heading.other_compiler = any.other().calls().compiler;
         if (!options.json && !heading.printed) print_heading(heading);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 #include "../../tests/support/base/random.hpp"
 
@@ -113,11 +115,78 @@ std::vector<float> moving_boxes(const Mesh& mesh) {
     });
 }
 
+/// Calls `add(numbers, point, radius, way)` for points two to four radii above a random triangle and ways in a random
+/// direction. The radius is 1 % of the diagonal, and a way has this share of it.
+template <int percent, class Add>
+std::vector<float> above_triangles(const Mesh& mesh, Add add) {
+    const float diagonal = box_of(mesh).diagonal, radius = 0.01f * diagonal;
+    tests::Random random(seed);
+    std::vector<float> numbers;
+    for (std::size_t found = 0, tries = 0; found < point_count && tries < 100 * point_count; ++tries) {
+        const auto& corners = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+        const Vec3 &a = mesh.positions[corners[0]], &b = mesh.positions[corners[1]], &c = mesh.positions[corners[2]];
+        const Vec3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
+        const Vec3 normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+        const float length = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+        const Vec3 way = random.in_cube(1.0f);
+        const float size = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+        if (!(length > 0.0f) || !(size > 0.1f) || size > 1.0f) continue;
+        const float by = (2.0f + 2.0f * random.unit()) * radius / length, share = 0.01f * percent * diagonal / size;
+        add(numbers,
+            Vec3{(a.x + b.x + c.x) / 3.0f + normal.x * by, (a.y + b.y + c.y) / 3.0f + normal.y * by,
+                 (a.z + b.z + c.z) / 3.0f + normal.z * by},
+            radius, Vec3{way.x * share, way.y * share, way.z * share});
+        ++found;
+    }
+    return numbers;
+}
+
+/// Removes what starts near another triangle: shapes whose first `points` points have a middle within two radii of one.
+void keep_free_starts(const Mesh& mesh, std::size_t points, const TouchesSphere& touches, QuestionSet& set) {
+    const float radius = 0.01f * box_of(mesh).diagonal;
+    std::vector<float> free;
+    for (auto at = set.numbers.begin(); at != set.numbers.end(); at += static_cast<std::ptrdiff_t>(set.floats)) {
+        const float* const n = &*at;
+        Vec3 middle = {n[0], n[1], n[2]};
+        if (points == 2) middle = {0.5f * (n[0] + n[3]), 0.5f * (n[1] + n[4]), 0.5f * (n[2] + n[5])};
+        if (!touches(middle, 1.99f * radius)) free.insert(free.end(), at, at + static_cast<std::ptrdiff_t>(set.floats));
+    }
+    set.numbers = std::move(free);
+}
+
+template <int percent>
+std::vector<float> spheres_above(const Mesh& mesh) {
+    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+        append(to, p);
+        to.push_back(radius);
+        append(to, way);
+    });
+}
+
+template <int percent>
+std::vector<float> capsules_above(const Mesh& mesh) {
+    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+        append(to, {p.x, p.y - radius, p.z});
+        append(to, {p.x, p.y + radius, p.z});
+        to.push_back(radius);
+        append(to, way);
+    });
+}
+
+template <int percent>
+std::vector<float> boxes_above(const Mesh& mesh) {
+    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+        append_cube(to, p, radius);
+        append(to, way);
+    });
+}
+
 struct Maker {
     const char* name;
     const char* kind;
     std::size_t floats;
     std::vector<float> (*make)(const Mesh&);  ///< null: poses, or nothing where there are no floats
+    std::size_t points = 0;                   ///< not 0: all start free, with the middle of so many points
 };
 
 constexpr Maker makers[] = {
@@ -134,6 +203,12 @@ constexpr Maker makers[] = {
     {"sweep_sphere", "sweep_sphere", 7, moving_spheres},
     {"sweep_capsule", "sweep_capsule", 10, moving_capsules},
     {"sweep_box", "sweep_box", 9, moving_boxes},
+    {"sweep_sphere_short", "sweep_sphere", 7, spheres_above<3>, 1},
+    {"sweep_sphere_long", "sweep_sphere", 7, spheres_above<30>, 1},
+    {"sweep_capsule_short", "sweep_capsule", 10, capsules_above<3>, 2},
+    {"sweep_capsule_long", "sweep_capsule", 10, capsules_above<30>, 2},
+    {"sweep_box_short", "sweep_box", 9, boxes_above<3>, 2},
+    {"sweep_box_long", "sweep_box", 9, boxes_above<30>, 2},
     {"collides", "collides", 8, nullptr},
     {"all_contacts", "all_contacts", 8, nullptr},
     {"minimum_distance", "minimum_distance", 8, nullptr},
@@ -155,7 +230,7 @@ std::vector<float> numbers_of(const Transform& pose) {
 }
 
 QuestionSet make_questions(const std::string& name, const Mesh& mesh,
-                           const std::function<bool(const Transform&)>& collides) {
+                           const std::function<bool(const Transform&)>& collides, const TouchesSphere& touches) {
     for (const Maker& maker : makers) {
         if (name != maker.name) continue;
         QuestionSet set = {maker.name, maker.kind, maker.floats, point_count, {}};
@@ -164,6 +239,7 @@ QuestionSet make_questions(const std::string& name, const Mesh& mesh,
         else
             for (const Transform& pose : some_poses(mesh, pose_count, seed, collides))
                 for (const float number : numbers_of(pose)) set.numbers.push_back(number);
+        if (maker.points != 0) keep_free_starts(mesh, maker.points, touches, set);
         set.count = set.numbers.size() / set.floats;
         return set;
     }
