@@ -85,9 +85,17 @@ struct Planes {
     }
 };
 
-/// Moves up to the first contact, then what is left of the way along the surfaces that it has met.
-void slide(const Blob& level, Character& character, Vec3 way) {
+/// Returns the surfaces that the body is near, or those few of them that hold it.
+Planes near_surfaces(const Blob& level, const Character& character) {
     Planes planes;
+    Contact near[8];
+    const auto found = find_contacts(level, character.body(), 2 * character.skin, near).in(near);
+    for (const Contact& contact : found.first(reduce_contacts(found))) planes.normal[planes.count++] = contact.normal;
+    return planes;
+}
+
+/// Moves up to the first contact, then what is left of the way along the surfaces that it has met.
+void slide(const Blob& level, Character& character, Vec3 way, Planes planes = {}) {
     while (planes.count < most_surfaces && dot(way, way) > 0) {
         const SweepHit hit = sweep(level, character.body(), way);
         character.position = character.position + way * hit.t;  // t is 1 for a miss and 0 for a refusal
@@ -96,6 +104,13 @@ void slide(const Blob& level, Character& character, Vec3 way) {
         planes.normal[planes.count++] = hit.normal;
         way = planes.clip(way * (1 - hit.t));
     }
+}
+
+/// Returns whether there is room on all sides: every sweep can start there.
+bool has_room(const Blob& level, const Character& character) {
+    espalier::Capsule room = character.body();
+    room.radius += 0.25f * character.skin;
+    return !overlaps(level, room).yes();
 }
 
 /// Moves down to the ground if there is any within a distance, and not above a height. Returns whether there is.
@@ -146,11 +161,12 @@ void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
             std::min(character.fall_speed, std::max(0.0f, before.position.z - character.position.z) / seconds);
         character.on_ground = drop_to_ground(level, character, 2 * character.skin);
     }
-    // From a place with room on all sides every sweep can start. Where there is none, it does not go.
-    espalier::Capsule room = character.body();
-    room.radius += 0.25f * character.skin;
-    if (overlaps(level, room).yes()) {
-        character = before;
-        character.fall_speed = 0;
-    }
+    if (has_room(level, character)) return;
+    // Between surfaces that approach each other, as a floor and a ceiling that sinks, it goes along both, or not at
+    // all.
+    character = before;
+    character.fall_speed = 0;
+    const Planes planes = near_surfaces(level, character);
+    slide(level, character, planes.clip(level_part(walk) * seconds), planes);
+    if (!has_room(level, character)) character.position = before.position;
 }

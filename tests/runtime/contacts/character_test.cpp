@@ -179,6 +179,22 @@ TEST_SUITE("character") {
         if (is_skipped) MESSAGE("SKIPPED: no mesh with the name house in the folder ESPALIER_MESHES");
     }
 
+    TEST_CASE("controller: a character under a ceiling that sinks slides along floor and ceiling") {
+        const OpenedBlob arena(make_arena());
+        for (int way = 0; way < 60; ++way) {
+            CAPTURE(way);
+            Character character;
+            character.position = {-0.5f + 0.02f * static_cast<float>(way), -3.7f, 0.93f};
+            // Until the ceiling is a skin away, then mostly along it.
+            for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {0.0f, 4.0f, 0.0f}, 1.0f / 60.0f);
+            const float before = character.position.x;
+            for (int tick = 0; tick < 10; ++tick)
+                update(arena.blob, character, {4.0f, 0.01f * static_cast<float>(way), 0.0f}, 1.0f / 60.0f);
+            CHECK(character.position.x > before + 0.3f);
+            CHECK(overlaps(arena.blob, character.body()).no());
+        }
+    }
+
     TEST_CASE("controller: a character climbs stairs and stands on the platform") {
         const OpenedBlob arena(make_arena());
         Character character;
