@@ -32,6 +32,22 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/changelog CONTENT
  -- @CPACK_PACKAGE_CONTACT@  @now@
 " @ONLY)
 
+# The licence in Debian's format: each line is indented, and a dot stands for an empty one.
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
+string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)\n\n(.+)\n$" licence "${licence}")
+set(holder "${CMAKE_MATCH_1}")
+string(REPLACE "\n\n" "\n.\n" licence "${CMAKE_MATCH_2}")
+string(REPLACE "\n" "\n " licence "${licence}")
+string(TIMESTAMP year "%Y" UTC)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/copyright CONTENT
+"Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+
+Files: *
+Copyright: @year@ @holder@
+License: Expat
+ @licence@
+" @ONLY)
+
 # install_compressed(<component> <file> <destination>)
 function(install_compressed component file destination)
   install(CODE "
@@ -48,7 +64,7 @@ foreach(package IN ITEMS libespalier-dev espalier)
   else()
     set(component debian_dev)
   endif()
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/${package} RENAME copyright
+  install(FILES ${PROJECT_BINARY_DIR}/package/copyright DESTINATION share/doc/${package}
     COMPONENT ${component} EXCLUDE_FROM_ALL)
   install_compressed(${component} ${PROJECT_BINARY_DIR}/package/changelog share/doc/${package}/changelog.gz)
 endforeach()
