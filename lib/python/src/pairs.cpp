@@ -79,30 +79,29 @@ py::array pairs_within(const HeldBlob& a, const HeldBlob& b, const py::handle& p
                           });
 }
 
-/// Returns (offsets, contacts, statuses). The limit counts for each pair of places as a whole.
-py::tuple pairs_contact_lists(const HeldBlob& a, const HeldBlob& b, const py::handle& place_a,
-                              const py::handle& place_b, std::uint64_t limit, unsigned threads) {
-    const Places places(place_a, place_b, py::float_(0.0));
-    return make_lists<PairContact>(
-        places.batch, dtype_of("pair_contact"), threads, [&](std::size_t i, Growing<PairContact>& contacts) {
-            return append(contacts, [&](const auto& push) {
-                return for_each_contact(PlacedBlob(a.blob, places.place_a.at(i)),
-                                        PlacedBlob(b.blob, places.place_b.at(i)), push, WorkLimit(limit));
-            });
+/// Returns (offsets, values, statuses) of what a function of the library visits. The limit counts for each pair of
+/// places as a whole.
+template <class Value, class ForEach>
+py::tuple lists(const HeldBlob& a, const HeldBlob& b, const Places& places, const py::dtype& type, std::uint64_t limit,
+                unsigned threads, const ForEach& for_each) {
+    return make_lists<Value>(places.batch, type, threads, [&](std::size_t i, Growing<Value>& values) {
+        return append(values, [&](const auto& push) {
+            return for_each(PlacedBlob(a.blob, places.place_a.at(i)), PlacedBlob(b.blob, places.place_b.at(i)), push,
+                            WorkLimit(limit));
         });
+    });
 }
 
-/// Returns (offsets, touches, statuses), as pairs_contact_lists().
+py::tuple pairs_contact_lists(const HeldBlob& a, const HeldBlob& b, const py::handle& place_a,
+                              const py::handle& place_b, std::uint64_t limit, unsigned threads) {
+    return lists<PairContact>(a, b, Places(place_a, place_b, py::float_(0.0)), dtype_of("pair_contact"), limit, threads,
+                              for_each_contact);
+}
+
 py::tuple pairs_touch_lists(const HeldBlob& a, const HeldBlob& b, const py::handle& place_a, const py::handle& place_b,
                             std::uint64_t limit, unsigned threads) {
-    const Places places(place_a, place_b, py::float_(0.0));
-    return make_lists<PairTouch>(
-        places.batch, dtype_of("pair_touch"), threads, [&](std::size_t i, Growing<PairTouch>& touches) {
-            return append(touches, [&](const auto& push) {
-                return for_each_touch(PlacedBlob(a.blob, places.place_a.at(i)),
-                                      PlacedBlob(b.blob, places.place_b.at(i)), push, WorkLimit(limit));
-            });
-        });
+    return lists<PairTouch>(a, b, Places(place_a, place_b, py::float_(0.0)), dtype_of("pair_touch"), limit, threads,
+                            for_each_touch);
 }
 
 }  // namespace
