@@ -41,13 +41,18 @@ def test_a_blob_is_saved_to_the_file_that_it_was_opened_from(blob, points, direc
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_file_that_cannot_be_written_stays(blob, tmp_path):
+def test_a_file_that_cannot_be_written_stays(blob, tmp_path, monkeypatch):
     path = tmp_path / "torus.espl"
     path.write_bytes(b"before")
-    (tmp_path / f"torus.espl.{os.getpid()}.part").mkdir()
-    with pytest.raises(OSError):
-        blob.save(path)
-    assert path.read_bytes() == b"before"
+
+    def refuse(source, target):
+        raise PermissionError(target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", refuse)
+        with pytest.raises(PermissionError):
+            blob.save(path)
+    assert path.read_bytes() == b"before" and list(tmp_path.iterdir()) == [path]
     with pytest.raises(FileNotFoundError):
         blob.save(tmp_path / "absent" / "torus.espl")
     link = tmp_path / "link.espl"

@@ -35,8 +35,8 @@ def test_a_pose_has_the_bytes_of_c(library, cloth, stretched):
     copy = ctypes.c_void_p((ctypes.addressof(other) + 15) & ~15)
     assert library.c.espalier_open(data, ctypes.c_size_t(len(data)), copy) == 0
     assert library.c.espalier_create_deformable(copy, data, ctypes.c_size_t(count), mesh) == 0
-    result = type("Result", (ctypes.Structure,), {"_fields_": [("status", ctypes.c_uint8), ("position", ctypes.c_uint32),
-                                                               ("quality", ctypes.c_float)]})
+    fields = [("status", ctypes.c_uint8), ("position", ctypes.c_uint32), ("quality", ctypes.c_float)]
+    result = type("Result", (ctypes.Structure,), {"_fields_": fields})
     library.c.espalier_deformable_refit.restype = result
     moved = library.c.espalier_deformable_refit(mesh, stretched.ctypes.data_as(ctypes.c_void_p),
                                                 ctypes.c_size_t(len(stretched)))
@@ -69,22 +69,26 @@ def test_poses_are_baked_less_the_origin(mesh, stretched):
                         poses=[stretched + origin], origin=origin, **options)
     assert near.report["step"] == far.report["step"]
     np.testing.assert_allclose(near.bounds, far.bounds, atol=0.01)
-    assert len(bytes(espalier.bake(*mesh, poses=[stretched, mesh[0]], **options))) > 0
+    plain = espalier.bake(*mesh, range=[[-6, -6, -4], [6, 6, 4]], **options)
+    assert bytes(plain) != bytes(near)
+    plain.refit(mesh[0] * 1.3)  # outside of the range that a bake takes by itself
+    with pytest.raises(ValueError, match="outside"):
+        espalier.bake(*mesh, **options).refit(mesh[0] * 1.3)
 
 
 def test_refits_are_refused_by_position(mesh, cloth):
     positions = mesh[0].copy()
     positions[17] = 50
-    with pytest.raises(ValueError, match=r"position 17 is \[50.0, 50.0, 50.0\], outside"):
+    with pytest.raises(ValueError, match=r"position 17, \[50.0, 50.0, 50.0\], is outside"):
         cloth.refit(positions)
     positions[17] = np.nan
-    with pytest.raises(ValueError, match="position 17 is .nan, nan, nan., which float32"):
+    with pytest.raises(ValueError, match="position 17, .nan, nan, nan., is no number of float32"):
         cloth.refit(positions)
-    with pytest.raises(ValueError, match="position 17 .*float32"):
+    with pytest.raises(ValueError, match="position 17, .*no number of float32"):
         cloth.refit(np.where(np.isnan(positions), 1e300, positions.astype(np.float64)))
-    for count, word in ((959, "fewer"), (961, "more")):
-        with pytest.raises(ValueError, match=f"{count} positions are {word}"):
-            cloth.refit(np.resize(mesh[0], (count, 3)))
+    for count in (0, 959, 961, 5000):
+        with pytest.raises(ValueError, match=f"from 960 positions, not from {count}"):
+            cloth.refit(np.resize(np.where(np.arange(960)[:, None] == 0, np.nan, mesh[0]), (count, 3)))
     with pytest.raises(ValueError, match="without deformable"):
         espalier.bake(*mesh).refit(mesh[0])
     for bad in (mesh[0].ravel(), mesh[0][:, :2], [["a", "b", "c"]]):

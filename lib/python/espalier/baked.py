@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import mmap
 import os
+import uuid
 from typing import Any, Union
 
 import numpy as np
@@ -56,9 +57,9 @@ class Baked:
                 file.write(self.data)
             return
         target = os.path.realpath(target)  # a link stays one
-        part = f"{target}.{os.getpid()}.part"
+        part = f"{target}.{uuid.uuid4().hex}.part"  # of this call alone
         try:
-            with open(part, "wb") as file:
+            with open(part, "xb") as file:
                 file.write(self.data)
             os.replace(part, target)
         except BaseException:

@@ -146,8 +146,8 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
     flat_angle: in degrees; stores how the surface bends at edges, for contacts(). bounds: stores tighter bounds.
     origin: (3,), subtracted from all positions; queries then take coordinates relative to it.
     deformable: bakes a blob whose vertices refit() can move, in profile "fast". range: (2, 3), the box in which all
-    positions of all poses lie; by default the box of mesh and poses, a tenth wider on each side. poses: arrays of (n, 3), each with the
-    positions of all meshes in a row, which the tree suits.
+    positions of all poses lie; by default the box of mesh and poses, a tenth wider on each side. poses: arrays of
+    (n, 3), each with the positions of all meshes in a row, which the tree suits.
     builder, duplicate_budget, byte_price, max_leaf_triangles: for studies; docs/baking.md. threads: 0 is one per
     processor. The bytes depend on neither threads nor machine.
 

@@ -122,7 +122,7 @@ class Blob(Baked, RayQueries, ShapeQueries):
         """Returns the blob with its vertices at other positions, without a bake. This blob stays as it is.
 
         positions: (n, 3), of all baked meshes in a row, unused ones included, and relative to the `origin` of the bake.
-        Each pose is within max_error of its source, and has the bytes of no other history. O(n).
+        Each pose is within max_error of its source. Its bytes depend on the positions alone, not on earlier poses. O(n).
 
         Raises ValueError for a blob that was baked without `deformable`, for another number of positions, and for a
         position that is not finite or outside of the `range` of the bake.
@@ -133,7 +133,7 @@ class Blob(Baked, RayQueries, ShapeQueries):
         with np.errstate(over="ignore"):
             moved = _core.refit(self._core, np.ascontiguousarray(array, np.float32))
         if isinstance(moved[0], int):
-            raise ValueError(_refusal_of_refit(Status(moved[0]), moved[1], array))
+            raise ValueError(_refusal_of_refit(Status(moved[0]), moved[1], moved[2], array))
         return Refitted(Blob(moved[0], None, self.remap), moved[1])
 
     def __reduce__(self) -> Any:
@@ -143,16 +143,13 @@ class Blob(Baked, RayQueries, ShapeQueries):
         return f"<espalier.Blob of {self.triangle_count} triangles, {self._facts['size']} bytes, {self.profile}>"
 
 
-def _refusal_of_refit(status: Status, position: int, positions: NDArray[Any]) -> str:
+def _refusal_of_refit(status: Status, position: int, count: int, positions: NDArray[Any]) -> str:
     if status == Status.NO_DATA:
         return "the blob was baked without deformable=True"
-    if status == Status.OUT_OF_RANGE:
-        return f"position {position} is {positions[position].tolist()}, outside of the range that the blob was baked with"
-    with np.errstate(over="ignore"):
-        is_finite = position >= len(positions) or np.isfinite(positions[position].astype(np.float32)).all()
-    if not is_finite:
-        return f"position {position} is {positions[position].tolist()}, which float32 does not hold as finite numbers"
-    return f"{len(positions)} positions are {'more' if position < len(positions) else 'fewer'} than the blob was baked from"
+    if len(positions) != count:
+        return f"the blob was baked from {count} positions, not from {len(positions)}"
+    reason = "no number of float32" if status == Status.INVALID_ARGUMENT else "outside of the range of the bake"
+    return f"position {position}, {positions[position].tolist()}, is {reason}"
 
 
 def open_blob(source: Any) -> Blob:

@@ -3,6 +3,7 @@
 #include "held_blob.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <tuple>
@@ -62,10 +63,11 @@ py::dict facts_of(const HeldBlob& self) {
 
 using Positions = py::array_t<float, py::array::c_style>;
 
-/// Moves the vertices of a blob, whose bytes these are, and writes its checksum anew.
-RefitResult refit_bytes(std::span<std::byte> bytes, std::span<const Vec3> positions) {
+/// Moves the vertices of a blob, whose bytes these are, and writes its checksum anew. Writes how many it has.
+RefitResult refit_bytes(std::span<std::byte> bytes, std::span<const Vec3> positions, std::uint32_t& count) {
     const Blob blob = open(bytes);
     Deformable mesh = create_deformable(blob, bytes.first(deformable_bytes(blob)));
+    count = mesh.position_count();
     RefitResult result;
     result.status = mesh.status();
     if (!mesh) return result;
@@ -74,21 +76,25 @@ RefitResult refit_bytes(std::span<std::byte> bytes, std::span<const Vec3> positi
     return result;
 }
 
-/// Returns (blob, quality), or (status, position) of a refusal.
+/// Returns (blob, quality), or (status, position, number of positions that the blob takes) of a refusal.
 py::tuple refit_copy(const HeldBlob& self, const Positions& positions) {
     const std::span<const Vec3> given = {reinterpret_cast<const Vec3*>(positions.data()),
                                          static_cast<std::size_t>(positions.shape(0))};
     std::vector<std::byte> bytes;
     RefitResult result;
+    std::uint32_t count = 0;
     {
         const py::gil_scoped_release unlocked;
         const auto source = self.bytes();
         bytes.assign(source.begin(), source.end());
-        result = refit_bytes(bytes, given);
+        result = refit_bytes(bytes, given, count);
     }
-    if (!result) return py::make_tuple(static_cast<int>(result.status), result.position);
+    if (!result) return py::make_tuple(static_cast<int>(result.status), result.position, count);
     HeldBlob pose{HeldBytes::of(std::move(bytes)), {}};
-    pose.blob = open(pose.held->bytes());
+    {
+        const py::gil_scoped_release unlocked;
+        pose.blob = open(pose.held->bytes());
+    }
     return py::make_tuple(std::move(pose), result.quality);
 }
 
