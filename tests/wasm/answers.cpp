@@ -127,7 +127,11 @@ void answer_volume(const espalier::Blob& blob, Words& words, const Shape& shape)
 
 template <class Shape>
 void answer_sweep(const espalier::Blob& blob, Words& words, const Shape& shape, const espalier::Vec3& displacement) {
-    const espalier::SweepHit hit = espalier::sweep(blob, shape, displacement);
+    espalier::SweepOptions options;
+    options.culling = espalier::FaceCulling::back;
+    options.ignore_leaving = true;
+    options.skin = 0.01f;
+    const espalier::SweepHit hit = espalier::sweep(blob, shape, displacement, options);
     words.add(hit.t, hit.point, hit.normal, hit.face_normal, hit.triangle, hit.status, hit.feature,
               hit.starts_overlapping);
 }

@@ -23,6 +23,18 @@ function loop(call) {
 
 const asArrays = (columns) => Object.fromEntries(Object.entries(columns).map(([name, array]) => [name, [...array]]));
 
+test('answers that are neither take a value of the caller', () => {
+    const answers = blob.contains([0, 0, 0, 9, 9, 9, NaN, 0, 0]);
+    for (const otherwise of [false, true])
+        assert.deepStrictEqual([0, 1, 2].map((i) => answers.valueOr(i, otherwise)), [true, false, otherwise]);
+});
+
+test('a winding number counts 64 directions by itself', () => {
+    const inside = origins.filter((_, i) => Math.abs(origins[i]) < 2).slice(0, 60);
+    assert.deepStrictEqual(blob.windingNumber(inside), blob.windingNumber(inside, 64));
+    for (const directions of [-1, 1.5, 2 ** 32 + 64]) assert.throws(() => blob.windingNumber(inside, directions), RangeError);
+});
+
 test('a batch is a loop over its queries', () => {
     assert.deepStrictEqual(
         asArrays(blob.raycast(origins, directions, { tMax: limits })),

@@ -55,10 +55,25 @@ test('options reach the baker', async () => {
     assert.deepStrictEqual([file[0], number[0]], [3, 4]);
     const { report } = blob;
     assert.deepStrictEqual([report.bits, report.triangles, report.bytes, report.warnings], [11, blob.triangleCount, info.size, []]);
+    assert.deepStrictEqual([info.depth, info.vertexCount, info.duplicateReferenceCount], [report.depth, report.vertices, report.duplicateReferences]);
     assert.ok(report.sphereVolume > 0 && report.seconds >= 0 && report.isClosed === true);
     const coarse = await library.bake(mesh, { tolerance: 0.1 });
     assert.ok(coarse.maxError <= 0.1 && coarse.maxError > blob.maxError);
     assert.strictEqual((await library.bake(mesh, { stepExponent: -6 })).info().latticeStepExponent, -6);
+});
+
+test('each option changes the bytes', async () => {
+    const larger = lumpyBody(16);
+    const bytes = async (options) => Buffer.from((await library.bake(larger, { profile: 'fast', ...options })).bytes());
+    const plain = await bytes({});
+    for (const options of [{ effort: 'best' }, { builder: 'linear' }, { maxLeafTriangles: 2 }])
+        assert.ok(Buffer.compare(await bytes(options), plain) !== 0, JSON.stringify(options));
+    const differ = async (one, other) => Buffer.compare(await bytes(one), await bytes(other)) !== 0;
+    assert.ok(await differ({ builder: 'spatial_splits', duplicateBudget: 0 }, { builder: 'spatial_splits', duplicateBudget: 1 }));
+    assert.ok(await differ({ profile: 'small', bytePrice: 0 }, { profile: 'small', bytePrice: 1000 }));
+    for (const options of [{ maxLeafTriangles: 2 ** 32 + 4 }, { maxLeafTriangles: 4.5 }])
+        await assert.rejects(library.bake(mesh, options), RangeError);
+    for (const numbers of [{ file: 2 ** 33 }, { mesh: -1 }]) await assert.rejects(library.bake({ ...mesh, ...numbers }), RangeError);
 });
 
 test('several meshes become one blob', async () => {

@@ -1,6 +1,7 @@
 // The memory of the module: what is released, what survives growth, what is refused.
 import assert from 'node:assert';
 import { readFile } from 'node:fs/promises';
+import { freemem } from 'node:os';
 import test from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
@@ -8,7 +9,7 @@ import { runInNewContext } from 'node:vm';
 import { lumpyBody, questions } from './support/questions.mjs';
 import { espalier, folder } from './support/setup.mjs';
 
-const { MemoryError, QueryError, Status } = espalier;
+const { BakeError, MemoryError, OpenError, QueryError, Status } = espalier;
 
 /// Loads a module whose memories the test sees.
 async function loadWatched() {
@@ -41,7 +42,8 @@ test('forgotten blobs are released', async () => {
     assert.ok(sizes()[0] - before < 400 * baked.length, `grown by ${sizes()[0] - before} bytes`);
 });
 
-test('freed blobs and finished calls leave memory for the next', () => {
+test('freed blobs and finished calls leave memory for the next', async () => {
+    const { library, sizes } = await loadWatched();  // other tests leave room in which much fits
     const use = () => {
         const blob = library.openBlob(baked);
         blob.raycast(origins, directions);
@@ -49,12 +51,19 @@ test('freed blobs and finished calls leave memory for the next', () => {
         blob.closestTriangles(origins, 4);
         blob.sweep({ kind: 'capsule', from: origins, to: directions, radius: 0.1 }, directions);
         assert.throws(() => blob.raycast(origins, [0, 0]), RangeError);
+        assert.throws(() => library.openBlob(baked.subarray(0, 5000)), OpenError);
         blob.free();
     };
     use();
     const [before] = sizes();
-    for (let i = 0; i < 10; ++i) use();
+    for (let i = 0; i < 1000; ++i) use();
     assert.strictEqual(sizes()[0], before);
+});
+
+const needed = 8e9, skip = freemem() < needed && `less than ${needed} bytes of memory are free`;
+test('a bake that needs more than there is throws with the text of the library', { skip }, async () => {
+    const mesh = { positions: new Float32Array(300_000_000), triangles: [0, 1, 2] };
+    await assert.rejects(library.bake(mesh), (error) => error instanceof BakeError && error.status === 17 && /memory/.test(error.message));
 });
 
 test('a bake has memory of its own', async () => {

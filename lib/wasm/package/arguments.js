@@ -12,9 +12,10 @@ export function choice(of, name, names) {
     return number;
 }
 
-/// Returns a number of places.
-export function places(number, name) {
-    if (!Number.isInteger(number) || number < 0) throw new RangeError(`${name} must be an integer of 0 or more, not ${String(number)}`);
+/// Returns a number that the library takes as an integer of 32 bits.
+export function integer(number, name) {
+    if (!Number.isInteger(number) || number < 0 || number > LARGEST)
+        throw new RangeError(`${name} must be an integer from 0 to ${LARGEST}, not ${String(number)}`);
     return number;
 }
 
@@ -22,7 +23,7 @@ export const cullingNumber = (name) => choice('culling', name, CULLING);
 
 /// Returns a typed array, or an array of numbers, as it is.
 function numbers(array, name) {
-    const isTyped = ArrayBuffer.isView(array) && !(array instanceof DataView) && !/^Big/.test(array.constructor.name);
+    const isTyped = ArrayBuffer.isView(array) && !(array instanceof DataView) && !(array instanceof BigInt64Array || array instanceof BigUint64Array);
     if (!isTyped && !(Array.isArray(array) && array.every((x) => typeof x === 'number')))
         throw new TypeError(`${name} must be a typed array or an array of numbers`);
     return array;
@@ -70,7 +71,7 @@ export function commonCount(all) {
 export function integers(given, name, allowUint16 = false) {
     if (given instanceof Uint32Array || (allowUint16 && given instanceof Uint16Array)) return given;
     const array = numbers(typeof given === 'number' ? [given] : given, name);
-    if (/^Float/.test(array.constructor.name)) throw new TypeError(`${name} must be integers`);
+    if (array instanceof Float32Array || array instanceof Float64Array) throw new TypeError(`${name} must be integers`);
     return Uint32Array.from(array, (number) => {
         if (!Number.isInteger(number)) throw new TypeError(`${name} must be integers, not ${number}`);
         return number < 0 || number > LARGEST ? LARGEST : number;

@@ -1,5 +1,5 @@
 // Baking meshes: their arrays and the options in the memory of an instance that bakes once.
-import { choice, integers, Strided } from './arguments.js';
+import { choice, integer, integers, Strided } from './arguments.js';
 import { PROFILES } from './blob.js';
 import { BakeError } from './errors.js';
 
@@ -22,14 +22,15 @@ function fieldsOfOptions(options) {
     flag('dropBadTriangles', options.dropBadTriangles);
     for (const bounds of ['orientedBox', 'sphere', 'kDop']) flag(bounds, options.bounds);
     for (const [name, names] of [['profile', PROFILES], ['effort', EFFORTS], ['builder', BUILDERS]])
-        if (options[name] !== undefined) fields[name] = choice(name, options[name], names);
-    for (const name of ['duplicateBudget', 'bytePrice', 'maxLeafTriangles'])
-        if (options[name] !== undefined) fields[name] = options[name];
+        if (options[name] != null) fields[name] = choice(name, options[name], names);
+    for (const name of ['duplicateBudget', 'bytePrice'])
+        if (options[name] != null) fields[name] = options[name];
+    if (options.maxLeafTriangles != null) fields.maxLeafTriangles = integer(options.maxLeafTriangles, 'maxLeafTriangles');
     if (options.flatAngle != null) {
         if (!(options.flatAngle >= 0)) throw new RangeError('flatAngle must be null, which stores no edges, or 0 or more degrees');
         fields.flatAngle = options.flatAngle;
     }
-    if (options.origin !== undefined) {
+    if (options.origin != null) {
         if (options.origin.length !== 3) throw new RangeError('origin must have 3 numbers');
         fields.origin = options.origin;
     }
@@ -45,7 +46,7 @@ function arraysOf(mesh, number, isOnlyOne) {
     const materials = mesh.materials == null ? null : integers(mesh.materials, `materials${of}`);
     if (materials !== null && materials.length !== triangles.length / 3)
         throw new RangeError(`materials${of} must have one number for each triangle`);
-    return { positions, triangles, materials, name: mesh.name ?? '', file: mesh.file ?? 0, mesh: mesh.mesh ?? number };
+    return { positions, triangles, materials, name: mesh.name ?? '', file: integer(mesh.file ?? 0, `file${of}`), mesh: integer(mesh.mesh ?? number, `mesh${of}`) };
 }
 
 /// Copies an array into memory of an instance and returns its address.
@@ -109,13 +110,14 @@ function errorOf(instance, result) {
 
 /// Calls a function of the baker and returns the fields of its espalier_bake_result.
 export function resultOf(instance, name, ...rest) {
+    // Read before the call, which may end the instance.
+    const noMemory = instance.text(instance.functions.espalier_describe_bake_status(NO_MEMORY) >>> 0);
     try {
         return instance.read('bake_result', instance.functions[name](...rest) >>> 0);
     } catch (error) {
-        // What the baker throws in C++ ends the instance. It has one reason to throw.
+        // Memory that is used up ends the instance, where C++ would throw.
         if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-        const text = instance.text(instance.functions.espalier_describe_bake_status(NO_MEMORY) >>> 0);
-        throw new BakeError(text, NO_MEMORY, null, { cause: error });
+        throw new BakeError(noMemory, NO_MEMORY, null, { cause: error });
     }
 }
 

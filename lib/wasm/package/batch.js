@@ -5,7 +5,7 @@ import { Lists } from './results.js';
 
 const REFUSED = 16, OUTPUT_FULL = 3;
 
-/// A call of some queries of a blob. Its memory is released by release(), which call() does.
+/// A call of some queries of a blob. Its memory is released by release(), which BlobMemory.batch() calls.
 export class Batch {
     #memory = [];
 

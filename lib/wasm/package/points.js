@@ -1,5 +1,5 @@
 // Points against one blob: closest points and triangles, inside, and how often the surface winds around.
-import { places, Strided } from './arguments.js';
+import { integer, Strided } from './arguments.js';
 import { fieldsOf } from './batch.js';
 import { RayQueries } from './rays.js';
 import { YesNo } from './results.js';
@@ -17,7 +17,7 @@ export class PointQueries extends RayQueries {
     }
 
     closestTriangles(points, most, maxDistance = Infinity) {
-        places(most, 'most');
+        integer(most, 'most');
         return this.#ofPoints(points, (batch, given) => {
             const record = 'closest_point_result';
             const nearest = batch.allocateRecords(record, batch.count * most), found = batch.allocateRecords('filled');
@@ -35,6 +35,7 @@ export class PointQueries extends RayQueries {
     }
 
     windingNumber(points, directions = 64) {
+        integer(directions, 'directions');
         return this.#ofPoints(points, (batch, given) => {
             const numbers = batch.allocateRecords('float_result');
             const packed = batch.placePacked(given, 3);
@@ -57,7 +58,7 @@ export class PointQueries extends RayQueries {
     }
 
     #closestToShapes(shape, maxDistance) {
-        const components = SHAPES[shape.kind];
+        const components = Object.hasOwn(SHAPES, shape.kind) ? SHAPES[shape.kind] : null;
         if (!components) throw new RangeError(`closestPoint takes points, or a segment or box, and no ${shape.kind}`);
         const fields = fieldsOf(shape, components, shape.kind);
         return this.batch(Object.values(fields), (batch) => {

@@ -1,5 +1,5 @@
 // Rays against one blob: the points origin + t * direction with tMin <= t <= tMax.
-import { cullingNumber, places, Strided } from './arguments.js';
+import { cullingNumber, integer, Strided } from './arguments.js';
 import { BlobMemory } from './blob_memory.js';
 import { YesNo } from './results.js';
 
@@ -21,7 +21,7 @@ export class RayQueries extends BlobMemory {
     }
 
     closestHits(origins, directions, most, options) {
-        places(most, 'most');
+        integer(most, 'most');
         return this.#cast(origins, directions, options, (batch, rays) => {
             const hits = batch.allocateRecords('ray_hit', batch.count * most), found = batch.allocateRecords('filled');
             batch.fill('espalier_closest_hits_arrays', rays(0), hits, most, found, batch.count);

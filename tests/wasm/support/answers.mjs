@@ -18,13 +18,12 @@ function answerRays(blob, { origins, directions, limits }, words) {
         const all = blob.allHits(...rays, options), crossings = blob.crossings(...rays, options);
         const count = rays[0].length / 3;
         const each = (words) => Array.from({ length: count }, (_, i) => words.slice(words.length / count * i, words.length / count * (i + 1)));
-        const rows = (lists, marks) => rowsOf(lists, marks);
         return {
             raycast: each(wordsOf('hit', hits)), occluded: each([...any.status]),
             original_hits: each(wordsOf('original', blob.originalHits(hits))),
-            closest_hits: rows(first, { begin: (to, i) => to.push(first.end(i) - first.begin(i), first.status[i]) }),
-            all_hits: rows(all, { end: (to, i) => to.push(all.status[i]) }),
-            crossings: rows(crossings, { end: (to, i) => to.push(crossings.status[i]) }),
+            closest_hits: rowsOf(first, { begin: (to, i) => to.push(first.end(i) - first.begin(i), first.status[i]) }),
+            all_hits: rowsOf(all, { end: (to, i) => to.push(all.status[i]) }),
+            crossings: rowsOf(crossings, { end: (to, i) => to.push(crossings.status[i]) }),
         };
     });
     for (const name of Object.keys(parts[0]))
@@ -81,7 +80,7 @@ function answerShapes(blob, questions, words) {
             begin: (to, i) => to.push(touches.status[i]),
             end: (to, i) => to.push(lists.status[i]),
         });
-        if (!['cone', 'triangle'].includes(name)) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shape, directions));
+        if (!['cone', 'triangle'].includes(name)) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shape, directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
     }
 }
 
