@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
 
 #include "../../tests/support/base/random.hpp"
 
@@ -116,9 +115,10 @@ std::vector<float> moving_boxes(const Mesh& mesh) {
 }
 
 /// Calls `add(numbers, point, radius, way)` for points two to four radii above a random triangle and ways in a random
-/// direction. The radius is 1 % of the diagonal, and a way has this share of it.
+/// direction. Nothing else is within two radii either. The radius is 1 % of the diagonal, and a way has this share of
+/// it.
 template <int percent, class Add>
-std::vector<float> above_triangles(const Mesh& mesh, Add add) {
+std::vector<float> above_triangles(const Mesh& mesh, const TouchesSphere& touches, Add add) {
     const float diagonal = box_of(mesh).diagonal, radius = 0.01f * diagonal;
     tests::Random random(seed);
     std::vector<float> numbers;
@@ -132,31 +132,18 @@ std::vector<float> above_triangles(const Mesh& mesh, Add add) {
         const float size = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
         if (!(length > 0.0f) || !(size > 0.1f) || size > 1.0f) continue;
         const float by = (2.0f + 2.0f * random.unit()) * radius / length, share = 0.01f * percent * diagonal / size;
-        add(numbers,
-            Vec3{(a.x + b.x + c.x) / 3.0f + normal.x * by, (a.y + b.y + c.y) / 3.0f + normal.y * by,
-                 (a.z + b.z + c.z) / 3.0f + normal.z * by},
-            radius, Vec3{way.x * share, way.y * share, way.z * share});
+        const Vec3 point = {(a.x + b.x + c.x) / 3.0f + normal.x * by, (a.y + b.y + c.y) / 3.0f + normal.y * by,
+                            (a.z + b.z + c.z) / 3.0f + normal.z * by};
+        if (touches(point, 2.0f * radius)) continue;
+        add(numbers, point, radius, Vec3{way.x * share, way.y * share, way.z * share});
         ++found;
     }
     return numbers;
 }
 
-/// Removes what starts near another triangle: shapes whose first `points` points have a middle within two radii of one.
-void keep_free_starts(const Mesh& mesh, std::size_t points, const TouchesSphere& touches, QuestionSet& set) {
-    const float radius = 0.01f * box_of(mesh).diagonal;
-    std::vector<float> free;
-    for (auto at = set.numbers.begin(); at != set.numbers.end(); at += static_cast<std::ptrdiff_t>(set.floats)) {
-        const float* const n = &*at;
-        Vec3 middle = {n[0], n[1], n[2]};
-        if (points == 2) middle = {0.5f * (n[0] + n[3]), 0.5f * (n[1] + n[4]), 0.5f * (n[2] + n[5])};
-        if (!touches(middle, 1.99f * radius)) free.insert(free.end(), at, at + static_cast<std::ptrdiff_t>(set.floats));
-    }
-    set.numbers = std::move(free);
-}
-
 template <int percent>
-std::vector<float> spheres_above(const Mesh& mesh) {
-    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+std::vector<float> spheres_above(const Mesh& mesh, const TouchesSphere& touches) {
+    return above_triangles<percent>(mesh, touches, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
         append(to, p);
         to.push_back(radius);
         append(to, way);
@@ -164,8 +151,8 @@ std::vector<float> spheres_above(const Mesh& mesh) {
 }
 
 template <int percent>
-std::vector<float> capsules_above(const Mesh& mesh) {
-    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+std::vector<float> capsules_above(const Mesh& mesh, const TouchesSphere& touches) {
+    return above_triangles<percent>(mesh, touches, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
         append(to, {p.x, p.y - radius, p.z});
         append(to, {p.x, p.y + radius, p.z});
         to.push_back(radius);
@@ -174,8 +161,8 @@ std::vector<float> capsules_above(const Mesh& mesh) {
 }
 
 template <int percent>
-std::vector<float> boxes_above(const Mesh& mesh) {
-    return above_triangles<percent>(mesh, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
+std::vector<float> boxes_above(const Mesh& mesh, const TouchesSphere& touches) {
+    return above_triangles<percent>(mesh, touches, [](std::vector<float>& to, Vec3 p, float radius, Vec3 way) {
         append_cube(to, p, radius);
         append(to, way);
     });
@@ -186,7 +173,7 @@ struct Maker {
     const char* kind;
     std::size_t floats;
     std::vector<float> (*make)(const Mesh&);  ///< null: poses, or nothing where there are no floats
-    std::size_t points = 0;                   ///< not 0: all start free, with the middle of so many points
+    std::vector<float> (*make_free)(const Mesh&, const TouchesSphere&) = nullptr;  ///< in its place: all start free
 };
 
 constexpr Maker makers[] = {
@@ -203,12 +190,12 @@ constexpr Maker makers[] = {
     {"sweep_sphere", "sweep_sphere", 7, moving_spheres},
     {"sweep_capsule", "sweep_capsule", 10, moving_capsules},
     {"sweep_box", "sweep_box", 9, moving_boxes},
-    {"sweep_sphere_short", "sweep_sphere", 7, spheres_above<3>, 1},
-    {"sweep_sphere_long", "sweep_sphere", 7, spheres_above<30>, 1},
-    {"sweep_capsule_short", "sweep_capsule", 10, capsules_above<3>, 2},
-    {"sweep_capsule_long", "sweep_capsule", 10, capsules_above<30>, 2},
-    {"sweep_box_short", "sweep_box", 9, boxes_above<3>, 2},
-    {"sweep_box_long", "sweep_box", 9, boxes_above<30>, 2},
+    {"sweep_sphere_short", "sweep_sphere", 7, nullptr, spheres_above<3>},
+    {"sweep_sphere_long", "sweep_sphere", 7, nullptr, spheres_above<30>},
+    {"sweep_capsule_short", "sweep_capsule", 10, nullptr, capsules_above<3>},
+    {"sweep_capsule_long", "sweep_capsule", 10, nullptr, capsules_above<30>},
+    {"sweep_box_short", "sweep_box", 9, nullptr, boxes_above<3>},
+    {"sweep_box_long", "sweep_box", 9, nullptr, boxes_above<30>},
     {"collides", "collides", 8, nullptr},
     {"all_contacts", "all_contacts", 8, nullptr},
     {"minimum_distance", "minimum_distance", 8, nullptr},
@@ -235,12 +222,13 @@ QuestionSet make_questions(const std::string& name, const Mesh& mesh,
         if (name != maker.name) continue;
         QuestionSet set = {maker.name, maker.kind, maker.floats, point_count, {}};
         if (maker.floats == 0) return set;
-        if (maker.make != nullptr) set.numbers = maker.make(mesh);
+        if (maker.make_free != nullptr) set.numbers = maker.make_free(mesh, touches);
+        else if (maker.make != nullptr) set.numbers = maker.make(mesh);
         else
             for (const Transform& pose : some_poses(mesh, pose_count, seed, collides))
                 for (const float number : numbers_of(pose)) set.numbers.push_back(number);
-        if (maker.points != 0) keep_free_starts(mesh, maker.points, touches, set);
         set.count = set.numbers.size() / set.floats;
+        if (set.count < 8) throw std::runtime_error("of this mesh, too few questions of " + name + " start free");
         return set;
     }
     throw std::invalid_argument("there are no questions named " + name);
