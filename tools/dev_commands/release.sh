@@ -38,16 +38,23 @@ linux_archive() {
         -DCMAKE_EXE_LINKER_FLAGS=-Wl,--disable-new-dtags
     cmake --install "$folder/build" --prefix "$stage" --component tools --strip >"$folder/build/install.log"
     rm -rf "$stage"/lib*
-    mkdir -p "$stage/lib" "$stage/share/doc"
+    mkdir -p "$stage/lib" "$stage/share/doc" "$stage/share/man/man1"
     cp LICENSE README.md docs/changelog.md "$stage/share/doc"
-    cp tools/espalier.1 "$stage/share/doc"
+    cp tools/espalier.1 "$stage/share/man/man1"
     while read -r library; do
         cp -L "$library" "$stage/lib"
         add_licence "$library" "$stage/share/doc"
-    done < <(ldd "$folder/build/tools/espalier" | awk '$3 ~ /^\// { print $3 }' | grep -vE '/lib(c|m|dl|rt|pthread)\.so')
+    done < <(linked_libraries "$folder/build/tools/espalier")
     try_command "$folder/build/trial" "$stage"
     tar -C "$folder/build" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -cf - "$name" |
         gzip -9n >"$folder/$name.tar.gz"
+}
+
+# linked_libraries PROGRAM: the files of the libraries that it loads, but for those of the C library
+linked_libraries() {
+    local loaded
+    loaded=$(env -i ldd "$1") || fail "ldd does not read $1"
+    awk '$3 ~ /^\// && $3 !~ /\/lib(c|m|dl|rt|pthread)\.so/ { print $3 }' <<<"$loaded"
 }
 
 # add_licence LIBRARY FOLDER: copies the copyright file of the package that the library belongs to
@@ -60,7 +67,7 @@ add_licence() {
 
 # try_command FOLDER STAGE: bakes, verifies and queries with the command as it was packed, moved elsewhere
 try_command() {
-    local folder=$1
+    local folder=$1 libraries
     rm -rf "$folder"
     mkdir -p "$folder"
     cp -r "$2" "$folder/moved"
@@ -68,8 +75,9 @@ try_command() {
     (cd "$folder" && env -i moved/bin/espalier bake triangle.obj -o triangle.espl --quiet &&
         env -i moved/bin/espalier verify --deep triangle.espl && env -i moved/bin/espalier query triangle.espl ray 0.2 0.2 1 0 0 -1) \
         >"$folder/output.txt" 2>&1 || { cat "$folder/output.txt" >&2; fail "the packed command does not run"; }
-    ! env -i ldd "$folder/moved/bin/espalier" | grep -E '/usr/lib|/lib/x86_64' | grep -vE '/lib(c|m|dl|rt|pthread)\.so' ||
-        fail "the packed command loads libraries of this machine"
+    libraries=$(linked_libraries "$folder/moved/bin/espalier")
+    [[ $libraries == *libassimp* ]] || fail "the packed command loads no libassimp"
+    ! grep -v "^$folder/moved/" <<<"$libraries" || fail "the packed command loads these libraries of this machine"
 }
 
 without_arguments release "$@"

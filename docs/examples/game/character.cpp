@@ -162,8 +162,8 @@ void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
         character.on_ground = drop_to_ground(level, character, 2 * character.skin);
     }
     if (has_room(level, character)) return;
-    // Between surfaces that approach each other, as a floor and a ceiling that sinks, it goes along both, or not at
-    // all.
+    // Surfaces that approach each other, as a floor and a ceiling that sinks, leave no room: it slides along both, or
+    // stays.
     character = before;
     character.fall_speed = 0;
     const Planes planes = near_surfaces(level, character);

@@ -74,7 +74,7 @@ void exercise_sweeps(Exercise& run) {
     exercise_sweep(run, Sphere{a, length}, way);
     exercise_sweep(run, Capsule{a, b, length}, way);
     exercise_sweep(run, random.coin() ? Box{a, b} : Box{a, moved(a, {length, length, length})}, way);
-    // One of two by turns: a start in overlap takes either longer than all others together.
+    // One of the two at random: from a start in overlap, either takes longer than all others together.
     if (random.coin())
         return exercise_sweep(run, OrientedBox{a, {difference(b, a), difference(c, b), {length, 0.0f, -length}}}, way);
     const Vec3 vertices[] = {a, b, c, moved(a, {length, length, 0.0f}), moved(b, {0.0f, length, length}), c};

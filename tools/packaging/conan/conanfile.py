@@ -26,7 +26,7 @@ class Espalier(ConanFile):
 
     def export_sources(self):
         source = os.path.join(self.recipe_folder, PROJECT)
-        for pattern in ("CMakeLists.txt", "LICENSE", "lib/*", "tools/*", "docs/schema/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "lib/*", "tools/*", "docs/schema/*", "docs/examples/*"):
             copy(self, pattern, source, self.export_sources_folder)
 
     def validate(self):

@@ -1,4 +1,4 @@
-# Builds the source tree around this overlay port. A port of a registry replaces the first line by vcpkg_from_github().
+# Builds the source tree around this overlay port. A port of a registry replaces the two cmake_path() by vcpkg_from_github().
 cmake_path(ABSOLUTE_PATH CMAKE_CURRENT_LIST_DIR NORMALIZE OUTPUT_VARIABLE here)
 cmake_path(SET SOURCE_PATH NORMALIZE "${here}/../../../..")
 vcpkg_check_linkage(ONLY_STATIC_LIBRARY)
