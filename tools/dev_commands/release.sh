@@ -36,6 +36,7 @@ linux_archive() {
     # An RPATH, unlike a RUNPATH, counts for the libraries of the libraries too.
     build "$folder/build" espalier_command "${release_options[@]}" "-DCMAKE_INSTALL_RPATH=\$ORIGIN/../lib" \
         -DCMAKE_EXE_LINKER_FLAGS=-Wl,--disable-new-dtags
+    rm -rf "$stage"
     cmake --install "$folder/build" --prefix "$stage" --component tools --strip >"$folder/build/install.log"
     rm -rf "$stage"/lib*
     mkdir -p "$stage/lib" "$stage/share/doc" "$stage/share/man/man1"
@@ -59,8 +60,10 @@ linked_libraries() {
 
 # add_licence LIBRARY FOLDER: copies the copyright file of the package that the library belongs to
 add_licence() {
-    local package
-    package=$(dpkg -S "$(realpath "$1")" 2>/dev/null || dpkg -S "*/$(basename "$(realpath "$1")")")
+    local package file
+    file=$(realpath "$1")
+    # Where /lib is a link to /usr/lib, dpkg has either name.
+    package=$(dpkg -S "$file" 2>/dev/null || dpkg -S "${file#/usr}") || fail "no package has $file"
     package=${package%%:*}
     cp -L "/usr/share/doc/$package/copyright" "$2/$package.copyright"
 }
