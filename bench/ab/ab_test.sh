@@ -31,4 +31,11 @@ done
 table=$("$program" --base "$side" --other "$side" --profile fast --questions closest_point --seconds 0.02 --slice 0.01 --loads 1 \
     --set scalar torus)
 grep -q 'torus, 60000 triangles, fast, scalar' <<<"$table" || fail "no heading: $table"
+# The 99th percentile is at least the median.
+slow=$("$program" --base "$side" --other "$side" --profile fast --questions sweep_box_short --seconds 0.02 --slice 0.01 --loads 1 \
+    --slow-cases 200 --json torus)
+printf '%s\n' "$slow" | python3 -c '
+import json, sys
+row = json.load(sys.stdin)
+assert 0 < row["other_median_ns"] <= row["other_percentile_99_ns"], row' || fail "no slow cases: $slow"
 if "$program" --base "$side" --other "$program" torus 2>/dev/null; then fail "a program was taken for a side"; fi

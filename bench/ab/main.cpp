@@ -23,6 +23,7 @@ struct Options {
     std::string set = "best";
     Turns turns;
     std::size_t loads = 5;
+    std::size_t single_questions = 0;
     bool json = false;
 };
 
@@ -89,7 +90,9 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
                                base.bytes == other.bytes};
         if (!options.json) print_baking(baking);
         for (const QuestionSet& set : sets) {
-            const auto comparison = take_turns(pairs, set, options.turns);
+            auto comparison = take_turns(pairs, set, options.turns);
+            if (comparison && options.single_questions > 0)
+                comparison->slow_cases = slow_cases(any.other(), set, options.single_questions);
             if (comparison) extremes.add(comparison->ratio.median, set.name + " of " + mesh.name + ", " + profile);
             if (options.json) print_json(heading, baking, set.name, comparison);
             else print_row(set.name, comparison);
@@ -125,6 +128,8 @@ int main(int count, char** words) {
     program.add_number("--slice", options.turns.slice_milliseconds, 0.0, 1e6, "Milliseconds of a turn");
     program.add_number("--loads", options.loads, std::size_t{1}, std::size_t{1000},
                        "How often each side is loaded, with a copy of the bytes each");
+    program.add_count("--slow-cases", options.single_questions,
+                      "Also times so many questions one by one: the other side's median and 99th percentile");
     program.add_flag("--json", options.json, "A JSON object for each row instead of tables");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {
         Extremes extremes;

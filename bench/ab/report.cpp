@@ -37,6 +37,12 @@ void print_row(const std::string& questions, const std::optional<Comparison>& co
         std::printf("  %-30s %12.1f %7.3f  %.3f to %.3f  %9zu %9zu  %zu\n", questions.c_str(),
                     1e9 * comparison->ratio.base_seconds, comparison->ratio.median, comparison->ratio.low,
                     comparison->ratio.high, comparison->questions, comparison->found, comparison->differing);
+    if (comparison && comparison->slow_cases) {
+        const SlowCases& slow = *comparison->slow_cases;
+        std::printf("    of %zu one by one, other: median %.1f ns, 99th percentile %.1f ns, %.1f times as long\n",
+                    slow.questions, 1e9 * slow.median_seconds, 1e9 * slow.percentile_99_seconds,
+                    slow.percentile_99_seconds / slow.median_seconds);
+    }
     std::fflush(stdout);
 }
 
@@ -67,6 +73,10 @@ void print_json(const Heading& heading, const Baking& baking, const std::string&
     object.add("asked", comparison ? std::optional(comparison->questions) : std::nullopt);
     object.add("found", comparison ? std::optional(comparison->found) : std::nullopt);
     object.add("differing", comparison ? std::optional(comparison->differing) : std::nullopt);
+    if (comparison && comparison->slow_cases) {
+        object.add("other_median_ns", std::optional(1e9 * comparison->slow_cases->median_seconds), 2);
+        object.add("other_percentile_99_ns", std::optional(1e9 * comparison->slow_cases->percentile_99_seconds), 2);
+    }
     object.print();
     std::fflush(stdout);
 }

@@ -8,6 +8,7 @@
 #include "instance.hpp"
 #include "questions.hpp"
 #include "ratio.hpp"
+#include "slow_cases.hpp"
 
 namespace espalier::bench {
 
@@ -21,6 +22,7 @@ struct Comparison {
     std::size_t questions = 0;
     std::size_t found = 0;      ///< of the base: answers other than no or nothing
     std::size_t differing = 0;  ///< answers; what depends on the order of stored triangles is left out (side.h)
+    std::optional<SlowCases> slow_cases = std::nullopt;  ///< of the other side, where they are measured
 };
 
 /// Nothing where a commit has no such kind of query. At least one pair.
