@@ -35,7 +35,6 @@ public:
         }
         return false;
     }
-    [[nodiscard]] unsigned number() const { return number_; }
     [[nodiscard]] const IntegerTriangle& face() const { return face_; }
 
 private:
@@ -48,6 +47,19 @@ private:
     unsigned number_ = ~0u;
     bool is_flat_ = false;
     bool is_turned_ = false;
+};
+
+/// The corners of the prism: those of the triangle, then those that are moved back by the axis.
+struct PrismCorners {
+    static constexpr unsigned count = 6;
+    Integer3 at[count];
+
+    PrismCorners(const MovingCapsule& capsule, const IntegerTriangle& triangle) {
+        for (unsigned i = 0; i < 3; ++i) {
+            at[i] = triangle.corner[i];
+            at[3 + i] = triangle.corner[i] - capsule.axis;
+        }
+    }
 };
 
 /// Returns the part of the triangle that a part of a face of its prism lies over: what its corners come from.
@@ -73,29 +85,29 @@ SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& tri
 
 bool leaves_at_start(const MovingCapsule& capsule, const IntegerTriangle& triangle) noexcept {
     // The axis is as far from the triangle as its start is from the prism: as from the nearest of the faces.
-    Integer3 points[6];
-    for (unsigned i = 0; i < 3; ++i) {
-        points[i] = triangle.corner[i];
-        points[3 + i] = triangle.corner[i] - capsule.axis;
-    }
+    const PrismCorners corners(capsule, triangle);
     for (unsigned face = 0; face < 8; ++face) {
-        const Departure departure = departure_from(capsule.sphere, face_of_prism(capsule, triangle, face), points, 6);
+        const Departure departure =
+            departure_from(capsule.sphere, face_of_prism(capsule, triangle, face), corners.at, corners.count);
         if (departure != Departure::is_elsewhere) return departure == Departure::leaves;
     }
     return false;  // inside of the prism: the axis passes through the triangle
 }
 
 SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
-    // Of the faces that are met first the earliest, as above. A sphere has one.
-    Faces faces(capsule, triangle);
-    while (faces.next() && !is_zero(capsule.axis) && first_contact(capsule.sphere, faces.face(), step) > step) {
-    }
-    const SweepContact on_face = contact_at(capsule.sphere, faces.face(), tick_before(step));
+    // The face that is nearest at that tick need not be the first that is met: others can be met within the same tick.
+    const std::uint32_t tick = tick_before(step);
+    const PrismCorners corners(capsule, triangle);
+    unsigned number = 0;
+    while (number < 7 &&
+           !is_nearest_face(capsule.sphere, face_of_prism(capsule, triangle, number), corners.at, corners.count, tick))
+        ++number;
+    const SweepContact on_face = contact_at(capsule.sphere, face_of_prism(capsule, triangle, number), tick);
+    const std::uint8_t* const face = faces_of_prism[number];
     const float weights[3] = {1.0f - on_face.u - on_face.v, on_face.u, on_face.v};
     float of_corner[3] = {0.0f, 0.0f, 0.0f};
-    for (unsigned i = 0; i < 3; ++i) of_corner[faces_of_prism[faces.number()][i] & 3u] += weights[i];
-    return {
-        {of_corner[1], of_corner[2]}, on_face.normal, feature_below(faces_of_prism[faces.number()], on_face.feature)};
+    for (unsigned i = 0; i < 3; ++i) of_corner[face[i] & 3u] += weights[i];
+    return {{of_corner[1], of_corner[2]}, on_face.normal, feature_below(face, on_face.feature)};
 }
 
 }  // namespace espalier::detail

@@ -47,6 +47,11 @@ SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& trian
 /// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept;
 
+/// Returns whether no part of a convex body, the hull of the points, is nearer to the sphere's centre at a tick than
+/// the face is. The centre is outside of the body then.
+bool is_nearest_face(const MovingSphere& sphere, const IntegerTriangle& face, const Integer3* points, unsigned count,
+                     std::uint32_t tick) noexcept;
+
 /// How a point that begins to move is to a face of a convex body.
 enum class Departure : std::uint8_t {
     touches,

@@ -97,13 +97,14 @@ public:
         }
     }
 
-    /// The nearest point of the face is that of the body exactly if no point of the body is beyond the plane through
-    /// it, across the way to the centre.
+    [[nodiscard]] bool is_nearest(std::uint32_t tick, const Integer3* points, unsigned count) {
+        look_at(tick);
+        return !any_is_beyond(points, count);
+    }
     [[nodiscard]] Departure departure(const Integer3* points, unsigned count) {
         const Probe start = probe(0);
         if (start.touches) return Departure::touches;
-        for (unsigned i = 0; i < count; ++i)
-            if (is_beyond(points[i])) return Departure::is_elsewhere;
+        if (any_is_beyond(points, count)) return Departure::is_elsewhere;
         return start.closing ? Departure::closes : Departure::leaves;
     }
 
@@ -161,6 +162,13 @@ private:
                 return sign(of_point) == sign(above);
             }
         }
+    }
+    /// The nearest point of the face is that of the body exactly if no point of the body is beyond the plane through
+    /// it, across the way to the centre.
+    [[nodiscard]] bool any_is_beyond(const Integer3* points, unsigned count) const {
+        for (unsigned i = 0; i < count; ++i)
+            if (is_beyond(points[i])) return true;
+        return false;
     }
     [[nodiscard]] float weight(unsigned i) const {
         if (takes_shortcut(is_narrow_)) return to_float(dot<Int128>(inward_[i], seen_[i])) * 0x1p-60f;
@@ -347,6 +355,11 @@ SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& trian
 
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept {
     return Approach(sphere, triangle).contact_at(tick);
+}
+
+bool is_nearest_face(const MovingSphere& sphere, const IntegerTriangle& face, const Integer3* points, unsigned count,
+                     std::uint32_t tick) noexcept {
+    return Approach(sphere, face).is_nearest(tick, points, count);
 }
 
 Departure departure_from(const MovingSphere& sphere, const IntegerTriangle& face, const Integer3* points,

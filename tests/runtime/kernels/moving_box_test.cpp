@@ -154,7 +154,7 @@ TEST_SUITE("moving box") {
             // The feature is what is nearest along the normal, which is exact along a coordinate axis.
             const float along[3] = {contact.normal.x, contact.normal.y, contact.normal.z};
             for (int k = 0; k < 3; ++k) {
-                if (std::fabs(along[k]) != 1.0f) continue;
+                if (std::fabs(along[k]) != 1.0f || along[(k + 1) % 3] != 0.0f || along[(k + 2) % 3] != 0.0f) continue;
                 ++along_axes;
                 std::int64_t nearest = c.triangle.corner[0].*axes[k];
                 for (const Integer3& corner : c.triangle.corner)
