@@ -8,10 +8,12 @@
 #include <cstring>
 #include <limits>
 
+#include <runtime/base/vector.hpp>
+
 namespace espalier::baker {
 
-using Lanes = float __attribute__((vector_size(16)));
-using IntegerLanes = std::int32_t __attribute__((vector_size(16)));
+using Lanes = detail::Vector<float, 4>;
+using IntegerLanes = detail::Vector<std::int32_t, 4>;
 
 [[nodiscard]] inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 [[nodiscard]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }

@@ -8,6 +8,7 @@
 
 #include <espalier/types.hpp>
 #include <runtime/base/options.hpp>
+#include <runtime/base/vector.hpp>
 #include <runtime/deformation/pose_axis.hpp>
 
 namespace espalier::detail {
@@ -15,8 +16,8 @@ namespace espalier::detail {
 /// Rows of a leaf are little-endian numbers, which a little-endian machine stores four at a time.
 inline constexpr bool takes_four_positions = !small_code && std::endian::native == std::endian::little;
 
-using FourFloats = float __attribute__((vector_size(16)));
-using FourWords = std::uint32_t __attribute__((vector_size(16)));
+using FourFloats = Vector<float, 4>;
+using FourWords = Vector<std::uint32_t, 4>;
 
 /// Four positions, axis by axis.
 struct FourPositions {
@@ -24,7 +25,7 @@ struct FourPositions {
 
     /// Loads positions, two numbers at a time where that takes fewer instructions.
     [[gnu::always_inline]] FourPositions(const Vec3* a, const Vec3* b, const Vec3* c, const Vec3* d) {
-        using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
+        using TwoPairs = Vector<std::uint64_t, 2>;
         const auto pair = [](const Vec3* position) {
             std::uint64_t x_and_y;
             __builtin_memcpy(&x_and_y, position, sizeof x_and_y);
@@ -46,16 +47,16 @@ struct FourPositions {
 /// Writes the low 16 bits of four numbers to one place, and of four others to another.
 [[gnu::always_inline]] inline void store_low_words(std::byte* to_a, FourWords a, std::byte* to_b, FourWords b) {
 #if defined(__SSE2__)
-    using EightShorts = std::int16_t __attribute__((vector_size(16)));
-    using FourSigned = std::int32_t __attribute__((vector_size(16)));
-    using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
+    using EightShorts = Vector<std::int16_t, 8>;
+    using FourSigned = Vector<std::int32_t, 4>;
+    using TwoPairs = Vector<std::uint64_t, 2>;
     // The instruction saturates, so the high bits become copies of bit 15.
     const EightShorts words =
         __builtin_ia32_packssdw128(std::bit_cast<FourSigned>(a << 16) >> 16, std::bit_cast<FourSigned>(b << 16) >> 16);
     const auto pairs = std::bit_cast<TwoPairs>(words);
     const std::uint64_t of_a = pairs[0], of_b = pairs[1];
 #else
-    using FourShorts = std::uint16_t __attribute__((vector_size(8)));
+    using FourShorts = Vector<std::uint16_t, 4>;
     const auto of_a = __builtin_convertvector(a & 0xFFFF, FourShorts);
     const auto of_b = __builtin_convertvector(b & 0xFFFF, FourShorts);
 #endif

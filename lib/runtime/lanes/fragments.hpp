@@ -7,10 +7,10 @@
 #include <type_traits>
 
 #include <runtime/base/bits.hpp>
+#include <runtime/base/vector.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/blob/vertex_word.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
 #include <runtime/lanes/target.hpp>
 #include <runtime/lanes/unpack_table.hpp>
-#include <runtime/lanes/vector.hpp>

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include <runtime/base/bits.hpp>
+#include <runtime/base/vector.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
-#include <runtime/lanes/vector.hpp>
 
 namespace espalier::detail::scalar {
 

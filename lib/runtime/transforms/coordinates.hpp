@@ -8,6 +8,7 @@
 #include <espalier/types.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
+#include <runtime/base/vector.hpp>
 
 namespace espalier::detail {
 
@@ -81,8 +82,8 @@ public:
 
 /// Three floats in a vector of four; the fourth has any value.
 class Coordinates {
-    using Values = float __attribute__((vector_size(16)));
-    using Words = std::int32_t __attribute__((vector_size(16)));
+    using Values = Vector<float, 4>;
+    using Words = Vector<std::int32_t, 4>;
     [[gnu::always_inline]] explicit Coordinates(Values values) : values_(values) {}
 
 public:
