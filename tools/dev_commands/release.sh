@@ -1,8 +1,9 @@
-# The files of a release: Debian packages, checked by lintian, and the command in an archive that needs no packages.
+# The files of a release: Debian packages, checked by lintian, and the command in archives that need no packages: for Linux,
+# and for Windows without the optional parts that Debian does not have for it.
 
 release() {
     local folder=$PWD/build/packages version
-    install_missing "${build_packages[@]}" "${tool_packages[@]}" dpkg-dev file gzip lintian
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" "${windows_packages[@]}" dpkg-dev file gzip lintian zip
     check_cmake
     # The same commit gives the same files.
     SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)
@@ -12,11 +13,13 @@ release() {
     version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$folder/build/CMakeCache.txt")
     debian_packages "$folder"
     linux_archive "$folder" "espalier-$version-linux-$(uname -m)"
-    (cd "$folder" && sha256sum -- *.deb *.tar.gz >SHA256SUMS)
+    windows_archive "$folder" "espalier-$version-windows-x86_64"
+    (cd "$folder" && sha256sum -- *.deb *.tar.gz *.zip >SHA256SUMS)
     echo "in $folder:"
-    (cd "$folder" && ls -l -- *.deb *.tar.gz SHA256SUMS)
+    (cd "$folder" && ls -l -- *.deb *.tar.gz *.zip SHA256SUMS)
 }
 
+documents=(LICENSE README.md docs/changelog.md)
 release_options=(-DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF)
 
 # debian_packages FOLDER
@@ -40,13 +43,13 @@ linux_archive() {
     cmake --install "$folder/build" --prefix "$stage" --component tools --strip >"$folder/build/install.log"
     rm -rf "$stage"/lib*
     mkdir -p "$stage/lib" "$stage/share/doc" "$stage/share/man/man1"
-    cp LICENSE README.md docs/changelog.md "$stage/share/doc"
+    cp "${documents[@]}" "$stage/share/doc"
     cp tools/espalier.1 "$stage/share/man/man1"
     while read -r library; do
         cp -L "$library" "$stage/lib"
         add_licence "$library" "$stage/share/doc"
     done < <(linked_libraries "$folder/build/tools/espalier")
-    try_command "$folder/build/trial" "$stage"
+    try_linux_command "$folder/build/trial" "$stage"
     tar -C "$folder/build" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -cf - "$name" |
         gzip -9n >"$folder/$name.tar.gz"
 }
@@ -68,16 +71,42 @@ add_licence() {
     cp -L "/usr/share/doc/$package/copyright" "$2/$package.copyright"
 }
 
-# try_command FOLDER STAGE: bakes, verifies and queries with the command as it was packed, moved elsewhere
-try_command() {
-    local folder=$1 libraries
+# windows_archive FOLDER NAME: NAME.zip with the command, which needs no library but those of Windows
+windows_archive() {
+    local folder=$1 name=$2 cross=$1/windows stage=$1/build/$2 package
+    bash lib/cmake/toolchains/header_libraries.sh "$folder/headers" || fail "the command cannot be built for Windows"
+    build "$cross" espalier_command "${release_options[@]}" -DESPALIER_INSTALL=OFF -DESPALIER_COMMAND_PARTS= \
+        "-DCMAKE_TOOLCHAIN_FILE=$PWD/lib/cmake/toolchains/x86_64-w64-mingw32.cmake" "-DCMAKE_FIND_ROOT_PATH=$folder/headers"
+    rm -rf "$stage"
+    mkdir -p "$stage/licences"
+    cp "${documents[@]}" "$stage"
+    # These are part of the program: the headers, and the libraries of the compiler.
+    for package in libcli11-dev nlohmann-json3-dev g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev; do
+        cp -L "/usr/share/doc/$package/copyright" "$stage/licences/$package.copyright"
+    done
+    x86_64-w64-mingw32-strip -o "$stage/espalier.exe" "$cross/tools/espalier.exe"
+    bake_and_query "$folder/build/windows_trial" "$stage" bash "$PWD/tests/platform/other/run_wine.sh" "$cross/wine" ./moved/espalier.exe
+    find "$stage" -exec touch --no-dereference "--date=@$SOURCE_DATE_EPOCH" {} +
+    (cd "$folder/build" && find "$name" | LC_ALL=C sort | TZ=UTC zip -q -9 -X -@ "$folder/$name.zip")
+}
+
+# bake_and_query FOLDER STAGE COMMAND...: bakes, verifies and queries with a command of STAGE, moved to FOLDER/moved
+bake_and_query() {
+    local folder=$1 stage=$2
+    shift 2
     rm -rf "$folder"
     mkdir -p "$folder"
-    cp -r "$2" "$folder/moved"
+    cp -r "$stage" "$folder/moved"
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/triangle.obj"
-    (cd "$folder" && env -i moved/bin/espalier bake triangle.obj -o triangle.espl --quiet &&
-        env -i moved/bin/espalier verify --deep triangle.espl && env -i moved/bin/espalier query triangle.espl ray 0.2 0.2 1 0 0 -1) \
+    (cd "$folder" && "$@" bake triangle.obj -o triangle.espl --quiet && "$@" verify --deep triangle.espl &&
+        "$@" query triangle.espl ray 0.2 0.2 1 0 0 -1) \
         >"$folder/output.txt" 2>&1 || { cat "$folder/output.txt" >&2; fail "the packed command does not run"; }
+}
+
+# try_linux_command FOLDER STAGE: with no library of this machine
+try_linux_command() {
+    local folder=$1 libraries
+    bake_and_query "$folder" "$2" env -i moved/bin/espalier
     libraries=$(linked_libraries "$folder/moved/bin/espalier")
     [[ $libraries == *libassimp* ]] || fail "the packed command loads no libassimp"
     ! grep -v "^$folder/moved/" <<<"$libraries" || fail "the packed command loads these libraries of this machine"
