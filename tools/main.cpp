@@ -9,7 +9,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,8 @@
 #include "command_line/arguments.hpp"
 #include "command_line/usage_error.hpp"
 #include "commands/commands.hpp"
+#include "platform/arguments.hpp"
+#include "platform/standard_streams.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"
@@ -162,8 +163,9 @@ std::vector<std::string> with_negative_numbers_marked(std::vector<std::string> a
     return arguments;
 }
 
-ExitCode run(int count, char** values) {
+ExitCode run(std::vector<std::string> words) {
     CLI::App app{"Baked collision meshes, queried straight from their bytes", "espalier"};
+    app.allow_windows_style_options(false);  // on no system is /folder/mesh.obj an option
     app.footer(std::string("'espalier VERB --help' has the options. stdout is data; stderr has messages.\n") +
                exit_code_help);
     app.set_version_flag("--version", text("espalier ", library_version, ", format ", format::version_major, '.',
@@ -180,7 +182,6 @@ ExitCode run(int count, char** values) {
     add_trade(app, chosen);
     add_dump(app, chosen);
     refuse_empty_values(app);
-    std::vector<std::string> words(values + std::min(count, 1), values + count);
     words = with_negative_numbers_marked(with_help_as_option(std::move(words)));
     std::reverse(words.begin(), words.end());  // CLI11 takes them last first
     try {
@@ -196,21 +197,19 @@ ExitCode run(int count, char** values) {
 }
 
 /// Whether a document is due on stdout, also where the command line cannot be parsed.
-bool wants_json(int count, char** values) {
-    for (int i = 1; i < count && std::string_view(values[i]) != "--"; ++i) {
-        if (std::string_view(values[i]) == "--json") return true;
-    }
-    return false;
+bool wants_json(const std::vector<std::string>& words) {
+    const auto end_of_options = std::find(words.begin(), words.end(), "--");
+    return std::find(words.begin(), end_of_options, "--json") != end_of_options;
 }
 
-ExitCode run_and_report(int count, char** values) {
+ExitCode run_and_report(const std::vector<std::string>& words) {
     const auto report = [&](const CommandError& error) {
         Json document = json_document();
         document["warnings"] = warnings_json(error.details().warnings);
-        return report_failure(error, wants_json(count, values) ? &document : nullptr);
+        return report_failure(error, wants_json(words) ? &document : nullptr);
     };
     try {
-        return run(count, values);
+        return run(words);
     } catch (...) {
         return report(current_failure());
     }
@@ -222,8 +221,9 @@ ExitCode run_and_report(int count, char** values) {
 
 int main(int count, char** values) {
     using namespace espalier::tools;
+    prepare_standard_streams();
     try {
-        return static_cast<int>(run_and_report(count, values));
+        return static_cast<int>(run_and_report(words_of_command_line(count, values)));
     } catch (const CommandError& error) {  // the report itself cannot be written
         std::cerr << "espalier: " << error.what() << '\n';
         return static_cast<int>(error.code());

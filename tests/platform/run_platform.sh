@@ -53,9 +53,13 @@ for tool in "${needed[@]}"; do
         exit 77
     fi
 done
-if [[ $machine == windows ]]; then "${emulator[@]}" || exit; fi  # whether there is a Wine, and it runs programs
-
 mkdir -p "$build"
+if [[ $machine == windows ]]; then
+    "${emulator[@]}" || exit  # whether there is a Wine, and it runs programs
+    # The command too, for tests/tools/windows; without the libraries that Debian does not have for it.
+    bash "$here/../../lib/cmake/toolchains/header_libraries.sh" "$build/headers" &&
+        options+=(-DESPALIER_TOOLS=ON -DESPALIER_COMMAND_PARTS= -DCMAKE_FIND_ROOT_PATH="$build/headers")
+fi
 "$cmake" -S "$here/other" -B "$build" -G "$generator" "${options[@]}" >"$build/configure.log" 2>&1 ||
     { cat "$build/configure.log"; exit 1; }
 "$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { tail -n 60 "$build/build.log"; exit 1; }

@@ -111,10 +111,11 @@ run 3 verify changed.espl --deep --json
 out_has '"ok": false'
 
 claim "blobs and junk may come through a pipe"
-"$espalier" info /dev/stdin <sheet.espl >out 2>err || fail "redirected blob"
-cat sheet.espl | "$espalier" info /dev/stdin >out 2>err || fail "piped blob"
+if on_windows; then input=-; else input=/dev/stdin; fi
+"$espalier" info $input <sheet.espl >out 2>err || fail "redirected blob"
+cat sheet.espl | "$espalier" info $input >out 2>err || fail "piped blob"
 out_has "triangles     3200"
-awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info /dev/stdin >out 2>err
+awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info $input >out 2>err
 [ $? = 3 ] || fail "piped junk is not exit status 3"
 
 # ---- which triangle was that ----------------------------------------------------------------------------------------

@@ -26,6 +26,8 @@ follows_schema() { # VERB EXIT_CODE
     wrong=$(python3 "$tests_folder/schema.py" "$schema" out) || fail "the JSON is not what $1.json describes: $wrong"
     if [ "$2" = 0 ]; then json 'has("error") | not'; else json 'has("error")'; fi
 }
+# Tests whether the command is that of Windows, which has none of the optional parts (windows/run.sh).
+on_windows() { [ "${ESPALIER_SYSTEM-}" = windows ]; }
 fail() {
     broken=$((broken + 1))
     echo "BROKEN: $claim: $1"

@@ -154,11 +154,13 @@ awk 'BEGIN { n = 30
     for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
     for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
         printf "f %d %d %d\n", a, a + 1, a + n + 2 } }' >sheet.obj
-# The blob has less than 8 KiB and the reordered mesh more: the disk "fills up" after the depfile is written.
-(ulimit -f 8 && trap '' XFSZ &&
-    "$espalier" bake sheet.obj -o kept/x.espl --remap kept/x.remap --reorder kept/x.ply --depfile kept/x.d 2>err)
-[ $? = 2 ] || fail "a full disk is not exit status 2: $(cat err)"
-for file in x.espl x.remap x.ply x.d; do [ "$(cat kept/$file)" = old ] || fail "$file is new"; done
-[ "$(ls -A kept | wc -l)" = 4 ] || fail "kept holds $(ls -A kept | tr '\n' ' ')"
+if ! on_windows; then # which has no such limit
+    # The blob has less than 8 KiB and the reordered mesh more: the disk "fills up" after the depfile is written.
+    (ulimit -f 8 && trap '' XFSZ &&
+        "$espalier" bake sheet.obj -o kept/x.espl --remap kept/x.remap --reorder kept/x.ply --depfile kept/x.d 2>err)
+    [ $? = 2 ] || fail "a full disk is not exit status 2: $(cat err)"
+    for file in x.espl x.remap x.ply x.d; do [ "$(cat kept/$file)" = old ] || fail "$file is new"; done
+    [ "$(ls -A kept | wc -l)" = 4 ] || fail "kept holds $(ls -A kept | tr '\n' ' ')"
+fi
 
 finish

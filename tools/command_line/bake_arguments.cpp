@@ -61,8 +61,9 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     verb->add_option(
             "inputs", arguments->inputs,
             "Mesh files in the order of their file numbers: glTF 2.0, OBJ, PLY, STL and RAW, which the command "
-            "reads itself, and the other formats of assimp, such as FBX, Collada and 3DS. Node transforms are "
-            "applied; animated meshes are taken in the pose that the file stores")
+            "reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
+            "transforms "
+            "are applied; animated meshes are taken in the pose that the file stores")
         ->required()
         ->type_name("MESH");
     verb->add_option("-o,--output", arguments->output, "The blob to write; with --instances, the scene")

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "platform/paths.hpp"
 #include "similar_word.hpp"
 
 namespace espalier::tools {
@@ -36,9 +37,9 @@ const CLI::App& innermost(const CLI::App& app) {
 }
 
 /// "espalier query BLOB ray"
-std::string path_of(const CLI::App& verb) {
+std::string command_of(const CLI::App& verb) {
     if (verb.get_parent() == nullptr) return verb.get_name();
-    return text(path_of(*verb.get_parent()), verb.get_parent()->get_name() == "query" ? " BLOB " : " ",
+    return text(command_of(*verb.get_parent()), verb.get_parent()->get_name() == "query" ? " BLOB " : " ",
                 verb.get_name());
 }
 
@@ -72,7 +73,8 @@ std::string missing_blob(const CLI::App& verb) {
     const std::string& given = blob->results().front();
     const std::vector<std::string> kinds = names_below(verb);
     std::error_code error;
-    if (std::find(kinds.begin(), kinds.end(), given) == kinds.end() || std::filesystem::exists(given, error)) return {};
+    if (std::find(kinds.begin(), kinds.end(), given) == kinds.end() || std::filesystem::exists(path_of(given), error))
+        return {};
     return text("BLOB is missing before '", given, '\'');
 }
 
@@ -142,7 +144,7 @@ CommandError usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& verb = innermost(app);
     std::string message = message_of(verb, error);
     if (!message.ends_with('?') && !message.ends_with('.')) message += '.';
-    return {ExitCode::usage, text(message, " Run '", path_of(verb), " --help'.")};
+    return {ExitCode::usage, text(message, " Run '", command_of(verb), " --help'.")};
 }
 
 }  // namespace espalier::tools

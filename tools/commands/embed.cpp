@@ -13,6 +13,7 @@
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
 #include "files/scene_file.hpp"
+#include "platform/paths.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 
@@ -25,7 +26,7 @@ constexpr unsigned largest_alignment = 65536;
 constexpr std::size_t most_bytes = std::numeric_limits<std::int32_t>::max();
 
 EmbeddingLanguage language_of(const std::string& output) {
-    const std::string ending = std::filesystem::path(output).extension().string();
+    const std::string ending = text_of(path_of(output).extension());
     if (ending == ".c" || ending == ".cpp") return EmbeddingLanguage::c;
     if (ending == ".S") return EmbeddingLanguage::assembler;
     throw CommandError(ExitCode::usage,
@@ -34,8 +35,7 @@ EmbeddingLanguage language_of(const std::string& output) {
 }
 
 std::string symbol_of(const EmbedArguments& arguments) {
-    std::string symbol =
-        arguments.symbol.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.symbol;
+    std::string symbol = arguments.symbol.empty() ? text_of(path_of(arguments.output).stem()) : arguments.symbol;
     if (is_variable_name(symbol)) return symbol;
     throw CommandError(ExitCode::usage,
                        text("'", printable(symbol), "' cannot name a variable in C and C++. Give --symbol a name of ",
@@ -62,7 +62,7 @@ unsigned alignment_of(const EmbedArguments& arguments) {
 
 /// As the assembler finds it in an include folder.
 std::string blob_name(const EmbedArguments& arguments) {
-    std::string name = std::filesystem::path(arguments.blob).filename().string();
+    std::string name = text_of(path_of(arguments.blob).filename());
     if (name == printable(name)) return name;
     throw CommandError(ExitCode::usage, text("'", printable(name), "': a name with control characters cannot stand in ",
                                              "assembler. Rename the blob, or write C."));

@@ -165,6 +165,7 @@ ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warn
     require_ending(outputs[0], ".png", "the picture is a PNG");
     require_writable(outputs);
     const Picture picture(arguments);
+    static_cast<void>(Image(1, 1).png());  // which a build without libpng refuses
     const Subject& subject = picture.subject();
     const Camera camera(subject, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width,
                         size.height);

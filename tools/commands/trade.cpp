@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
+#include "platform/paths.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"
@@ -43,7 +44,7 @@ TradeSpace trade_space(const TradeArguments& arguments) {
 std::string names_of(const TradeArguments& arguments) {
     std::string names;
     for (const std::string& input : arguments.inputs) {
-        names += (names.empty() ? "" : " + ") + std::filesystem::path(input).filename().string();
+        names += (names.empty() ? "" : " + ") + text_of(path_of(input).filename());
     }
     return names;
 }

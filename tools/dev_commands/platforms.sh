@@ -3,7 +3,7 @@ platforms() {
     local questions=2000 build=$PWD/build/platforms here=$PWD/build/release name set failures=0
     local other=(i686 armhf aarch64 riscv64 s390x wasm32 wasm32_simd128 windows) compiler level
     install_missing "${build_packages[@]}" "${machine_packages[@]}" doctest-dev libeigen3-dev
-    install_missing $(wasm_packages) "${windows_packages[@]}"
+    install_missing $(wasm_packages) "${windows_packages[@]}" libcli11-dev nlohmann-json3-dev
     check_cmake
     build build/release espalier_query_answers --preset release
     build build/release espalier_platform_blobs --preset release

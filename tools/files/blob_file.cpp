@@ -1,15 +1,16 @@
 #include "blob_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iostream>
 #include <limits>
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "platform/paths.hpp"
 #include "scene_file.hpp"
 
 namespace espalier::tools {
@@ -26,41 +27,28 @@ constexpr std::size_t chunk = std::size_t{1} << 20;
         {.file = path});
 }
 
-class Descriptor {
-public:
-    explicit Descriptor(const std::string& path)
-        : value_(path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int value() const { return value_; }
-
-private:
-    int value_;
-};
-
 }  // namespace
 
 // In chunks and not by the file's stated size: pipes and devices state none.
 std::vector<std::byte> read_file(const std::string& path) {
-    const Descriptor file(path);
-    if (file.value() < 0) fail_to_read(path, errno);
+    errno = 0;
+    std::ifstream file;
+    if (path != "-") file.open(path_of(path), std::ios::binary);
+    std::istream& input = path == "-" ? std::cin : file;
     std::vector<std::byte> bytes;
-    while (true) {
+    while (input) {
         const std::size_t have = bytes.size();
         if (have > largest_blob) {
             throw CommandError(ExitCode::unsupported,
                                text("'", printable(path), "' is larger than 4 GiB, which no blob is."), {.file = path});
         }
         bytes.resize(have + chunk);
-        const ssize_t count = ::read(file.value(), bytes.data() + have, chunk);
-        const int error = errno;
-        bytes.resize(have + (count > 0 ? static_cast<std::size_t>(count) : 0));
-        if (count == 0) return bytes;
-        if (count < 0 && error != EINTR) fail_to_read(path, error);
+        input.read(reinterpret_cast<char*>(bytes.data() + have), static_cast<std::streamsize>(chunk));
+        bytes.resize(have + static_cast<std::size_t>(input.gcount()));
     }
+    const bool failed = !input.eof() || input.bad() || (path == "-" && std::ferror(stdin) != 0);
+    if (failed) fail_to_read(path, errno == 0 ? EIO : errno);
+    return bytes;
 }
 
 ExitCode exit_code_of(OpenStatus status) {

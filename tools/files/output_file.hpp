@@ -1,13 +1,13 @@
 // Writing results so that a file is either the whole new one or untouched.
 #pragma once
 
-#include <signal.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "platform/written_file.hpp"
 
 namespace espalier::tools {
 
@@ -15,7 +15,7 @@ namespace espalier::tools {
 /// an interrupt leaves no new file beside old ones.
 class OutputFiles {
 public:
-    OutputFiles();
+    OutputFiles() = default;
     /// Removes what was not renamed.
     ~OutputFiles();
     OutputFiles(const OutputFiles&) = delete;
@@ -32,11 +32,11 @@ private:
     struct Staged {
         std::string path;
         std::filesystem::path target;
-        std::string temporary;             ///< empty: written directly
+        std::filesystem::path temporary;   ///< empty: written directly
         std::span<const std::byte> bytes;  ///< of a direct one
     };
+    HeldInterrupts held_;
     std::vector<Staged> staged_;
-    sigset_t signals_before_;  ///< an interrupt waits, so that it leaves no temporary behind
 };
 
 /// Writes one file as OutputFiles does.

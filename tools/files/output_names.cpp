@@ -1,9 +1,5 @@
 #include "output_names.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -11,31 +7,19 @@
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "output_file.hpp"
+#include "platform/paths.hpp"
+#include "platform/standard_streams.hpp"
+#include "platform/written_file.hpp"
 
 namespace espalier::tools {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-bool are_one_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
-
-}  // namespace
 
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
     throw CommandError(ExitCode::file_access,
                        text("cannot write '", printable(path), "': ", std::strerror(error),
                             ". This file was not written; check the folder, its rights and the space on the disk."),
                        {.file = path});
-}
-
-bool is_standard_output(const std::string& path) {
-    struct stat file {};
-    struct stat standard_output {};
-    struct stat null {};
-    if (::stat(path.c_str(), &file) != 0 || ::fstat(STDOUT_FILENO, &standard_output) != 0) return false;
-    if (::stat("/dev/null", &null) == 0 && are_one_file(file, null)) return false;
-    return are_one_file(file, standard_output);
 }
 
 void require_writable(std::span<const NamedOutput> outputs) {
@@ -46,12 +30,12 @@ void require_writable(std::span<const NamedOutput> outputs) {
                                                      "file of that name, /dev/stdout the standard output."));
         }
         std::error_code error;
-        const fs::file_status status = fs::status(output.path, error);
+        const fs::file_status status = fs::status(path_of(output.path), error);
         if (is_standard_output(output.path)) continue;
         if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
             OutputFiles().add(output.path, {});  // a temporary that is removed again
-        } else if (::access(output.path.c_str(), W_OK) != 0) {
-            fail_to_write(output.path, errno);
+        } else if (const int failure = error_of_writing_to(output.path); failure != 0) {
+            fail_to_write(output.path, failure);
         }
     }
 }
@@ -67,7 +51,7 @@ void refuse_standard_output(std::span<const NamedOutput> outputs) {
 
 void require_ending(const NamedOutput& output, std::string_view ending, std::string_view what) {
     std::error_code error;
-    const fs::file_status status = fs::status(output.path, error);
+    const fs::file_status status = fs::status(path_of(output.path), error);
     const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
     if (output.path.empty() || output.path.ends_with(ending) || is_device) return;
     throw CommandError(ExitCode::usage, text(output.option, ' ', printable(output.path), ": ", what,
@@ -77,8 +61,9 @@ void require_ending(const NamedOutput& output, std::string_view ending, std::str
 void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input) {
     for (const NamedOutput& output : outputs) {
         std::error_code error;
-        if (!std::filesystem::equivalent(output.path, input, error) || error) continue;
-        if (!std::filesystem::is_regular_file(output.path, error)) continue;
+        const fs::path path = path_of(output.path);
+        if (!fs::equivalent(path, path_of(input), error) || error) continue;
+        if (!fs::is_regular_file(path, error)) continue;
         throw CommandError(ExitCode::usage,
                            text("the output '", printable(output.path), "' is the input '", printable(input),
                                 "' itself, which it would replace. Give another name to ", output.option, "."),
@@ -89,16 +74,15 @@ void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::
 void refuse_one_file_for_two(std::span<const NamedOutput> outputs) {
     std::error_code error;
     const auto place = [&error](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+        return fs::weakly_canonical(fs::absolute(path_of(path)), error);
     };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (const NamedOutput& other : outputs.first(i)) {
             const NamedOutput& output = outputs[i];
             if (output.path.empty() || other.path.empty()) continue;
-            if (place(output.path) != place(other.path) && !std::filesystem::equivalent(output.path, other.path, error))
-                continue;
-            if (std::filesystem::exists(output.path, error) && !std::filesystem::is_regular_file(output.path, error))
-                continue;
+            const fs::path path = path_of(output.path);
+            if (place(output.path) != place(other.path) && !fs::equivalent(path, path_of(other.path), error)) continue;
+            if (fs::exists(path, error) && !fs::is_regular_file(path, error)) continue;
             throw CommandError(ExitCode::usage,
                                text(output.option, " and ", other.option, " name the same file. Give each its own."));
         }

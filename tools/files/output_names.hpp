@@ -16,10 +16,6 @@ struct NamedOutput {
 /// Throws CommandError (usage) when an output is the file `input`, which it would replace. An empty `input` is none.
 void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input);
 
-/// Returns whether the path names what the standard output is: /dev/stdout, or the file that it is redirected to.
-/// /dev/null is not: it takes any number of outputs.
-bool is_standard_output(const std::string& path);
-
 /// Throws CommandError (file_access) when an output cannot be created in its folder, and (usage) for the name "-". An
 /// empty path is no output.
 void require_writable(std::span<const NamedOutput> outputs);

@@ -18,6 +18,7 @@
 #include "import/readers/ply_reader.hpp"
 #include "import/readers/raw_reader.hpp"
 #include "import/readers/stl_reader.hpp"
+#include "platform/paths.hpp"
 
 namespace espalier::tools {
 
@@ -28,7 +29,7 @@ void require_readable(const std::string& path) {
         throw CommandError(ExitCode::usage, "-: a mesh needs the name of a file, by whose ending it is read.");
     }
     std::error_code error;
-    const auto status = std::filesystem::status(path, error);
+    const auto status = std::filesystem::status(path_of(path), error);
     const char* reason = nullptr;
     if (!std::filesystem::exists(status)) {
         reason = std::strerror(error ? error.value() : ENOENT);
@@ -36,10 +37,10 @@ void require_readable(const std::string& path) {
         reason = "it is a folder";
     } else if (!std::filesystem::is_regular_file(status)) {
         reason = "importers read files only, no pipes or devices";
-    } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
+    } else if (errno = 0; !std::ifstream(path_of(path), std::ios::binary).is_open()) {
         reason = std::strerror(errno);
     }
-    if (reason == nullptr && std::filesystem::file_size(path, error) == 0) {
+    if (reason == nullptr && std::filesystem::file_size(path_of(path), error) == 0) {
         throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' is empty. Export it again."),
                            {.file = path});
     }
@@ -64,7 +65,7 @@ void require_kept_vertices(Import* import, const std::string& path) {
 /// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
 Import* importer_of(const std::string& path) {
     char begin[5] = {};
-    std::ifstream(path, std::ios::binary).read(begin, sizeof(begin));
+    std::ifstream(path_of(path), std::ios::binary).read(begin, sizeof(begin));
     const std::string_view content(begin, sizeof(begin));
     if (content.starts_with("ESPL") || content.starts_with("ESPS")) {
         throw CommandError(ExitCode::unsupported,
@@ -73,7 +74,7 @@ Import* importer_of(const std::string& path) {
                            {.file = path});
     }
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
-    std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = text_of(path_of(path).extension());
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     if (ending == ".obj") return import_obj;
     if (ending == ".ply") return import_ply;

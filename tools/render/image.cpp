@@ -1,12 +1,7 @@
 #include "image.hpp"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
-
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 
 namespace espalier::tools {
 
@@ -34,22 +29,6 @@ void Image::set(unsigned column, unsigned row, Colour colour) {
     pixel[0] = encoded(colour.red);
     pixel[1] = encoded(colour.green);
     pixel[2] = encoded(colour.blue);
-}
-
-std::vector<std::byte> Image::png() const {
-    png_image description{};
-    description.version = PNG_IMAGE_VERSION;
-    description.width = width_;
-    description.height = height_;
-    description.format = PNG_FORMAT_RGB;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(description);
-    std::vector<std::byte> bytes(size);
-    if (png_image_write_to_memory(&description, bytes.data(), &size, 0, pixels_.data(), 0, nullptr) == 0) {
-        throw CommandError(ExitCode::internal,
-                           text("the picture could not be made into a PNG: ", description.message, '.'));
-    }
-    bytes.resize(size);
-    return bytes;
 }
 
 }  // namespace espalier::tools

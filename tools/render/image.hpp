@@ -26,7 +26,8 @@ public:
     [[nodiscard]] unsigned height() const { return height_; }
     /// Row 0 is the top. Different pixels may be set from different threads.
     void set(unsigned column, unsigned row, Colour colour);
-    /// The bytes of a PNG file, 8 bits a channel, sRGB. Throws CommandError (internal).
+    /// The bytes of a PNG file, 8 bits a channel, sRGB. Throws CommandError (internal), and (unsupported) in a build
+    /// without libpng.
     [[nodiscard]] std::vector<std::byte> png() const;
 
 private:

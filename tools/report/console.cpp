@@ -1,13 +1,12 @@
 #include "console.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
+#include "platform/standard_streams.hpp"
 
 namespace espalier::tools {
 
@@ -18,7 +17,7 @@ void Console::say(const std::string& line) const {
 void Console::warn(const Warning& warning) { std::cerr << "warning: " << warning.message << '\n'; }
 
 Progress::Progress(bool quiet)
-    : enabled_(!quiet && isatty(STDERR_FILENO) == 1), next_(Clock::now() + std::chrono::seconds(1)) {}
+    : enabled_(!quiet && is_stderr_terminal()), next_(Clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() { hide(); }
 

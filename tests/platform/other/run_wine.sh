@@ -28,4 +28,11 @@ if [[ ! -e $prefix/runs ]]; then
     fi
     touch "$prefix/runs"
 fi
+# A program that starts while the server ends loses its connection, so the server stays for ten minutes after the last one.
+for server in wineserver /usr/lib/wine/wineserver64 /usr/lib/wine/wineserver; do
+    if command -v "$server" >/dev/null; then
+        "$server" -p600 </dev/null >/dev/null 2>&1 || true  # fails where it runs already
+        break
+    fi
+done
 if [[ $# -gt 0 ]]; then exec "$wine" "$@"; fi

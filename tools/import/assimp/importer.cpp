@@ -16,6 +16,7 @@
 #include "base/numbers.hpp"
 #include "hidden_defects.hpp"
 #include "import/guards/crash_guard.hpp"
+#include "platform/paths.hpp"
 #include "log.hpp"
 #include "opened_files.hpp"
 #include "scene.hpp"
@@ -57,18 +58,17 @@ void remove_replaced_importers(Assimp::Importer& importer) {
 
 /// With the dot, in lower case; empty without one.
 std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = text_of(path_of(path).extension());
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return ending;
 }
 
 /// Importers look for a file in several folders, and for files named like the mesh, such as its animation.
 bool is_referred_to(const std::string& missing, const ImportedFile& file) {
-    const std::filesystem::path name = std::filesystem::path(missing).filename();
-    if (name.stem() == std::filesystem::path(file.path).stem()) return false;
-    return std::none_of(file.opened.begin(), file.opened.end(), [&name](const std::string& opened) {
-        return std::filesystem::path(opened).filename() == name;
-    });
+    const std::filesystem::path name = path_of(missing).filename();
+    if (name.stem() == path_of(file.path).stem()) return false;
+    return std::none_of(file.opened.begin(), file.opened.end(),
+                        [&name](const std::string& opened) { return path_of(opened).filename() == name; });
 }
 
 }  // namespace

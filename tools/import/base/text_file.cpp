@@ -9,6 +9,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
+#include "platform/paths.hpp"
 
 namespace espalier::tools {
 
@@ -86,7 +87,7 @@ float beyond_double(std::string_view decimal) {
 
 std::string read_bytes(const std::string& path) {
     errno = 0;
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    std::ifstream file(path_of(path), std::ios::binary | std::ios::ate);
     const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
     std::string bytes(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
     file.seekg(0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -30,11 +31,11 @@ public:
             extension_->fail("its \"attributes\" have no POSITION");
         }
         const std::size_t view = extension_->required_index("bufferView", views.count());
-        draco_.emplace(*extension_, views.view(view).bytes);
+        draco_ = decode_draco(*extension_, views.view(view).bytes);
     }
 
     [[nodiscard]] bool has(const std::string& name) const { return attributes_ && attributes_->has(name.c_str()); }
-    [[nodiscard]] bool is_packed() const { return draco_.has_value(); }
+    [[nodiscard]] bool is_packed() const { return draco_ != nullptr; }
     [[nodiscard]] bool differs_from_accessors() const { return differs_from_accessors_; }
 
     GltfAccessor attribute(const std::string& name, GltfUse use) {
@@ -67,7 +68,7 @@ private:
     GltfAccessors& accessors_;
     std::optional<GltfObject> attributes_;
     std::optional<GltfObject> extension_, packed_attributes_;
-    std::optional<GltfDracoMesh> draco_;
+    std::unique_ptr<const GltfDracoMesh> draco_;
     bool differs_from_accessors_ = false;
 };
 

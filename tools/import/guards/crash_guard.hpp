@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "crash_signals.hpp"
 #include "import/base/imported.hpp"
+#include "platform/crash_signals.hpp"
 
 namespace espalier::tools {
 

@@ -1,14 +1,11 @@
 // Limits on the memory and the time that reading one file takes. Importers are libraries that cannot be interrupted.
 #pragma once
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/time.h>
-
 #include <new>
 #include <string>
 
 #include "import/base/imported.hpp"
+#include "platform/limits.hpp"
 
 namespace espalier::tools {
 
@@ -28,15 +25,11 @@ public:
     [[noreturn]] void refuse_memory() const;
 
 private:
-    void limit_memory();
-    void limit_time(const ImportOptions& options);
-
     std::string path_;
     ImportLimits limits_;
-    struct rlimit memory_before_ {};
-    std::new_handler handler_before_ = nullptr;
-    struct sigaction action_before_ {};
-    struct itimerval timer_before_ {};
+    std::new_handler handler_before_;
+    MemoryLimit memory_;
+    ProcessorTimeLimit time_;
 };
 
 /// Half of the machine's memory: baking takes four times what importing takes, so that no larger file could be baked.

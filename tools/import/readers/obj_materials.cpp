@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "import/base/text_file.hpp"
+#include "platform/paths.hpp"
 
 namespace espalier::tools {
 
@@ -13,9 +14,9 @@ namespace {
 std::string library_path(const std::string& mesh_path, std::string_view name) {
     std::string relative(name);
     std::replace(relative.begin(), relative.end(), '\\', '/');
-    const std::filesystem::path path = std::filesystem::path(mesh_path).parent_path() / relative;
+    const std::filesystem::path path = path_of(mesh_path).parent_path() / path_of(relative);
     std::error_code error;
-    return !name.empty() && std::filesystem::is_regular_file(path, error) ? path.string() : std::string();
+    return !name.empty() && std::filesystem::is_regular_file(path, error) ? text_of(path) : std::string();
 }
 
 }  // namespace

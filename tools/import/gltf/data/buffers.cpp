@@ -8,6 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "base64.hpp"
+#include "platform/paths.hpp"
 
 namespace espalier::tools {
 
@@ -76,20 +77,21 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
     if (uri.find("://") != std::string::npos) {
         buffer.refuse(text("its bytes are at ", shown, ". Download them, and name the file in \"uri\"."));
     }
-    const std::string beside = (std::filesystem::path(path_).parent_path() / without_percents(uri)).string();
+    const std::filesystem::path file_beside = path_of(path_).parent_path() / path_of(without_percents(uri));
+    const std::string beside = text_of(file_beside);
     std::error_code error;
     const char* problem = nullptr;
     ExitCode code = ExitCode::file_access;
-    if (!std::filesystem::is_regular_file(beside, error)) {
+    if (!std::filesystem::is_regular_file(file_beside, error)) {
         problem = error ? std::strerror(error.value()) : "it is no file";
-    } else if (std::filesystem::file_size(beside, error) < length) {
+    } else if (std::filesystem::file_size(file_beside, error) < length) {
         problem = "it is shorter than \"byteLength\"";
         code = ExitCode::invalid_input;
     }
     std::ifstream file;
     if (problem == nullptr) {
         errno = 0;
-        file.open(beside, std::ios::binary);
+        file.open(file_beside, std::ios::binary);
         if (!file.is_open()) problem = std::strerror(errno);
     }
     if (problem != nullptr) {

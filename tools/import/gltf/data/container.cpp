@@ -12,6 +12,7 @@
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "json_keys.hpp"
+#include "platform/paths.hpp"
 
 namespace espalier::tools {
 
@@ -34,7 +35,7 @@ constexpr std::size_t longest_quotation = 160;
 }
 
 bool ends_as_gltf(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = text_of(path_of(path).extension());
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     return ending == ".gltf" || ending == ".glb";
 }
@@ -49,8 +50,8 @@ Content content_of(std::string_view start) {
 }
 
 std::vector<std::byte> whole_file(const std::string& path) {
-    std::vector<std::byte> bytes(std::filesystem::file_size(path));
-    std::ifstream file(path, std::ios::binary);
+    std::vector<std::byte> bytes(std::filesystem::file_size(path_of(path)));
+    std::ifstream file(path_of(path), std::ios::binary);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
     return bytes;
@@ -136,7 +137,7 @@ bool has_lists_of_version_1(const nlohmann::json& json) {
 std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     const bool named_so = ends_as_gltf(path);
     std::string start(4096, '\0');
-    std::ifstream opening(path, std::ios::binary);
+    std::ifstream opening(path_of(path), std::ios::binary);
     opening.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(std::max<std::streamsize>(opening.gcount(), 0)));
     const Content content = content_of(start);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -39,20 +40,18 @@ GltfAccessor accessor_of(std::vector<std::byte> bytes, GltfComponent component, 
     return result;
 }
 
-}  // namespace
+class DecodedMesh : public GltfDracoMesh {
+public:
+    explicit DecodedMesh(std::unique_ptr<const draco::Mesh> mesh) : mesh_(std::move(mesh)) {}
+    [[nodiscard]] GltfAccessor indices() const override;
+    [[nodiscard]] GltfAccessor attribute(const GltfObject& extension, std::uint64_t id,
+                                         const GltfAccessor& described) const override;
 
-GltfDracoMesh::GltfDracoMesh(const GltfObject& extension, std::span<const std::byte> compressed) {
-    draco::DecoderBuffer buffer;
-    buffer.Init(reinterpret_cast<const char*>(compressed.data()), compressed.size());
-    draco::Decoder decoder;
-    auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!decoded.ok()) {
-        extension.fail(text("its compressed bytes are damaged (", printable(decoded.status().error_msg_string()), ")"));
-    }
-    mesh_ = std::move(decoded).value();
-}
+private:
+    std::unique_ptr<const draco::Mesh> mesh_;
+};
 
-GltfAccessor GltfDracoMesh::indices() const {
+GltfAccessor DecodedMesh::indices() const {
     std::vector<std::byte> bytes;
     bytes.reserve(std::size_t{mesh_->num_faces()} * 12);
     for (draco::FaceIndex face(0); face < mesh_->num_faces(); ++face) {
@@ -61,8 +60,8 @@ GltfAccessor GltfDracoMesh::indices() const {
     return accessor_of(std::move(bytes), GltfComponent::unsigned_32, 1);
 }
 
-GltfAccessor GltfDracoMesh::attribute(const GltfObject& extension, std::uint64_t id,
-                                      const GltfAccessor& described) const {
+GltfAccessor DecodedMesh::attribute(const GltfObject& extension, std::uint64_t id,
+                                    const GltfAccessor& described) const {
     const draco::PointAttribute* attribute =
         id <= 0xffffffffu ? mesh_->GetAttributeByUniqueId(static_cast<std::uint32_t>(id)) : nullptr;
     if (attribute == nullptr) extension.fail(text("its compressed bytes have no attribute ", id));
@@ -92,6 +91,19 @@ GltfAccessor GltfDracoMesh::attribute(const GltfObject& extension, std::uint64_t
     GltfAccessor result = accessor_of(std::move(bytes), *component, described.components);
     result.normalised = described.normalised;
     return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const GltfDracoMesh> decode_draco(const GltfObject& extension, std::span<const std::byte> compressed) {
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char*>(compressed.data()), compressed.size());
+    draco::Decoder decoder;
+    auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
+    if (!decoded.ok()) {
+        extension.fail(text("its compressed bytes are damaged (", printable(decoded.status().error_msg_string()), ")"));
+    }
+    return std::make_unique<const DecodedMesh>(std::move(decoded).value());
 }
 
 }  // namespace espalier::tools

@@ -10,26 +10,22 @@
 #include "accessors.hpp"
 #include "json.hpp"
 
-namespace draco {
-class Mesh;
-}
-
 namespace espalier::tools {
 
 /// One decompressed primitive: triangles, and attributes by their Draco id.
 class GltfDracoMesh {
 public:
-    /// `extension` is the primitive's KHR_draco_mesh_compression. Throws CommandError when the bytes are damaged.
-    GltfDracoMesh(const GltfObject& extension, std::span<const std::byte> compressed);
+    virtual ~GltfDracoMesh() = default;
 
     /// Returns three vertex numbers for each triangle.
-    [[nodiscard]] GltfAccessor indices() const;
+    [[nodiscard]] virtual GltfAccessor indices() const = 0;
     /// Returns the attribute's elements with the components and the normalisation of `described`.
-    [[nodiscard]] GltfAccessor attribute(const GltfObject& extension, std::uint64_t id,
-                                         const GltfAccessor& described) const;
-
-private:
-    std::shared_ptr<const draco::Mesh> mesh_;
+    [[nodiscard]] virtual GltfAccessor attribute(const GltfObject& extension, std::uint64_t id,
+                                                 const GltfAccessor& described) const = 0;
 };
+
+/// Returns what `compressed` holds; `extension` is the primitive's KHR_draco_mesh_compression. Throws CommandError when
+/// the bytes are damaged, and (unsupported) in a build without Draco.
+std::unique_ptr<const GltfDracoMesh> decode_draco(const GltfObject& extension, std::span<const std::byte> compressed);
 
 }  // namespace espalier::tools

@@ -1,0 +1,94 @@
+#include "platform/written_file.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "platform/standard_streams.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+int write_all(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& target) {
+    return target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+}
+
+mode_t rights_for_new_files() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
+
+/// The rename itself must survive a crash too. Not every file system can flush a folder; the data is safe either way.
+void flush_folder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+}  // namespace
+
+int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,
+                    std::filesystem::path& temporary) {
+    temporary.clear();
+    std::string name = (folder_of(target) / ('.' + target.filename().string() + ".XXXXXX")).string();
+    const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    int error = write_all(descriptor, bytes);
+    if (error == 0 && ::fchmod(descriptor, rights_for_new_files()) != 0) error = errno;
+    if (error == 0 && ::fsync(descriptor) != 0) error = errno;
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error == 0) {
+        temporary = name;
+    } else {
+        ::unlink(name.c_str());
+    }
+    return error;
+}
+
+int replace_file(const std::filesystem::path& target, const std::filesystem::path& temporary) {
+    if (::rename(temporary.c_str(), target.c_str()) != 0) return errno;
+    flush_folder(folder_of(target));
+    return 0;
+}
+
+int write_directly(const std::string& path, std::span<const std::byte> bytes) {
+    if (is_standard_output(path)) return write_all(STDOUT_FILENO, bytes);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    const int error = write_all(descriptor, bytes);
+    return ::close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+int error_of_writing_to(const std::string& path) { return ::access(path.c_str(), W_OK) != 0 ? errno : 0; }
+
+struct HeldInterrupts::State {
+    sigset_t before;
+};
+
+HeldInterrupts::HeldInterrupts() : state_(std::make_unique<State>()) {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &state_->before);
+}
+
+HeldInterrupts::~HeldInterrupts() { pthread_sigmask(SIG_SETMASK, &state_->before, nullptr); }
+
+}  // namespace espalier::tools

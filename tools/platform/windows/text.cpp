@@ -1,0 +1,16 @@
+#include "text.hpp"
+
+#include <windows.h>
+
+namespace espalier::tools {
+
+std::string utf8_of(std::wstring_view text) {
+    const int length = static_cast<int>(text.size());
+    if (length == 0) return {};
+    const int bytes = ::WideCharToMultiByte(CP_UTF8, 0, text.data(), length, nullptr, 0, nullptr, nullptr);
+    std::string result(static_cast<std::size_t>(bytes), '\0');
+    ::WideCharToMultiByte(CP_UTF8, 0, text.data(), length, result.data(), bytes, nullptr, nullptr);
+    return result;
+}
+
+}  // namespace espalier::tools

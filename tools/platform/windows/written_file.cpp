@@ -1,0 +1,118 @@
+#include "platform/written_file.hpp"
+
+#include <windows.h>
+
+#include <fcntl.h>
+#include <io.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <mutex>
+#include <random>
+#include <system_error>
+
+#include "platform/paths.hpp"
+#include "platform/standard_streams.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t largest_write = std::size_t{1} << 20;
+
+int write_all(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const auto count = static_cast<unsigned>(std::min(bytes.size(), largest_write));
+        const int written = ::_write(descriptor, bytes.data(), count);
+        if (written < 0) return errno;
+        if (written == 0) return ENOSPC;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// Creates a file that did not exist. Returns its descriptor, or -1 and sets errno.
+int create_file(const std::filesystem::path& path) {
+    return ::_wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+}
+
+/// Returns six letters and digits.
+std::string random_ending() {
+    constexpr std::string_view characters = "abcdefghijklmnopqrstuvwxyz0123456789";
+    std::random_device numbers;
+    std::string result;
+    for (int i = 0; i < 6; ++i) result += characters[numbers() % characters.size()];
+    return result;
+}
+
+int last_error() {
+    const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
+    const std::error_condition condition = error.default_error_condition();
+    return condition.category() == std::generic_category() ? condition.value() : EIO;
+}
+
+/// Held while a temporary exists: an interrupt is handled by a thread of its own, which waits for it.
+std::recursive_mutex writing;
+
+/// Returns that the next handler is due: the system's, which ends the process.
+BOOL WINAPI wait_for_writing(DWORD) {
+    const std::lock_guard lock(writing);
+    return FALSE;
+}
+
+}  // namespace
+
+int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,
+                    std::filesystem::path& temporary) {
+    temporary.clear();
+    std::filesystem::path path;
+    int descriptor = -1;
+    for (int attempt = 0; attempt < 100 && descriptor < 0; ++attempt) {
+        path = target.parent_path() / path_of('.' + text_of(target.filename()) + '.' + random_ending());
+        descriptor = create_file(path);
+        if (descriptor < 0 && errno != EEXIST) break;
+    }
+    if (descriptor < 0) return errno;
+    int error = write_all(descriptor, bytes);
+    if (error == 0 && ::_commit(descriptor) != 0) error = errno;
+    if (::_close(descriptor) != 0 && error == 0) error = errno;
+    if (error == 0) {
+        temporary = path;
+    } else {
+        ::DeleteFileW(path.c_str());
+    }
+    return error;
+}
+
+int replace_file(const std::filesystem::path& target, const std::filesystem::path& temporary) {
+    const DWORD flags = MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH;
+    return ::MoveFileExW(temporary.c_str(), target.c_str(), flags) != 0 ? 0 : last_error();
+}
+
+int write_directly(const std::string& path, std::span<const std::byte> bytes) {
+    if (is_standard_output(path)) return write_all(1, bytes);
+    const int descriptor = ::_wopen(path_of(path).c_str(), _O_WRONLY | _O_BINARY | _O_NOINHERIT);
+    if (descriptor < 0) return errno;
+    const int error = write_all(descriptor, bytes);
+    return ::_close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+int error_of_writing_to(const std::string& path) {
+    constexpr int write_access = 2;
+    return ::_waccess(path_of(path).c_str(), write_access) != 0 ? errno : 0;
+}
+
+struct HeldInterrupts::State {
+    std::lock_guard<std::recursive_mutex> lock{writing};
+};
+
+HeldInterrupts::HeldInterrupts() {
+    static const BOOL handles = ::SetConsoleCtrlHandler(wait_for_writing, TRUE);
+    static_cast<void>(handles);
+    state_ = std::make_unique<State>();
+}
+
+HeldInterrupts::~HeldInterrupts() = default;
+
+}  // namespace espalier::tools
