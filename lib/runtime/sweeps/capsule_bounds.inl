@@ -17,28 +17,45 @@ public:
           squared_radius_(multiply(radius_, radius_)),
           way_length_(length_bound(way_)),
           squared_way_(dot(way_, way_)),
+          back_(*this, negate(axis_)),
           is_sphere_(capsule.is_sphere) {}
 
     /// Returns a bound for each triangle, whose three corners are seen from the sphere's centre.
     [[nodiscard]] Floats operator()(const Floats3* corners) const {
-        const Triangle triangle(corners);
+        const Triangle triangle(*this, corners);
         const Floats first = of_triangle(triangle, triangle.corners);
         return is_sphere_ ? first : smaller(first, of_prism(triangle));
     }
 
 private:
+    /// The direction of an edge, and what of its cylinder does not depend on where the edge is.
+    struct Side {
+        Floats3 vector;
+        Floats3 way_across;
+        Floats squared;  ///< length
+        Floats a;        ///< of the equation of edge()
+
+        Side(const CapsuleBounds& capsule, const Floats3& v)
+            : vector(v), way_across(cross(capsule.way_, v)), squared(dot(v, v)) {
+            using namespace time_bounds;
+            const Floats error = multiply(multiply(capsule.squared_way_, squared), splat(rounding));
+            a = larger(subtract(dot(way_across, way_across), error), splat(0.0f));
+        }
+    };
     /// A triangle's sides, and its normal: what it and the same triangle at the other end of the axis share.
     struct Triangle {
         const Floats3* corners;
-        Floats3 sides[3];
+        Side sides[3];
         Floats3 normal;
         Floats product;  ///< at least the length of the normal
 
-        explicit Triangle(const Floats3* three)
+        Triangle(const CapsuleBounds& capsule, const Floats3* three)
             : corners(three),
-              sides{subtract(three[1], three[0]), subtract(three[2], three[1]), subtract(three[0], three[2])},
-              normal(cross(sides[0], sides[1])),
-              product(multiply(length_bound(sides[0]), length_bound(sides[1]))) {}
+              sides{{capsule, subtract(three[1], three[0])},
+                    {capsule, subtract(three[2], three[1])},
+                    {capsule, subtract(three[0], three[2])}},
+              normal(cross(sides[0].vector, sides[1].vector)),
+              product(multiply(length_bound(sides[0].vector), length_bound(sides[1].vector))) {}
     };
 
     [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle, const Floats3* corners) const {
@@ -51,13 +68,12 @@ private:
     }
     /// The rest of the prism: the triangle at the axis' other end, and what connects the two.
     [[nodiscard, gnu::noinline]] Floats of_prism(const Triangle& triangle) const {
-        const Floats3 back = negate(axis_);
         Floats3 moved[3];
         for (int i = 0; i < 3; ++i) moved[i] = subtract(triangle.corners[i], axis_);
         Floats first = smaller(of_triangle(triangle, moved), crossing(triangle));
         for (int i = 0; i < 3; ++i) {
-            first = smaller(first, edge(triangle.corners[i], back));
-            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i], back));
+            first = smaller(first, edge(triangle.corners[i], back_));
+            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i].vector, back_.vector));
         }
         return first;
     }
@@ -72,19 +88,18 @@ private:
     }
     /// Of the cylinder around a side that begins at p, where the centre is beside it. A side without length is a
     /// vertex.
-    [[nodiscard, gnu::noinline]] Floats edge(const Floats3& p, const Floats3& side) const {
+    [[nodiscard, gnu::noinline]] Floats edge(const Floats3& p, const Side& side) const {
         using namespace time_bounds;
-        const Floats squared = dot(side, side), length = length_bound(side), reach = length_bound(p);
-        const Floats3 u = cross(p, side), v = cross(way_, side);
-        const Floats a =
-            larger(subtract(dot(v, v), multiply(multiply(squared_way_, squared), splat(rounding))), splat(0.0f));
-        const Floats b = multiply_add(multiply(multiply(reach, way_length_), squared), splat(rounding), dot(u, v));
+        const Floats squared = side.squared, length = length_bound(side.vector), reach = length_bound(p);
+        const Floats3 u = cross(p, side.vector);
+        const Floats b =
+            multiply_add(multiply(multiply(reach, way_length_), squared), splat(rounding), dot(u, side.way_across));
         const Floats c_error =
             multiply(multiply(multiply_add(reach, reach, squared_radius_), squared), splat(rounding));
         const Floats c = subtract(subtract(dot(u, u), multiply(squared_radius_, squared)), c_error);
         const Floats error = multiply(multiply(add(add(reach, way_length_), length), length), splat(rounding));
-        const Interval beside = {negate(dot(p, side)), dot(way_, side), splat(0.0f), squared, error};
-        const Floats when = larger(root(a, b, c), beside.entry());
+        const Interval beside = {negate(dot(p, side.vector)), dot(way_, side.vector), splat(0.0f), squared, error};
+        const Floats when = larger(root(side.a, b, c), beside.entry());
         return where_at_most(squared, splat(0.0f), splat(never), larger(when, beside.is_left_at(when)));
     }
     /// Where the centre is over the face. A face without area is a side.
@@ -97,14 +112,14 @@ private:
         Floats when = plane.entry();
         Interval inside[3];
         for (int i = 0; i < 3; ++i) {
-            const Floats3 inward = cross(triangle.normal, triangle.sides[i]);
-            const Floats error = multiply(multiply(triangle.product, length_bound(triangle.sides[i])), far);
+            const Floats3 inward = cross(triangle.normal, triangle.sides[i].vector);
+            const Floats error = multiply(multiply(triangle.product, length_bound(triangle.sides[i].vector)), far);
             inside[i] = {negate(dot(inward, corners[i])), dot(inward, way_), splat(0.0f), splat(never), error};
             when = larger(when, inside[i].entry());
         }
         Floats left = plane.is_left_at(when);
         for (const Interval& side : inside) left = larger(left, side.is_left_at(when));
-        return where_at_most(squared, flat_below(triangle.sides[0], triangle.sides[1]), splat(never),
+        return where_at_most(squared, flat_below(triangle.sides[0].vector, triangle.sides[1].vector), splat(never),
                              larger(when, left));
     }
     /// Where the centre is over the face from p along a side and along the axis backwards.
@@ -158,5 +173,6 @@ private:
 
     Floats3 way_, axis_;
     Floats radius_, squared_radius_, way_length_, squared_way_;
+    Side back_;  ///< the axis, from its end to its start
     bool is_sphere_;
 };
