@@ -111,6 +111,7 @@ check_folder_includes(tests
   "oracle: support/base support/meshes support/format"
   "support/exact: support/base support/format support/queries oracle"
   "platform:"
+  "platform/microsoft:"
   "wasm:"
   "firmware: platform support/base support/meshes"
   "firmware/image: platform firmware"

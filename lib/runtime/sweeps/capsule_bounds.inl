@@ -17,14 +17,12 @@ public:
           squared_radius_(multiply(radius_, radius_)),
           way_length_(length_bound(way_)),
           squared_way_(dot(way_, way_)),
-          back_(*this, negate(axis_)),
           is_sphere_(capsule.is_sphere) {}
 
     /// Returns a bound for each triangle, whose three corners are seen from the sphere's centre.
     [[nodiscard]] Floats operator()(const Floats3* corners) const {
-        const Triangle triangle(*this, corners);
-        const Floats first = of_triangle(triangle, triangle.corners);
-        return is_sphere_ ? first : smaller(first, of_prism(triangle));
+        const Triangle triangle(corners);
+        return is_sphere_ ? of_triangle(triangle) : of_prism(triangle);
     }
 
 private:
@@ -45,35 +43,45 @@ private:
     /// A triangle's sides, and its normal: what it and the same triangle at the other end of the axis share.
     struct Triangle {
         const Floats3* corners;
-        Side sides[3];
+        Floats3 sides[3];
         Floats3 normal;
         Floats product;  ///< at least the length of the normal
 
-        Triangle(const CapsuleBounds& capsule, const Floats3* three)
+        explicit Triangle(const Floats3* three)
             : corners(three),
-              sides{{capsule, subtract(three[1], three[0])},
-                    {capsule, subtract(three[2], three[1])},
-                    {capsule, subtract(three[0], three[2])}},
-              normal(cross(sides[0].vector, sides[1].vector)),
-              product(multiply(length_bound(sides[0].vector), length_bound(sides[1].vector))) {}
+              sides{subtract(three[1], three[0]), subtract(three[2], three[1]), subtract(three[0], three[2])},
+              normal(cross(sides[0], sides[1])),
+              product(multiply(length_bound(sides[0]), length_bound(sides[1]))) {}
     };
 
-    [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle, const Floats3* corners) const {
-        Floats first = face(triangle, corners);
-        for (int i = 0; i < 3; ++i) {
-            first = smaller(first, edge(corners[i], triangle.sides[i]));
-            first = smaller(first, vertex(corners[i]));
-        }
+    [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle) const {
+        Floats first = face(triangle, triangle.corners);
+        for (int i = 0; i < 3; ++i) first = smaller(first, one_end(triangle.corners[i], triangle.sides[i]));
         return first;
     }
-    /// The rest of the prism: the triangle at the axis' other end, and what connects the two.
+    /// Of the vertex p and the edge that begins there.
+    [[nodiscard, gnu::noinline]] Floats one_end(const Floats3& p, const Floats3& vector) const {
+        return smaller(edge(p, Side(*this, vector)), vertex(p));
+    }
+    /// The triangle, the one at the axis' other end, and what connects the two.
     [[nodiscard, gnu::noinline]] Floats of_prism(const Triangle& triangle) const {
         Floats3 moved[3];
         for (int i = 0; i < 3; ++i) moved[i] = subtract(triangle.corners[i], axis_);
-        Floats first = smaller(of_triangle(triangle, moved), crossing(triangle));
+        Floats first = smaller(face(triangle, triangle.corners), face(triangle, moved));
+        for (int i = 0; i < 3; ++i) first = smaller(first, both_ends(triangle.corners[i], moved[i], triangle.sides[i]));
+        return smaller(first, smaller(crossing(triangle), between_ends(triangle)));
+    }
+    /// Of the vertices p and q, and the edges of one direction that begin there.
+    [[nodiscard, gnu::noinline]] Floats both_ends(const Floats3& p, const Floats3& q, const Floats3& vector) const {
+        const Side side(*this, vector);
+        return smaller(smaller(edge(p, side), edge(q, side)), smaller(vertex(p), vertex(q)));
+    }
+    [[nodiscard, gnu::noinline]] Floats between_ends(const Triangle& triangle) const {
+        const Side back(*this, negate(axis_));
+        Floats first = splat(time_bounds::never);
         for (int i = 0; i < 3; ++i) {
-            first = smaller(first, edge(triangle.corners[i], back_));
-            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i].vector, back_.vector));
+            first = smaller(first, edge(triangle.corners[i], back));
+            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i], back.vector));
         }
         return first;
     }
@@ -112,14 +120,14 @@ private:
         Floats when = plane.entry();
         Interval inside[3];
         for (int i = 0; i < 3; ++i) {
-            const Floats3 inward = cross(triangle.normal, triangle.sides[i].vector);
-            const Floats error = multiply(multiply(triangle.product, length_bound(triangle.sides[i].vector)), far);
+            const Floats3 inward = cross(triangle.normal, triangle.sides[i]);
+            const Floats error = multiply(multiply(triangle.product, length_bound(triangle.sides[i])), far);
             inside[i] = {negate(dot(inward, corners[i])), dot(inward, way_), splat(0.0f), splat(never), error};
             when = larger(when, inside[i].entry());
         }
         Floats left = plane.is_left_at(when);
         for (const Interval& side : inside) left = larger(left, side.is_left_at(when));
-        return where_at_most(squared, flat_below(triangle.sides[0].vector, triangle.sides[1].vector), splat(never),
+        return where_at_most(squared, flat_below(triangle.sides[0], triangle.sides[1]), splat(never),
                              larger(when, left));
     }
     /// Where the centre is over the face from p along a side and along the axis backwards.
@@ -173,6 +181,5 @@ private:
 
     Floats3 way_, axis_;
     Floats radius_, squared_radius_, way_length_, squared_way_;
-    Side back_;  ///< the axis, from its end to its start
     bool is_sphere_;
 };
