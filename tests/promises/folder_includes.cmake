@@ -112,7 +112,7 @@ check_folder_includes(tests
   "support/exact: support/base support/format support/queries oracle"
   "platform:"
   "platform/microsoft:"
-  "wasm:"
+  "wasm/answers:"
   "firmware: platform support/base support/meshes"
   "firmware/image: platform firmware"
   "firmware/plugin:"

@@ -91,6 +91,20 @@ test('lists longer than the first guess are complete', () => {
     assert.strictEqual(lists.end(49), lists.items.length);
 });
 
+test('contacts have margins and a largest number', () => {
+    const ball = { kind: 'sphere', center: [0, 0, 9, 0, 0, 9, 0, 0, 9], radius: 6.5 };
+    const lists = blob.contacts(ball, 1000, [0, 1, NaN]);
+    assert.deepStrictEqual([...lists.status], [0, 0, 17]);
+    const [none, all] = [lists.end(0), lists.end(1)];
+    assert.deepStrictEqual([none, lists.end(2)], [0, all]);
+    const { distance, normal } = lists.items;
+    for (let i = 0; i < all; ++i) assert.ok(distance[i] > 0 && distance[i] <= 1 && normal[3 * i + 2] > 0 && (i === 0 || distance[i] >= distance[i - 1]));
+    const first = blob.contacts({ ...ball, center: [0, 0, 9] }, 2, 1);
+    assert.deepStrictEqual([...first.status], [3]);
+    assert.deepStrictEqual([...first.items.distance], [...distance.subarray(0, 2)]);
+    assert.deepStrictEqual(blob.contacts({ ...ball, center: [0, 0, 7] }, 1).items.distance[0] < 0, true);
+});
+
 test('wrong arguments throw and name the argument', () => {
     const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
     throws(() => blob.raycast([0, 0], [0, 0, 1]), RangeError, /origins/);
@@ -104,6 +118,8 @@ test('wrong arguments throw and name the argument', () => {
     throws(() => blob.overlaps({ kind: 'cylinder' }), RangeError, /kind of a shape/);
     throws(() => blob.overlaps({ kind: 'sphere', center: [0, 0, 0] }), TypeError, /sphere.radius/);
     throws(() => blob.sweep({ kind: 'cone', apex: [0, 0, 0], axis: [0, 0, 1], radius: 1 }, [0, 0, 1]), RangeError, /kind of a shape/);
+    throws(() => blob.contacts({ kind: 'box', min: [0, 0, 0], max: [1, 1, 1] }, 4), RangeError, /kind of a shape must be one of sphere, capsule, orientedBox/);
+    throws(() => blob.contacts({ kind: 'sphere', center: [0, 0, 0], radius: 1 }), RangeError, /most must be/);
     throws(() => blob.closestPoint({ kind: 'sphere', center: [0, 0, 0], radius: 1 }), RangeError, /sphere/);
     throws(() => blob.closestHits(origins, directions, -1), RangeError, /most must be/);
     throws(() => blob.closestTriangles(origins, 1.5), RangeError, /most must be/);

@@ -5,14 +5,28 @@ import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import test from 'node:test';
 
 import { answers } from './support/answers.mjs';
+import { pairAnswers } from './support/pairs.mjs';
 import { lumpyBody, questions } from './support/questions.mjs';
-import { answersOfCpp, folder, loadBoth } from './support/setup.mjs';
+import { instancesOf, sceneAnswers } from './support/scene.mjs';
+import { answersOfCpp, espalier, folder, loadBoth } from './support/setup.mjs';
 
 const mesh = lumpyBody(), asked = questions();
 const files = `${folder}/answers`;
 await mkdir(files, { recursive: true });
 for (const [name, array] of Object.entries({ ...mesh, ...asked })) await writeFile(`${files}/${name}`, array);
 execFileSync(answersOfCpp, [files]);
+
+/// Compares the words of each query with those that C++ wrote.
+async function areThoseOfCpp(answered) {
+    for (const [query, words] of Object.entries(answered)) {
+        const bytes = await readFile(`${files}/${query}`);
+        const expected = new Uint32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+        assert.ok(expected.length >= 400, `C++ has answers of ${query}`);
+        const differing = words.findIndex((word, i) => word !== expected[i]);
+        assert.strictEqual(differing, -1, `${query} differs at word ${differing} of ${words.length}`);
+        assert.strictEqual(words.length, expected.length, query);
+    }
+}
 
 for (const [name, library] of Object.entries(await loadBoth())) {
     test(`a bake gives the bytes of C++, ${name}`, async () => {
@@ -23,14 +37,26 @@ for (const [name, library] of Object.entries(await loadBoth())) {
 
     test(`answers are those of C++, ${name}`, async () => {
         const blob = library.openBlob(await readFile(`${files}/blob`));
-        for (const [query, words] of Object.entries(answers(blob, asked))) {
-            const bytes = await readFile(`${files}/${query}`);
-            const expected = new Uint32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
-            assert.ok(expected.length >= 400, `C++ has answers of ${query}`);
-            const differing = words.findIndex((word, i) => word !== expected[i]);
-            assert.strictEqual(differing, -1, `${query} differs at word ${differing} of ${words.length}`);
-            assert.strictEqual(words.length, expected.length, query);
-        }
+        await areThoseOfCpp(answers(blob, asked));
         blob.free();
+    });
+
+    test(`answers about two blobs are those of C++, ${name}`, async () => {
+        const a = library.openBlob(await readFile(`${files}/blob`)), b = library.openBlob(await readFile(`${files}/coarse_blob`));
+        const answered = pairAnswers(espalier.pairs, a, b, asked);
+        const statuses = [...new Set(answered.pair_overlaps)].sort((x, y) => x - y);
+        assert.deepStrictEqual(statuses, [0, 1, 4, 17, 18], 'questions of each kind');
+        await areThoseOfCpp(answered);
+        a.free();
+        b.free();
+    });
+
+    test(`a scene has the bytes and gives the answers of C++, ${name}`, async () => {
+        const blobs = [library.openBlob(await readFile(`${files}/blob`)), await readFile(`${files}/coarse_blob`)];
+        const scene = await library.bakeScene(blobs, instancesOf(asked));
+        assert.deepStrictEqual(Buffer.from(scene.bytes()), await readFile(`${files}/scene`));
+        await areThoseOfCpp(sceneAnswers(scene, asked));
+        blobs[0].free();
+        scene.free();
     });
 }

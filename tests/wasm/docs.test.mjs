@@ -18,11 +18,12 @@ const origins = asked.origins.subarray(0, 60), directions = asked.directions.sub
 const interleaved = new Float32Array(80), compiledModule = await WebAssembly.compile(await readFile('${bytes}'));
 const printed = [], console = { log: (...values) => printed.push(values) };
 `;
-    const end = '\nexport { blob, down, hits, nearest, printed, swept, touches };\n';
+    const end = '\nexport { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, touches };\n';
     await writeFile(`${folder}/documented.mjs`, start + blocks.join('\n') + end);
-    const { blob, down, hits, nearest, printed, swept, touches } = await import(pathToFileURL(`${folder}/documented.mjs`));
+    const { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, touches } = await import(pathToFileURL(`${folder}/documented.mjs`));
     assert.ok(hits.status.includes(0) && down.t.length === 20 && nearest.distance.length === 10 && touches.length === 20);
     assert.deepStrictEqual([...swept.status], [0]);
+    assert.ok(collides.length === 20 && apart.status.includes(0) && scene.instanceCount === 3 && seen.instance.includes(0));
     assert.ok(blob.maxError <= 0.0005);
     const [message, triangle] = printed.at(-2);
     assert.match(message, /triangle 0/);

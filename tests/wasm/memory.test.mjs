@@ -9,7 +9,7 @@ import { runInNewContext } from 'node:vm';
 import { lumpyBody, questions } from './support/questions.mjs';
 import { espalier, folder } from './support/setup.mjs';
 
-const { BakeError, MemoryError, OpenError, QueryError, Status } = espalier;
+const { BakeError, MemoryError, OpenError, pairs, QueryError, Status } = espalier;
 
 /// Loads a module whose memories the test sees.
 async function loadWatched() {
@@ -27,7 +27,8 @@ async function loadWatched() {
 
 const { library, sizes } = await loadWatched();
 const mesh = lumpyBody(), { origins, directions } = questions(200);
-const baked = (await library.bake(mesh)).bytes();
+const body = await library.bake(mesh), baked = body.bytes();
+const scene = (await library.bakeScene([body], { translation: origins.subarray(60, 120) })).bytes();
 
 // First: later tests leave room in which any number of blobs fits.
 test('forgotten blobs are released', async () => {
@@ -57,6 +58,29 @@ test('freed blobs and finished calls leave memory for the next', async () => {
     use();
     const [before] = sizes();
     for (let i = 0; i < 1000; ++i) use();
+    assert.strictEqual(sizes()[0], before);
+});
+
+test('freed scenes and calls of two blobs leave memory for the next', async () => {
+    const { library, sizes } = await loadWatched();
+    const few = origins.subarray(60, 90), rays = [few, directions.subarray(60, 90)], places = { translation: [1, 0, 0, 9, 0, 0] };
+    const use = () => {
+        const a = library.openBlob(baked), b = library.openBlob(baked), all = library.openScene(scene);
+        pairs.contacts(a, { blob: b, ...places }, { workLimit: 500 });
+        pairs.distance(a, { blob: b, ...places }, { workLimit: 500 });
+        a.contacts({ kind: 'sphere', center: few, radius: 0.1 }, 4, 0.1);
+        all.raycast(...rays);
+        all.allHits(...rays);
+        all.overlaps({ kind: 'box', min: few, max: few });
+        assert.throws(() => pairs.overlaps(a, b, { workLimit: -1 }), RangeError);
+        assert.throws(() => library.openScene(scene.subarray(0, 5000)), OpenError);
+        for (const each of [b, all]) each.free();
+        assert.throws(() => pairs.overlaps(a, b), QueryError);
+        a.free();
+    };
+    use();
+    const [before] = sizes();
+    for (let i = 0; i < 500; ++i) use();
     assert.strictEqual(sizes()[0], before);
 });
 

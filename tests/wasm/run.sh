@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh SIMD128_BUILD SCALAR_BUILD ANSWERS FOLDER: makes the npm package in FOLDER/node_modules of the modules that
-# tests/platform built for wasm32, and runs its tests; ANSWERS is the program of answers.cpp.
+# tests/platform built for wasm32, and runs its tests; ANSWERS is the program of answers.
 # Exit status 77: a module or a tool is missing.
 set -euo pipefail
 simd128=$1 scalar=$2 answers=$3 folder=$4

@@ -24,9 +24,12 @@ test('mistakes do not compile', { skip }, async () => {
         'blob.overlaps({ kind: "sphere", center: origins });', 'blob.sweep({ kind: "cone", apex: origins, axis: origins, radius: 1 }, origins);',
         'const hit: boolean = blob.occluded(origins, origins);', 'new Blob();', 'library.bake({ positions: origins });',
         'library.bake(mesh, { profile: "huge" });', 'const t: Uint32Array = blob.raycast(origins, origins).t;',
+        'blob.contacts({ kind: "box", min: origins, max: origins }, 4);', 'blob.contacts({ kind: "sphere", center: origins, radius: 1 });',
+        'library.bakeScene(blob);', 'library.bakeScene([blob], { place: origins });', 'scene.raycast(origins, origins, { mask: [1] });',
+        'pairs.overlaps(blob);', 'pairs.distance(blob, { translation: origins });', 'pairs.contacts(blob, blob, { workLimit: 5n });',
     ];
-    const start = 'import { load, Blob } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
-        'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\n';
+    const start = 'import { load, Blob, pairs } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
+        'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\nconst scene = await library.bakeScene([blob]);\n';
     await writeFile(`${folder}/mistakes.mts`, start + mistakes.join('\n'));
     const { stdout } = compile('mistakes.mts');
     const lines = new Set([...stdout.matchAll(/^mistakes\.mts\((\d+),/gm)].map(([, line]) => Number(line)));
@@ -35,17 +38,30 @@ test('mistakes do not compile', { skip }, async () => {
 });
 
 test('every name of the package has a type and every type a value', async () => {
-    const types = await readFile(`${folder}/node_modules/espalier/index.d.ts`, 'utf8');
-    const declared = [...types.matchAll(/^export (?:class|const|function) (\w+)/gm)].map(([, name]) => name).sort();
-    assert.deepStrictEqual(declared, Object.keys(espalier).sort());
+    const typesOf = (file) => readFile(`${folder}/node_modules/espalier/${file}.d.ts`, 'utf8');
+    const declaredIn = (text) => [...text.matchAll(/^export (?:class|const|function|\* as) (\w+)/gm)].map(([, name]) => name).sort();
+    const types = (await Promise.all(['index', 'results', 'scene'].map(typesOf))).join('');
+    assert.deepStrictEqual(declaredIn(types), Object.keys(espalier).sort());
+    const typesOfPairs = await typesOf('pairs');
+    assert.deepStrictEqual(declaredIn(typesOfPairs), Object.keys(espalier.pairs).sort());
     const library = await espalier.load();
     const blob = await library.bake({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] });
-    const membersOf = (name) => [...types.match(new RegExp(`export (?:class|interface) ${name} [^]*?\n}`))[0]
+    const scene = await library.bakeScene([blob]);
+    const membersOf = (name, text = types) => [...text.match(new RegExp(`export (?:class|interface) ${name} [^]*?\n}`))[0]
         .matchAll(/^    (?:readonly )?(\w+)[(?:]/gm)].map(([, member]) => member);
-    for (const [name, value] of Object.entries({ Blob: blob, Espalier: library, BakeReport: blob.report, BlobInfo: blob.info() }))
+    for (const [name, value] of Object.entries({ Blob: blob, Scene: scene, Espalier: library, BakeReport: blob.report, BlobInfo: blob.info() }))
         for (const member of membersOf(name)) assert.ok(member in value, `${name} has no ${member}`);
     assert.deepStrictEqual(membersOf('BakeReport').sort(), Object.keys(blob.report).sort());
     assert.deepStrictEqual(membersOf('BlobInfo').sort(), Object.keys(blob.info()).sort());
     assert.deepStrictEqual(membersOf('RayHits').sort(), Object.keys(blob.raycast([0, 0, 1], [0, 0, -1])).sort());
     assert.deepStrictEqual(membersOf('ClosestPoints').sort(), Object.keys(blob.closestPoint([0, 0, 1])).sort());
+    const contactsOfBall = blob.contacts({ kind: 'sphere', center: [0, 0, 1], radius: 1 }, 4);
+    assert.deepStrictEqual(membersOf('Contacts').sort(), Object.keys(contactsOfBall.items).sort());
+    assert.deepStrictEqual(membersOf('Instances').sort(), Object.keys(scene.instances()).sort());
+    const { instance, inTile, ...hits } = scene.raycast([0, 0, 1], [0, 0, -1]);
+    assert.deepStrictEqual([Object.keys(hits).sort(), instance.length, inTile.length], [membersOf('RayHits').sort(), 1, 1]);
+    const { contacts, distance, touches } = espalier.pairs;
+    const results = { PairContacts: contacts(blob, blob).items, PairTouches: touches(blob, blob).items, BlobDistances: distance(blob, blob) };
+    for (const [name, columns] of Object.entries(results))
+        assert.deepStrictEqual(membersOf(name, typesOfPairs).sort(), Object.keys(columns).sort());
 });

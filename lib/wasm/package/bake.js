@@ -100,7 +100,8 @@ function readRemap(instance, address, count) {
     return remap;
 }
 
-function errorOf(instance, result) {
+/// Returns the error of a result that is not ok.
+export function errorOf(instance, result) {
     const place = result['place.isKnown'] === 0 ? null : {
         file: result['place.file'], mesh: result['place.mesh'],
         triangle: result['place.triangle'] === NO_TRIANGLE ? null : result['place.triangle'],

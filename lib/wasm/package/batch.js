@@ -5,14 +5,14 @@ import { Lists } from './results.js';
 
 const REFUSED = 16, OUTPUT_FULL = 3;
 
-/// A call of some queries of a blob. Its memory is released by release(), which BlobMemory.batch() calls.
+/// A call of some queries of a blob or another view. Its memory is released by release(), which Opened.batch() calls.
 export class Batch {
     #memory = [];
 
-    constructor(instance, blob, argumentsOfAll) {
+    constructor(instance, view, argumentsOfAll) {
         this.instance = instance;
         this.functions = instance.functions;
-        this.blob = blob;
+        this.view = view;
         this.count = commonCount(argumentsOfAll);
     }
 
@@ -89,7 +89,7 @@ export class Batch {
     /// Calls a function that writes an espalier_filled first. Throws if it refuses the batch as a whole.
     fill(name, ...rest) {
         const filled = this.allocateStructure('filled');
-        this.functions[name](filled, this.blob, ...rest);
+        this.functions[name](filled, this.view, ...rest);
         this.check(this.instance.read('filled', filled).status);
     }
 

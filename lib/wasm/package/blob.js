@@ -8,7 +8,8 @@ export const PROFILES = ['fast', 'balanced', 'small', 'tiny'];
 export class Blob extends ShapeQueries {
     /// The figures of the bake, and the source of each triangle; null for a blob that was opened.
     constructor(instance, bytes, { report = null, remap = null } = {}) {
-        super(instance, bytes);
+        super(instance, bytes, () => instance.records.blob.bytes,
+              (view, address, length) => instance.functions.espalier_open(address, length, view));
         this.report = report;
         this.remap = remap;
     }
@@ -34,13 +35,13 @@ export class Blob extends ShapeQueries {
     }
     /// The lower and the upper corner of a box around all triangles, in one array.
     get bounds() {
-        const { min, max } = this.#structure('box', 'bounds');
+        const { min, max } = this.structure('box', 'espalier_blob_bounds');
         return Float32Array.of(...min, ...max);
     }
 
     /// Returns all facts.
     info() {
-        const { origin, stepExponent } = this.#structure('lattice', 'lattice');
+        const { origin, stepExponent } = this.structure('lattice', 'espalier_blob_lattice');
         return {
             triangleCount: this.triangleCount, vertexCount: this.vertexCount,
             duplicateReferenceCount: this.#number('duplicate_reference_count'), size: this.#number('size'),
@@ -94,15 +95,5 @@ export class Blob extends ShapeQueries {
 
     #number(fact) {
         return this.use(({ functions }, blob) => functions[`espalier_blob_${fact}`](blob) >>> 0);
-    }
-
-    #structure(record, fact) {
-        return this.use((instance, blob) => {
-            const address = instance.allocate(instance.records[record].bytes);
-            instance.functions[`espalier_blob_${fact}`](address, blob);
-            const fields = instance.read(record, address);
-            instance.release(address);
-            return fields;
-        });
     }
 }

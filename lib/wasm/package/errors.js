@@ -12,7 +12,7 @@ export class EspalierError extends Error {
     }
 }
 
-/// Bytes are no sound blob.
+/// Bytes are no sound blob or scene.
 export class OpenError extends EspalierError {}
 
 /// Nothing was baked. The text states what is wrong, where, and what to do; `place` is { file, mesh, triangle } of the
@@ -24,7 +24,7 @@ export class BakeError extends EspalierError {
     }
 }
 
-/// A blob is not what its header states.
+/// A blob or a scene is not what its header states.
 export class VerifyError extends EspalierError {}
 
 /// A batch was refused as a whole, such as one of a blob that was freed.

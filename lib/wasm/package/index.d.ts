@@ -1,5 +1,15 @@
 // Types of espalier: baked collision meshes, queried straight from their bytes.
 
+import type {
+    ClosestPoints, Contacts, Corners, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, SweepHits, WindingNumbers, YesNo,
+} from './results.js';
+import type { InstancesToBake, Scene } from './scene.js';
+
+export * from './results.js';
+export * from './scene.js';
+/** Queries of two blobs. */
+export * as pairs from './pairs.js';
+
 export type NumberArray = Float32Array | Float64Array | Int8Array | Uint8Array | Uint8ClampedArray | Int16Array
     | Uint16Array | Int32Array | Uint32Array | readonly number[];
 
@@ -17,116 +27,15 @@ export type Numbers = number | NumberArray | StridedArray;
 /** Numbers of triangles, as results have them. Those that no blob can have become NO_TRIANGLE. */
 export type Triangles = number | Uint32Array | Uint16Array | Int32Array | readonly number[];
 
-/** The number in `triangle` where there is none. */
-export const NO_TRIANGLE: 0xFFFFFFFF;
-
-/** The status of one query. Below 16 it was answered, at least in part; from 16 on it was refused. */
-export const Status: {
-    readonly OK: 0; readonly NOT_FOUND: 1; readonly STOPPED: 2; readonly OUTPUT_FULL: 3; readonly WORK_LIMIT: 4;
-    readonly NOT_OPEN: 16; readonly INVALID_ARGUMENT: 17; readonly OUT_OF_RANGE: 18; readonly NOT_CLOSED: 19;
-    readonly NO_DATA: 20; readonly NO_ROOM: 21; readonly STALE_HANDLE: 22; readonly NOT_REFITTED: 23;
-};
-/** A side of a triangle. Its corners run counter-clockwise when seen from the front. */
-export const Side: { readonly FRONT: 0; readonly BACK: 1 };
-/** The part of a triangle that a point lies on. */
-export const Feature: {
-    readonly FACE: 0; readonly EDGE_AB: 1; readonly EDGE_BC: 2; readonly EDGE_CA: 3;
-    readonly VERTEX_A: 4; readonly VERTEX_B: 5; readonly VERTEX_C: 6;
-};
-
-/** One element for each ray; `normal` has three numbers. A miss has an infinite t and NO_TRIANGLE. */
-export interface RayHits {
-    t: Float32Array;
-    u: Float32Array;
-    v: Float32Array;
-    normal: Float32Array;
-    triangle: Uint32Array;
-    status: Uint8Array;
-    side: Uint8Array;
-}
-
-/** One element for each point or shape; point, onShape and faceNormal have three numbers each. */
-export interface ClosestPoints {
-    point: Float32Array;
-    onShape: Float32Array;
-    faceNormal: Float32Array;
-    distance: Float32Array;
-    u: Float32Array;
-    v: Float32Array;
-    triangle: Uint32Array;
-    status: Uint8Array;
-    feature: Uint8Array;
-    side: Uint8Array;
-}
-
-/** One element for each sweep; point, normal and faceNormal have three numbers each. A miss has t 1, a refusal 0. */
-export interface SweepHits {
-    t: Float32Array;
-    point: Float32Array;
-    normal: Float32Array;
-    faceNormal: Float32Array;
-    triangle: Uint32Array;
-    status: Uint8Array;
-    feature: Uint8Array;
-    startsOverlapping: Uint8Array;
-}
-
-/** How often the surface winds around each point. A value counts where the status is OK. */
-export interface WindingNumbers {
-    value: Float32Array;
-    status: Uint8Array;
-}
-
-/** Sources of triangles. They count where the status is OK. */
-export interface OriginalTriangles {
-    file: Uint32Array;
-    mesh: Uint32Array;
-    triangle: Uint32Array;
-    firstCorner: Uint32Array;
-    status: Uint8Array;
-}
-
-/** Sources of hits. u and v are the weights of the source's second and third corner. */
-export interface OriginalHits {
-    file: Uint32Array;
-    mesh: Uint32Array;
-    triangle: Uint32Array;
-    u: Float32Array;
-    v: Float32Array;
-    status: Uint8Array;
-}
-
-/** The source of each triangle of a bake. */
-export type Remap = Omit<OriginalTriangles, 'status'>;
-
-/** Corners of triangles: nine numbers for each. */
-export interface Corners {
-    corners: Float32Array;
-    status: Uint8Array;
-}
-
-/** Answers that are yes, no, or neither: a refusal. Where a mistake is dangerous, test no(i), not !yes(i). */
-export class YesNo {
-    private constructor();
-    readonly status: Uint8Array;
-    readonly length: number;
-    yes(query: number): boolean;
-    no(query: number): boolean;
-    /** Returns whether the answer is yes, or `otherwise` where it is neither. */
-    valueOr(query: number, otherwise: boolean): boolean;
-}
-
-/** A list for each query, all in the same arrays: list i has the elements from offsets[i] to offsets[i + 1]. */
-export class Lists<Items> {
-    private constructor();
-    readonly offsets: Uint32Array;
-    readonly items: Items;
-    /** The status of each query. */
-    readonly status: Uint8Array;
-    /** The number of lists. */
-    readonly length: number;
-    begin(query: number): number;
-    end(query: number): number;
+/**
+ * Places in the world, of one blob for each query: rotations as quaternions x, y, z, w of any length but zero, translations,
+ * and scales above 0. What is not given is that of the origin.
+ */
+export interface Places {
+    /** Four numbers for each place. */
+    rotation?: Vectors;
+    translation?: Vectors;
+    scale?: Numbers;
 }
 
 /** Selects the triangles that a query ignores: those that show their back, or their front. */
@@ -235,6 +144,11 @@ export class Blob {
     overlaps(shape: Volume): YesNo;
     /** Returns the triangles that touch each shape, ascending. */
     overlappingTriangles(shape: Volume): Lists<Uint32Array>;
+    /**
+     * Returns the contacts of each body with the triangles within a margin, 0 unless given, the deepest first. Of more than
+     * `most` the deepest are kept, and the status is OUTPUT_FULL.
+     */
+    contacts(shape: Sphere | Capsule | OrientedBox, most: number, margin?: Numbers): Lists<Contacts>;
     /** Returns the first contact of each shape as it moves by a displacement. */
     sweep(shape: Sphere | Capsule | Box | OrientedBox, displacements: Vectors, options?: SweepOptions): SweepHits;
 
@@ -339,8 +253,17 @@ export interface Espalier {
     bake(meshes: Mesh | readonly Mesh[], options?: BakeOptions): Promise<Blob>;
     /** Opens a baked mesh: copies the bytes into the module's memory and checks all of them. */
     openBlob(bytes: ArrayBuffer | ArrayBufferView): Blob;
+    /**
+     * Joins blobs, or their bytes, and instances of them in one scene. Scenes among the blobs become tiles. The arrays must
+     * not change until the promise is settled.
+     */
+    bakeScene(blobs: readonly (Blob | Scene | ArrayBuffer | ArrayBufferView)[], instances?: InstancesToBake): Promise<Scene>;
+    /** Opens a baked scene: copies the bytes into the module's memory and checks all of them. */
+    openScene(bytes: ArrayBuffer | ArrayBufferView): Scene;
     /** Tests whether a blob is what its header states. Throws VerifyError with the first thing that is wrong. */
     verify(source: Blob | ArrayBuffer | ArrayBufferView): Promise<void>;
+    /** Tests whether a scene is what its header states, as verify() does. */
+    verifyScene(source: Scene | ArrayBuffer | ArrayBufferView): Promise<void>;
 }
 
 export type Source = string | URL | Response | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
@@ -357,14 +280,14 @@ export function hasSimd(): boolean;
 export class EspalierError extends Error {
     readonly status: number;
 }
-/** Bytes are no sound blob. */
+/** Bytes are no sound blob or scene. */
 export class OpenError extends EspalierError {}
 /** Nothing was baked. The text states what is wrong, where, and what to do. */
 export class BakeError extends EspalierError {
     /** The first fault. Its triangle is null where it is one of the mesh. */
     readonly place: { file: number; mesh: number; triangle: number | null } | null;
 }
-/** A blob is not what its header states. */
+/** A blob or a scene is not what its header states. */
 export class VerifyError extends EspalierError {}
 /** A batch was refused as a whole, such as one of a blob that was freed. */
 export class QueryError extends EspalierError {}

@@ -1,14 +1,19 @@
 // Espalier: baked collision meshes, queried straight from their bytes.
 import { preparedBake, resultOf } from './bake.js';
+import { preparedScene } from './bake_scene.js';
 import { Blob } from './blob.js';
 import { VerifyError } from './errors.js';
 import { Instance } from './instance.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
+import { Opened } from './opened.js';
+import { Scene } from './scene.js';
 
 export { Blob } from './blob.js';
 export { BakeError, EspalierError, MemoryError, OpenError, QueryError, VerifyError } from './errors.js';
 export { hasSimd } from './load.js';
+export * as pairs from './pairs.js';
 export { Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
+export { Scene } from './scene.js';
 
 const OK = 0;
 
@@ -37,21 +42,39 @@ class Espalier {
         return new Blob(this.#instance, bytesOf(source));
     }
 
+    async bakeScene(blobs, instances) {
+        const run = preparedScene(blobs.map(bytesOf), instances);
+        return new Scene(this.#instance, run(await Instance.create(this.#module)));
+    }
+
+    openScene(source) {
+        return new Scene(this.#instance, bytesOf(source));
+    }
+
     async verify(source) {
-        const bytes = bytesOf(source instanceof Blob ? source.bytes() : source);
+        await this.#check('espalier_verify', source);
+    }
+
+    async verifyScene(source) {
+        await this.#check('espalier_verify_scene', source);
+    }
+
+    async #check(name, source) {
+        const bytes = bytesOf(source);
         const instance = await Instance.create(this.#module);
         const address = instance.allocate(bytes.length);
         instance.array(Uint8Array, address, bytes.length).set(bytes);
-        const result = resultOf(instance, 'espalier_verify', address, bytes.length);
+        const result = resultOf(instance, name, address, bytes.length);
         if (result.status !== OK) throw new VerifyError(instance.text(result.message), result.status);
     }
 }
 
 function bytesOf(source) {
+    if (source instanceof Opened) return source.bytes();
     if (source instanceof Uint8Array) return source;
     if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
     if (source instanceof ArrayBuffer) return new Uint8Array(source);
-    throw new TypeError('the bytes of a blob must be an ArrayBuffer or a view of one');
+    throw new TypeError('the bytes of a blob or a scene must be an ArrayBuffer or a view of one');
 }
 
 export async function load(source, { simd = hasSimd() } = {}) {

@@ -39,7 +39,7 @@ export class PointQueries extends RayQueries {
         return this.#ofPoints(points, (batch, given) => {
             const numbers = batch.allocateRecords('float_result');
             const packed = batch.placePacked(given, 3);
-            batch.functions.wasm_winding_number(numbers, batch.blob, packed, batch.count, directions);
+            batch.functions.wasm_winding_number(numbers, batch.view, packed, batch.count, directions);
             return batch.columns('float_result', numbers);
         });
     }
@@ -64,7 +64,7 @@ export class PointQueries extends RayQueries {
         return this.batch(Object.values(fields), (batch) => {
             const nearest = batch.allocateRecords('closest_point_result');
             batch.functions[`wasm_closest_point_${shape.kind}`](
-                nearest, batch.blob, batch.placeRecords(shape.kind, fields), batch.count, maxDistance);
+                nearest, batch.view, batch.placeRecords(shape.kind, fields), batch.count, maxDistance);
             return batch.columns('closest_point_result', nearest);
         });
     }

@@ -1,9 +1,9 @@
 // Rays against one blob: the points origin + t * direction with tMin <= t <= tMax.
 import { cullingNumber, integer, Strided } from './arguments.js';
-import { BlobMemory } from './blob_memory.js';
+import { Opened } from './opened.js';
 import { YesNo } from './results.js';
 
-export class RayQueries extends BlobMemory {
+export class RayQueries extends Opened {
     raycast(origins, directions, options) {
         return this.#cast(origins, directions, options, (batch, rays) => {
             const hits = batch.allocateRecords('ray_hit');
@@ -40,7 +40,7 @@ export class RayQueries extends BlobMemory {
     #lists(name, origins, directions, options) {
         return this.#cast(origins, directions, options, (batch, rays) =>
             batch.collect(batch.instance.records.ray_hit.bytes, (filled, done, to) =>
-                batch.functions[name](filled, batch.blob, rays(done), to.statuses, to.offsets, to.count, to.items, to.capacity),
+                batch.functions[name](filled, batch.view, rays(done), to.statuses, to.offsets, to.count, to.items, to.capacity),
             (hits, count) => batch.columns('ray_hit', hits, count)));
     }
 

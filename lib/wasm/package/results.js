@@ -1,6 +1,6 @@
 // The numbers in results, and the results that are no plain arrays.
 
-/// The number in `triangle` where there is none.
+/// The number in `triangle`, `a`, `b`, `instance` and `inTile` where there is none.
 export const NO_TRIANGLE = 0xFFFFFFFF;
 
 /// The status of one query. Below 16 it was answered, at least in part; from 16 on it was refused.
@@ -15,7 +15,8 @@ export const Side = Object.freeze({ FRONT: 0, BACK: 1 });
 /// The part of a triangle that a point lies on.
 export const Feature = Object.freeze({ FACE: 0, EDGE_AB: 1, EDGE_BC: 2, EDGE_CA: 3, VERTEX_A: 4, VERTEX_B: 5, VERTEX_C: 6 });
 
-/// Answers that are yes, no, or neither: a refusal. Where a mistake is dangerous, test no(i), not !yes(i).
+/// Answers that are yes, no, or neither: a refusal, or a work limit that was reached. Where a mistake is dangerous, test
+/// no(i), not !yes(i).
 export class YesNo {
     constructor(status) {
         this.status = status;

@@ -1,11 +1,11 @@
-// Volumes and moving shapes against one blob.
-import { cullingNumber, Strided } from './arguments.js';
+// Volumes, bodies and moving shapes against one blob.
+import { cullingNumber, integer, Strided } from './arguments.js';
 import { fieldsOf } from './batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
 
 /// The fields of each shape, and how many numbers each of them has.
-const VOLUMES = {
+export const VOLUMES = {
     sphere: { center: 3, radius: 1 },
     capsule: { from: 3, to: 3, radius: 1 },
     box: { min: 3, max: 3 },
@@ -13,12 +13,13 @@ const VOLUMES = {
     cone: { apex: 3, axis: 3, radius: 1 },
     triangle: { a: 3, b: 3, c: 3 },
 };
-const MOVING = ['sphere', 'capsule', 'box', 'orientedBox'];
+export const MOVING = ['sphere', 'capsule', 'box', 'orientedBox'];
+const BODIES = ['sphere', 'capsule', 'orientedBox'];
 
 /// orientedBox: oriented_box
-const nameInC = (kind) => kind.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+export const nameInC = (kind) => kind.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
-function fieldsOfShape(shape, kinds) {
+export function fieldsOfShape(shape, kinds) {
     if (!kinds.includes(shape?.kind)) throw new RangeError(`the kind of a shape must be one of ${kinds.join(', ')}, not ${shape?.kind}`);
     return fieldsOf(shape, VOLUMES[shape.kind], shape.kind);
 }
@@ -27,7 +28,7 @@ export class ShapeQueries extends PointQueries {
     overlaps(shape) {
         return this.#ofShapes(shape, Object.keys(VOLUMES), [], (batch, name, shapes) => {
             const answers = batch.allocate(batch.count);
-            batch.functions[`wasm_overlaps_${name}`](answers, batch.blob, shapes, batch.count);
+            batch.functions[`wasm_overlaps_${name}`](answers, batch.view, shapes, batch.count);
             return new YesNo(batch.copy(Uint8Array, answers));
         });
     }
@@ -36,8 +37,18 @@ export class ShapeQueries extends PointQueries {
         return this.#ofShapes(shape, Object.keys(VOLUMES), [], (batch, name, shapes) => {
             const { bytes } = batch.instance.records[name];
             return batch.collect(4, (filled, done, to) => batch.functions[`wasm_collect_overlaps_${name}`](
-                filled, batch.blob, shapes + done * bytes, to.statuses, to.offsets, to.count, to.items, to.capacity),
+                filled, batch.view, shapes + done * bytes, to.statuses, to.offsets, to.count, to.items, to.capacity),
             (triangles, count) => batch.copy(Uint32Array, triangles, count));
+        });
+    }
+
+    contacts(shape, most, margin = 0) {
+        integer(most, 'most');
+        const margins = new Strided(margin, 1, 'margin');
+        return this.#ofShapes(shape, BODIES, [margins], (batch, name, bodies) => {
+            const contacts = batch.allocateRecords('contact', batch.count * most), found = batch.allocateRecords('filled');
+            batch.functions[`wasm_find_contacts_${name}`](contacts, most, found, batch.view, bodies, batch.placePacked(margins, 1), batch.count);
+            return batch.pack('contact', contacts, most, found);
         });
     }
 
@@ -46,7 +57,7 @@ export class ShapeQueries extends PointQueries {
         const options = { culling: cullingNumber(culling), ignoreLeaving: Number(ignoreLeaving), skin };
         return this.#ofShapes(shape, MOVING, [given], (batch, name, shapes) => {
             const hits = batch.allocateRecords('sweep_hit');
-            batch.functions[`wasm_sweep_${name}`](hits, batch.blob, shapes, batch.placePacked(given, 3), batch.count,
+            batch.functions[`wasm_sweep_${name}`](hits, batch.view, shapes, batch.placePacked(given, 3), batch.count,
                                                   batch.allocateStructure('sweep_options', options));
             return batch.columns('sweep_hit', hits);
         });

@@ -9,13 +9,19 @@
 #include <espalier/c/batches/arrays.h>
 #include <espalier/c/batches/rays.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/contact.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/original.h>
+#include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
+#include <espalier/c/scene.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/status.h>
 #include <espalier/c/sweep.h>
+#include <espalier/c/transform.h>
 #include <espalier/c/walk.h>
+
+#include "scene_triangle.hpp"
 
 namespace {
 
@@ -37,6 +43,8 @@ constexpr Numbers numbers_of() {
         return {'d', 1};
     } else if constexpr (std::is_same_v<Field, espalier_vec3>) {
         return {'f', 3};
+    } else if constexpr (std::is_same_v<Field, espalier_quaternion>) {
+        return {'f', 4};
     } else if constexpr (std::is_same_v<Field, espalier_triangle>) {
         return {'f', 9};
     } else if constexpr (std::is_pointer_v<Field>) {
@@ -76,6 +84,11 @@ struct Record {
         static constexpr Field fields[] = {__VA_ARGS__}; \
     };
 #define FIELD(path) field<decltype(Structure::path)>(#path, offsetof(Structure, path))
+// A field under another name than that of its path.
+#define FIELD_AS(name, path) field<decltype(Structure::path)>(name, offsetof(Structure, path))
+// The fields of an id of an instance.
+#define INSTANCE FIELD_AS("instance", instance.index), FIELD_AS("in_tile", instance.in_tile)
+#define HIT(name) FIELD_AS(#name, hit.name)
 #define FINDING(name) FIELD(name.count), FIELD(name.first)
 
 RECORD(blob, FIELD(opaque_))
@@ -103,6 +116,23 @@ RECORD(oriented_box, FIELD(center), FIELD(half_axes))
 RECORD(cone, FIELD(apex), FIELD(axis), FIELD(radius))
 RECORD(triangle, FIELD(a), FIELD(b), FIELD(c))
 RECORD(segment, FIELD(from), FIELD(to))
+RECORD(contact, FIELD(point), FIELD(normal), FIELD(distance), FIELD(triangle), FIELD(feature), FIELD(side))
+RECORD(transform, FIELD(rotation), FIELD(translation), FIELD(scale))
+RECORD(pair_contact, FIELD(a), FIELD(b), FIELD(status))
+RECORD(pair_touch, FIELD(points), FIELD(normal), FIELD(depth), FIELD(a), FIELD(b), FIELD(count), FIELD(status))
+RECORD(blob_distance, FIELD(distance), FIELD(on_a), FIELD(on_b), FIELD(a), FIELD(b), FIELD(status))
+RECORD(scene, FIELD(opaque_))
+RECORD(instance, FIELD_AS("rotation", transform.rotation), FIELD_AS("translation", transform.translation),
+       FIELD_AS("scale", transform.scale), FIELD(mesh), FIELD(mask), FIELD(user), FIELD(source))
+RECORD(ray, FIELD(origin), FIELD(direction), FIELD(t_min), FIELD(t_max), FIELD(culling))
+RECORD(scene_ray_hit, HIT(t), HIT(u), HIT(v), HIT(normal), HIT(triangle), HIT(status), HIT(side), INSTANCE)
+RECORD(scene_closest_point_result, HIT(point), HIT(on_shape), HIT(face_normal), HIT(distance), HIT(u), HIT(v),
+       HIT(triangle), HIT(status), HIT(feature), HIT(side), INSTANCE)
+RECORD(scene_sweep_hit, HIT(t), HIT(point), HIT(normal), HIT(face_normal), HIT(triangle), HIT(status), HIT(feature),
+       HIT(starts_overlapping), INSTANCE)
+RECORD(scene_sweep_options, FIELD(skin), FIELD(culling), FIELD(ignore_leaving))
+RECORD(scene_triangle, INSTANCE, FIELD(triangle))
+RECORD(bytes, FIELD(bytes), FIELD(byte_count))
 RECORD(lattice, FIELD(origin), FIELD(step_exponent), FIELD(extent))
 RECORD(mesh_view, FIELD(size), FIELD(positions), FIELD(position_count), FIELD(position_stride), FIELD(triangles),
        FIELD(triangle_count), FIELD(triangle_stride), FIELD(materials), FIELD(name), FIELD(file), FIELD(mesh),
@@ -134,8 +164,10 @@ using AllRecords =
             closest_point_result_table, float_result_table, sweep_hit_table, sweep_options_table,
             original_triangle_table, original_triangle_result_table, original_hit_table, triangle_result_table,
             sphere_table, capsule_table, box_table, oriented_box_table, cone_table, triangle_table, segment_table,
-            lattice_table, mesh_view_table, bake_options_table, bake_report_table, bake_warning_table,
-            bake_result_table>;
+            contact_table, transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table,
+            instance_table, ray_table, scene_ray_hit_table, scene_closest_point_result_table, scene_sweep_hit_table,
+            scene_sweep_options_table, scene_triangle_table, bytes_table, lattice_table, mesh_view_table,
+            bake_options_table, bake_report_table, bake_warning_table, bake_result_table>;
 
 }  // namespace
 

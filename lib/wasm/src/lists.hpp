@@ -1,53 +1,56 @@
-// What the package exports for lists, beside the batches of C.
+// Lists of which each is as long as its query makes it: what the package exports beside the batches of C.
 #pragma once
 
 #include <cstddef>
 
 #include <espalier/c/batches/arrays.h>
-#include <espalier/c/blob.h>
-#include <espalier/c/overlap.h>
 #include <espalier/c/status.h>
 #include <espalier/c/types.h>
+#include <espalier/c/visitor.h>
 
 namespace espalier::wasm {
 
-/// Where a batch writes its lists: statuses has `count` elements, offsets one more, triangles `capacity`.
-struct TriangleLists {
+/// Where a batch writes its lists: statuses has `count` elements, offsets one more, items `capacity`.
+template <class Item>
+struct ListArrays {
     espalier_query_status* statuses;
     std::size_t* offsets;
-    espalier_triangle_id* triangles;
+    Item* items;
     std::size_t capacity;
 };
 
-template <class Shape>
-using ForEachOverlap = espalier_query_status (*)(const espalier_blob*, const Shape*, espalier_triangle_visitor, void*);
-
-/// The rest of an array, and the number of triangles that were visited, which may be more than it holds.
+/// The rest of an array, and the number of elements that were added, which may be more than it holds.
+template <class Item>
 struct Room {
-    espalier_triangle_id* places;
+    Item* places;
     std::size_t capacity;
-    std::size_t visited = 0;
+    std::size_t added = 0;
+
+    void add(const Item& item) {
+        if (added < capacity) places[added] = item;
+        ++added;
+    }
 };
 
-inline espalier_visit write_to_room(espalier_triangle_id triangle, const espalier_triangle*, void* user) {
-    Room& room = *static_cast<Room*>(user);
-    if (room.visited < room.capacity) room.places[room.visited] = triangle;
-    ++room.visited;
+/// Adds an element to the Room that `user` points to: the visitor of functions that pass an element by its address.
+template <class Item>
+espalier_visit add_to_room(const Item* item, void* user) {
+    static_cast<Room<Item>*>(user)->add(*item);
     return ESPALIER_VISIT_NEXT;
 }
 
-/// Writes the triangles that touch each shape, as espalier_collect_overlaps_sphere_arrays() does for spheres.
-template <class Shape>
-espalier_filled_lists collect_overlaps(const espalier_blob* blob, const Shape* shapes, std::size_t count,
-                                       const TriangleLists& to, ForEachOverlap<Shape> for_each) {
+/// Writes a list for each query, as the batches of C do. list(i, room) adds the elements of query i and returns its
+/// status.
+template <class Item, class List>
+espalier_filled_lists collect_lists(std::size_t count, const ListArrays<Item>& to, const List& list) {
     to.offsets[0] = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t begin = to.offsets[i];
-        Room room = {to.triangles + begin, to.capacity - begin};
-        const espalier_query_status status = for_each(blob, &shapes[i], write_to_room, &room);
-        if (room.visited > room.capacity) return {i, begin, room.visited, ESPALIER_QUERY_OUTPUT_FULL};
+        Room<Item> room = {to.items + begin, to.capacity - begin};
+        const espalier_query_status status = list(i, room);
+        if (room.added > room.capacity) return {i, begin, room.added, ESPALIER_QUERY_OUTPUT_FULL};
         to.statuses[i] = status;
-        to.offsets[i + 1] = begin + room.visited;
+        to.offsets[i + 1] = begin + room.added;
     }
     return {count, to.offsets[count], 0, ESPALIER_QUERY_OK};
 }

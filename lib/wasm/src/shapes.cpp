@@ -10,6 +10,14 @@
 
 #include "lists.hpp"
 
+namespace {
+
+espalier_visit add_triangle(espalier_triangle_id triangle, const espalier_triangle*, void* user) {
+    return espalier::wasm::add_to_room(&triangle, user);
+}
+
+}  // namespace
+
 // Each function begins with where it writes, as C's own that return a structure.
 
 #define ESPALIER_WASM_OVERLAPS(shape)                                                                              \
@@ -21,8 +29,10 @@
         espalier_filled_lists* filled, const espalier_blob* blob, const espalier_##shape* shapes,                  \
         espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_triangle_id* triangles, \
         std::size_t capacity) {                                                                                    \
-        *filled = espalier::wasm::collect_overlaps(blob, shapes, count, {statuses, offsets, triangles, capacity},  \
-                                                   espalier_for_each_overlap_##shape);                             \
+        *filled = espalier::wasm::collect_lists<espalier_triangle_id>(                                             \
+            count, {statuses, offsets, triangles, capacity}, [&](std::size_t i, auto& room) {                      \
+                return espalier_for_each_overlap_##shape(blob, &shapes[i], add_triangle, &room);                   \
+            });                                                                                                    \
     }
 
 ESPALIER_WASM_OVERLAPS(sphere)

@@ -1,4 +1,4 @@
-// What the package answers to the questions, as words under the names of answers.cpp's files. For Node and browsers.
+// What the package answers to the questions, as words under the names of the files of C++. For Node and browsers.
 import { wordsOf, wordsOfLists } from './words.mjs';
 
 /// Returns the elements of every third query from `first` on.
@@ -51,7 +51,7 @@ function answerPoints(blob, { origins }, words) {
     words.winding_number = wordsOf('winding', blob.windingNumber(origins, 7));
 }
 
-/// Returns the shapes of answers.cpp by their names there.
+/// Returns the shapes of C++ by their names there.
 export function shapesOf({ origins, directions, radii }) {
     const next = Float32Array.from([...directions.subarray(3), ...directions.subarray(0, 3)]);
     const halfAxes = new Float32Array(3 * origins.length);
@@ -71,7 +71,7 @@ export function shapesOf({ origins, directions, radii }) {
 }
 
 function answerShapes(blob, questions, words) {
-    const { origins, directions } = questions;
+    const { origins, directions, limits } = questions;
     words.closest_to_segments = wordsOf('nearest', blob.closestPoint({ kind: 'segment', from: origins, to: directions }, 1.5));
     words.closest_to_boxes = wordsOf('nearest', blob.closestPoint({ kind: 'box', min: origins, max: directions }, 1.5));
     for (const [name, shape] of Object.entries(shapesOf(questions))) {
@@ -80,6 +80,12 @@ function answerShapes(blob, questions, words) {
             begin: (to, i) => to.push(touches.status[i]),
             end: (to, i) => to.push(lists.status[i]),
         });
+        if (['sphere', 'capsule', 'oriented_box'].includes(name)) {
+            const contacts = blob.contacts(shape, 5, limits);
+            words[`contacts_${name}`] = wordsOfLists('contact', contacts, {
+                begin: (to, i) => to.push(contacts.end(i) - contacts.begin(i), contacts.status[i]),
+            });
+        }
         if (!['cone', 'triangle'].includes(name)) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shape, directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
     }
 }

@@ -4,7 +4,7 @@ import { env } from 'node:process';
 
 /// The folder in which node_modules/espalier is the package.
 export const folder = env.ESPALIER_WASM_FOLDER;
-/// The program of answers.cpp.
+/// The program of the folder answers.
 export const answersOfCpp = env.ESPALIER_WASM_ANSWERS;
 /// The build folder of tests/platform for wasm32 with SIMD128, which has query_answers and make_blobs.
 export const platform = env.ESPALIER_WASM_PLATFORM;

@@ -1,8 +1,9 @@
 // Uses every declaration of index.d.ts.
 import {
-    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, QueryError, Side, Status,
-    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Corners, type Espalier,
-    type Mesh, type OriginalHits, type RayHits, type SweepHits, type Volume, type WindingNumbers,
+    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
+    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Contacts, type Corners, type Espalier,
+    type Instances, type InstancesToBake,
+    type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
 } from 'espalier';
 
 const library: Espalier = await load();
@@ -45,7 +46,33 @@ const volumes: Volume[] = [
 ];
 for (const volume of volumes) blob.overlaps(volume);
 const touched: Lists<Uint32Array> = blob.overlappingTriangles(volumes[0]);
+const near: Lists<Contacts> = blob.contacts({ kind: 'sphere', center: origins, radius: 1 }, 8, [0.1]);
+blob.contacts({ kind: 'orientedBox', center: origins, halfAxes: new Float32Array(9) }, 8);
 const sweeps: SweepHits = blob.sweep(box, directions, { skin: 0.01, ignoreLeaving: true, culling: 'front' });
+
+const moved: pairs.PlacedBlob = { blob: other, rotation: [0, 0, 0, 1], translation: origins, scale: 2 };
+const limited: pairs.PairOptions = { workLimit: 1000 };
+const touching: YesNo = pairs.overlaps(blob, moved, limited);
+const within: YesNo = pairs.withinDistance(moved, blob, [1, 2]);
+const contact: pairs.PairContacts = pairs.firstContact(blob, other);
+const contacts: Lists<pairs.PairContacts> = pairs.contacts(blob, moved, { workLimit: Infinity });
+const touches: Lists<pairs.PairTouches> = pairs.touches(blob, moved);
+const apart: pairs.BlobDistances = pairs.distance({ blob }, moved, { maxDistance: 2, workLimit: 5 });
+
+const instances: InstancesToBake = { translation: origins, rotation: [0, 0, 0, 1], scale: [1], mesh: new Uint8Array(10), mask: 1, user: [7] };
+const scene: Scene = await library.bakeScene([blob, other.bytes()], instances);
+const tiled: Scene = library.openScene((await library.bakeScene([scene])).bytes());
+await library.verifyScene(tiled);
+const baked: Instances = scene.instances();
+const inScene: SceneRayHits = scene.raycast(origins, directions, { tMax: 5, mask: 1 });
+const hidden: YesNo = scene.occluded(origins, directions, { culling: 'back' });
+const throughAll: Lists<SceneRayHits> = scene.allHits(origins, directions);
+const closest: SceneClosestPoints = scene.closestPoint(origins, 2, { mask: 3 });
+const touchedAny: YesNo = scene.overlaps(volumes[0], { mask: 3 });
+const touchedAll: Lists<SceneTriangles> = scene.overlappingTriangles(volumes[0]);
+const sweptIn: SceneSweepHits = scene.sweep(box, directions, { skin: 0.01, mask: 3 });
+const facts: number[] = [scene.instanceCount, scene.meshCount, scene.maxError, ...scene.bounds];
+if (!scene.isFreed) scene.free();
 
 const corners: Corners = blob.corners(hits.triangle);
 const sources: OriginalHits = blob.originalHits(hits);
@@ -56,4 +83,5 @@ const errors: EspalierError[] = [];
 for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
     for (const error of errors) if (error instanceof type) console.log(error.status);
 
-export { corners, first, hasIt, info, inside, isFace, isHit, items, materials, nearest, several, sources, sweeps, touched, windings, yes };
+export { apart, baked, closest, contact, facts, hidden, inScene, sweptIn, throughAll, touchedAll, touchedAny,
+    contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, several, sources, sweeps, touched, touches, touching, windings, within, yes };

@@ -1,4 +1,4 @@
-// Answers as words of 32 bits in the order in which answers.cpp writes them.
+// Answers as words of 32 bits in the order in which C++ writes them (answers).
 
 /// Fields in the order of their structure, and how many numbers each has.
 const ORDER = {
@@ -7,9 +7,19 @@ const ORDER = {
     sweep: { t: 1, point: 3, normal: 3, faceNormal: 3, triangle: 1, status: 1, feature: 1, startsOverlapping: 1 },
     original: { file: 1, mesh: 1, triangle: 1, u: 1, v: 1, status: 1 },
     winding: { value: 1, status: 1 },
+    instance: { rotation: 4, translation: 3, scale: 1, mesh: 1, mask: 1, user: 1, source: 1 },
+    contact: { point: 3, normal: 3, distance: 1, triangle: 1, feature: 1, side: 1 },
+    pair: { a: 1, b: 1, status: 1 },
+    touch: { points: 18, normal: 3, depth: 1, a: 1, b: 1, count: 1, status: 1 },
+    distance: { distance: 1, onA: 3, onB: 3, a: 1, b: 1, status: 1 },
 };
 
-const bits = (array) => array instanceof Float32Array ? new Uint32Array(array.buffer) : array;
+export const bits = (array) => array instanceof Float32Array ? new Uint32Array(array.buffer) : array;
+
+// Results of a scene have the instance behind the other fields; its triangles have it in front.
+const INSTANCE = { instance: 1, inTile: 1 };
+for (const kind of ['hit', 'nearest', 'sweep']) ORDER[`scene_${kind}`] = { ...ORDER[kind], ...INSTANCE };
+ORDER.scene_triangle = { ...INSTANCE, triangle: 1 };
 
 /// Returns a function that adds the words of one element to a list.
 function writer(kind, columns) {
@@ -22,7 +32,7 @@ function writer(kind, columns) {
 
 export function wordsOf(kind, columns) {
     const words = [], write = writer(kind, columns);
-    for (let i = 0; i < columns.status.length; ++i) write(words, i);
+    for (let i = 0; i < (columns.status ?? columns.scale).length; ++i) write(words, i);
     return words;
 }
 

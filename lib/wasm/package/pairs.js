@@ -1,0 +1,82 @@
+// Pairs of blobs, each at one place in the world or at many.
+import { Strided } from './arguments.js';
+import { Blob } from './blob.js';
+import { fieldsOfPlaces } from './places.js';
+import { YesNo } from './results.js';
+
+const UNLIMITED = 0xFFFFFFFFFFFFFFFFn;
+
+export function overlaps(a, b, options) {
+    return answers('wasm_pair_overlaps', a, b, {}, options);
+}
+
+export function withinDistance(a, b, distance, options) {
+    return answers('wasm_pair_within_distance', a, b, { distance }, options);
+}
+
+export function firstContact(a, b, options) {
+    return records('pair_contact', 'wasm_pair_first_contact', a, b, {}, options);
+}
+
+export function distance(a, b, { maxDistance = Infinity, workLimit } = {}) {
+    return records('blob_distance', 'wasm_pair_distance', a, b, { maxDistance }, { workLimit });
+}
+
+export function contacts(a, b, options) {
+    return lists('pair_contact', 'wasm_pair_contacts', a, b, options);
+}
+
+export function touches(a, b, options) {
+    return lists('pair_touch', 'wasm_pair_touches', a, b, options);
+}
+
+function answers(name, a, b, numbers, options) {
+    return ofPair(a, b, numbers, options, (batch, pair, limit, others) => {
+        const statuses = batch.allocate(batch.count);
+        batch.functions[name](statuses, ...pair(0), batch.count, limit, ...others);
+        return new YesNo(batch.copy(Uint8Array, statuses));
+    });
+}
+
+function records(record, name, a, b, numbers, options) {
+    return ofPair(a, b, numbers, options, (batch, pair, limit, others) => {
+        const results = batch.allocateRecords(record);
+        batch.functions[name](results, ...pair(0), batch.count, limit, ...others);
+        return batch.columns(record, results);
+    });
+}
+
+function lists(record, name, a, b, options) {
+    return ofPair(a, b, {}, options, (batch, pair, limit) =>
+        batch.collect(batch.instance.records[record].bytes, (filled, done, to) => batch.functions[name](
+            filled, ...pair(done), to.statuses, to.offsets, to.count, to.items, to.capacity, limit),
+        (items, count) => batch.columns(record, items, count)));
+}
+
+/// Calls use(batch, pair, limit, others), where pair(n) has both blobs and their places from n on, and others are the
+/// addresses of the numbers.
+function ofPair(a, b, numbers, { workLimit = Infinity } = {}, use) {
+    const first = placed(a, 'a'), second = placed(b, 'b'), limit = visits(workLimit);
+    const others = Object.entries(numbers).map(([name, given]) => new Strided(given, 1, name));
+    const all = [...Object.values(first.fields), ...Object.values(second.fields), ...others];
+    return first.blob.batch(all, (batch) => {
+        const blobs = [batch.view, second.blob.viewIn(batch.instance)];
+        const places = [first, second].map(({ fields }) => batch.placeRecords('transform', fields));
+        const { bytes } = batch.instance.records.transform;
+        const pair = (done) => [...blobs, ...places.map((address) => address + done * bytes)];
+        return use(batch, pair, limit, others.map((each) => batch.placePacked(each, 1)));
+    });
+}
+
+function placed(given, name) {
+    const { blob, ...places } = given instanceof Blob ? { blob: given } : given ?? {};
+    if (!(blob instanceof Blob)) throw new TypeError(`${name} must be a blob, or an object with a blob and its places`);
+    return { blob, fields: fieldsOfPlaces(places, name) };
+}
+
+/// Returns how many pairs of nodes or leaves a query may visit, as the library takes it.
+function visits(limit) {
+    if (limit === Infinity) return UNLIMITED;
+    if (!Number.isSafeInteger(limit) || limit < 0) throw new RangeError(`workLimit must be an integer from 0 on, or Infinity, not ${String(limit)}`);
+    return BigInt(limit);
+}

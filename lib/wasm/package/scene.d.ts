@@ -1,0 +1,85 @@
+// Types of scenes: many instances of blobs, each with a place in the world.
+import type { Box, Capsule, OrientedBox, Places, RayOptions, Sphere, SweepOptions, Vectors, Volume } from './index.js';
+import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from './results.js';
+
+export interface SceneOptions {
+    /** Instances whose mask shares no bit with it are passed over. All bits unless given. */
+    mask?: number;
+}
+
+/** The instance of each element, and that in the tile if it is one; else NO_TRIANGLE. */
+export interface InstanceIds {
+    instance: Uint32Array;
+    inTile: Uint32Array;
+}
+
+export interface SceneRayHits extends RayHits, InstanceIds {}
+export interface SceneClosestPoints extends ClosestPoints, InstanceIds {}
+export interface SceneSweepHits extends SweepHits, InstanceIds {}
+/** Triangles of instances. */
+export interface SceneTriangles extends InstanceIds {
+    triangle: Uint32Array;
+}
+
+/** An integer of 32 bits for each instance, or one that serves all. */
+export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonly number[];
+
+/** Instances to bake: at each of the places one of a blob. */
+export interface InstancesToBake extends Places {
+    /** The number of its blob among those that are baked; 0 unless given. */
+    mesh?: Integers;
+    /** Queries with a mask that shares no bit with it pass the instance over. All bits unless given. */
+    mask?: Integers;
+    /** For the program; 0 unless given. */
+    user?: Integers;
+}
+
+/** The instances of a scene. rotation has four numbers for each, translation three. */
+export interface Instances {
+    rotation: Float32Array;
+    translation: Float32Array;
+    scale: Float32Array;
+    /** The number of its mesh in the scene; tiles are numbered after the meshes. */
+    mesh: Uint32Array;
+    mask: Uint32Array;
+    user: Uint32Array;
+    /** Its number among the instances that were baked. */
+    source: Uint32Array;
+}
+
+/**
+ * A baked scene in the memory of the module. It never changes. Shapes and results are in world space.
+ *
+ * Arguments and results are those of Blob; results have the instance of each element too.
+ */
+export class Scene {
+    private constructor();
+    readonly instanceCount: number;
+    /** The number of meshes, without those of tiles. */
+    readonly meshCount: number;
+    /** The largest distance between the surface of any instance and its source. */
+    readonly maxError: number;
+    /** The lower and the upper corner of a box around all instances: six numbers. */
+    readonly bounds: Float32Array;
+    readonly isFreed: boolean;
+    /** Returns a copy of the bytes, for a file. */
+    bytes(): Uint8Array;
+    /** Releases the memory. All later queries throw QueryError. Freeing again does nothing. */
+    free(): void;
+    instances(): Instances;
+
+    /** Returns the closest hit of each ray. */
+    raycast(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): SceneRayHits;
+    /** Returns whether each ray hits any triangle, in less time than raycast(). */
+    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): YesNo;
+    /** Returns all hits of each ray, in ascending order of instances, then of triangles. */
+    allHits(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): Lists<SceneRayHits>;
+    /** Returns the closest point of any surface to each point. */
+    closestPoint(points: Vectors, maxDistance?: number, options?: SceneOptions): SceneClosestPoints;
+    /** Returns whether any triangle touches each shape. */
+    overlaps(shape: Volume, options?: SceneOptions): YesNo;
+    /** Returns the triangles that touch each shape, in ascending order of instances. */
+    overlappingTriangles(shape: Volume, options?: SceneOptions): Lists<SceneTriangles>;
+    /** Returns the first contact of each shape as it moves by a displacement. The skin is in world units. */
+    sweep(shape: Sphere | Capsule | Box | OrientedBox, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
+}

@@ -1,0 +1,113 @@
+// Batches over a scene: one call of the functions of C for each query.
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/c/batches/arrays.h>
+#include <espalier/c/scene.h>
+
+#include "lists.hpp"
+#include "scene_triangle.hpp"
+
+namespace {
+
+espalier_visit add_hit(espalier_instance_id instance, const espalier_ray_hit* hit, void* user) {
+    const espalier_scene_ray_hit item = {*hit, instance};
+    return espalier::wasm::add_to_room(&item, user);
+}
+
+espalier_visit add_triangle(espalier_instance_id instance, espalier_triangle_id triangle, void* user) {
+    const espalier_scene_triangle item = {instance, triangle};
+    return espalier::wasm::add_to_room(&item, user);
+}
+
+}  // namespace
+
+/// Returns the number of meshes, without those of tiles.
+extern "C" [[clang::export_name("wasm_scene_mesh_count")]] std::size_t wasm_scene_mesh_count(
+    const espalier_scene* scene) {
+    std::size_t count = 0;
+    espalier_scene_meshes(scene, &count);
+    return count;
+}
+
+/// Writes all instances.
+extern "C" [[clang::export_name("wasm_scene_instances")]] void wasm_scene_instances(espalier_instance* instances,
+                                                                                    const espalier_scene* scene) {
+    const std::uint32_t count = espalier_scene_instance_count(scene);
+    for (std::uint32_t i = 0; i < count; ++i)
+        instances[i] = espalier_scene_instance_at(scene, {i, ESPALIER_NO_INSTANCE}).value;
+}
+
+// Each function begins with where it writes, as C's own that return a structure.
+
+extern "C" [[clang::export_name("wasm_scene_raycast")]] void wasm_scene_raycast(espalier_scene_ray_hit* hits,
+                                                                                const espalier_scene* scene,
+                                                                                const espalier_ray* rays,
+                                                                                std::size_t count, std::uint32_t mask) {
+    espalier_scene_raycast_batch(scene, rays, hits, count, mask, nullptr, nullptr);
+}
+
+extern "C" [[clang::export_name("wasm_scene_occluded")]] void wasm_scene_occluded(espalier_yes_no* answers,
+                                                                                  const espalier_scene* scene,
+                                                                                  const espalier_ray* rays,
+                                                                                  std::size_t count,
+                                                                                  std::uint32_t mask) {
+    for (std::size_t i = 0; i < count; ++i)
+        answers[i] = espalier_scene_occluded(scene, &rays[i], mask, nullptr, nullptr);
+}
+
+extern "C" [[clang::export_name("wasm_scene_all_hits")]] void wasm_scene_all_hits(
+    espalier_filled_lists* filled, const espalier_scene* scene, const espalier_ray* rays,
+    espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_scene_ray_hit* hits,
+    std::size_t capacity, std::uint32_t mask) {
+    *filled = espalier::wasm::collect_lists<espalier_scene_ray_hit>(
+        count, {statuses, offsets, hits, capacity}, [&](std::size_t i, auto& room) {
+            return espalier_scene_for_each_hit(scene, &rays[i], add_hit, &room, mask, nullptr, nullptr);
+        });
+}
+
+extern "C" [[clang::export_name("wasm_scene_closest_point")]] void wasm_scene_closest_point(
+    espalier_scene_closest_point_result* nearest, const espalier_scene* scene, const espalier_vec3* points,
+    std::size_t count, float max_distance, std::uint32_t mask) {
+    for (std::size_t i = 0; i < count; ++i)
+        nearest[i] = espalier_scene_closest_point(scene, points[i], max_distance, mask);
+}
+
+#define ESPALIER_WASM_SCENE_OVERLAPS(shape)                                                                            \
+    extern "C" [[clang::export_name("wasm_scene_overlaps_" #shape)]] void wasm_scene_overlaps_##shape(                 \
+        espalier_yes_no* answers, const espalier_scene* scene, const espalier_##shape* shapes, std::size_t count,      \
+        std::uint32_t mask) {                                                                                          \
+        for (std::size_t i = 0; i < count; ++i)                                                                        \
+            answers[i] = espalier_scene_overlaps_##shape(scene, &shapes[i], mask, nullptr, nullptr);                   \
+    }                                                                                                                  \
+    extern "C" [[clang::export_name("wasm_scene_collect_overlaps_" #shape)]] void wasm_scene_collect_overlaps_##shape( \
+        espalier_filled_lists* filled, const espalier_scene* scene, const espalier_##shape* shapes,                    \
+        espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_scene_triangle* triangles,  \
+        std::size_t capacity, std::uint32_t mask) {                                                                    \
+        *filled = espalier::wasm::collect_lists<espalier_scene_triangle>(                                              \
+            count, {statuses, offsets, triangles, capacity}, [&](std::size_t i, auto& room) {                          \
+                return espalier_scene_for_each_overlap_##shape(scene, &shapes[i], add_triangle, &room, mask, nullptr,  \
+                                                               nullptr);                                               \
+            });                                                                                                        \
+    }
+
+ESPALIER_WASM_SCENE_OVERLAPS(sphere)
+ESPALIER_WASM_SCENE_OVERLAPS(capsule)
+ESPALIER_WASM_SCENE_OVERLAPS(box)
+ESPALIER_WASM_SCENE_OVERLAPS(oriented_box)
+ESPALIER_WASM_SCENE_OVERLAPS(cone)
+ESPALIER_WASM_SCENE_OVERLAPS(triangle)
+
+#define ESPALIER_WASM_SCENE_SWEEP(shape)                                                                               \
+    extern "C" [[clang::export_name("wasm_scene_sweep_" #shape)]] void wasm_scene_sweep_##shape(                       \
+        espalier_scene_sweep_hit* hits, const espalier_scene* scene, const espalier_##shape* shapes,                   \
+        const espalier_vec3* displacements, std::size_t count, const espalier_scene_sweep_options* options,            \
+        std::uint32_t mask) {                                                                                          \
+        for (std::size_t i = 0; i < count; ++i)                                                                        \
+            hits[i] = espalier_scene_sweep_##shape##_with_options(scene, &shapes[i], displacements[i], mask, options); \
+    }
+
+ESPALIER_WASM_SCENE_SWEEP(sphere)
+ESPALIER_WASM_SCENE_SWEEP(capsule)
+ESPALIER_WASM_SCENE_SWEEP(box)
+ESPALIER_WASM_SCENE_SWEEP(oriented_box)
