@@ -90,3 +90,85 @@ def ray(origin, direction, t_min=0.0, t_max=np.inf, culling=0):
 
 def placed(opened, transform):
     return ctypes.byref(Placed(opened.address, (ctypes.c_float * 8)(*transform)))
+
+
+class InstanceId(ctypes.Structure):
+    _fields_ = [("index", ctypes.c_uint32), ("in_tile", ctypes.c_uint32)]
+
+
+class Handle(ctypes.Structure):
+    _fields_ = [("slot", ctypes.c_uint32), ("generation", ctypes.c_uint32)]
+
+
+class HandleResult(ctypes.Structure):
+    _fields_ = [("value", Handle), ("status", ctypes.c_uint8)]
+
+
+class FilledPairs(ctypes.Structure):
+    _fields_ = [("count", ctypes.c_size_t), ("next", ctypes.c_uint32 * 2), ("status", ctypes.c_uint8)]
+
+
+TRIANGLE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_uint32, ctypes.c_void_p)
+SCENE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, InstanceId, ctypes.c_uint32, ctypes.c_void_p)
+
+
+def aligned(size):
+    """Returns memory and an address in it that is a multiple of 32, with `size` bytes behind it."""
+    memory = ctypes.create_string_buffer(size + 32)
+    return memory, ctypes.c_void_p((ctypes.addressof(memory) + 31) & ~31)
+
+
+class MovingScene:
+    """An espalier_moving_scene of one mesh, and the view of it that queries take."""
+
+    def __init__(self, library, opened, capacity, step_exponent):
+        self.library, self.opened = library.c, opened
+        self.library.espalier_moving_scene_bytes.restype = ctypes.c_uint64
+        self.library.espalier_moving_scene_insert.restype = HandleResult
+        self.library.espalier_moving_scene_block.restype = ctypes.c_void_p
+        size = self.library.espalier_moving_scene_bytes(capacity)
+        self._block, address = aligned(size)
+        self._scene, self.address = aligned(self.library.espalier_size_of(b"moving_scene"))
+        self._view, self.view_address = aligned(self.library.espalier_size_of(b"scene"))
+        self.library.espalier_create_moving_scene.restype = ctypes.c_bool
+        assert self.library.espalier_create_moving_scene(
+            address, ctypes.c_size_t(size), ctypes.c_uint32(capacity), step_exponent, ctypes.c_void_p(opened.address),
+            ctypes.c_size_t(1), None, ctypes.c_size_t(0), self.address)
+
+    def insert(self, instance):
+        """Inserts a record of espalier.INSTANCE, and returns one of espalier.HANDLE as a tuple."""
+        result = self.library.espalier_moving_scene_insert(self.address, instance.ctypes.data_as(ctypes.c_void_p))
+        return result.value.slot, result.value.generation, result.status
+
+    def call(self, name, handle, *arguments):
+        """Calls a function of one instance, and returns its status."""
+        function = getattr(self.library, f"espalier_moving_scene_{name}")
+        function.restype = ctypes.c_uint8
+        return function(self.address, Handle(int(handle["slot"]), int(handle["generation"])), *arguments)
+
+    def move(self, movements, filled):
+        """Moves a batch, then renews the tree, and returns what the batch returned."""
+        function = self.library.espalier_moving_scene_move_batch
+        function.restype = filled
+        result = function(self.address, movements.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(movements)))
+        self.library.espalier_moving_scene_refit(self.address)
+        return result
+
+    def bytes(self):
+        size = ctypes.c_size_t()
+        block = self.library.espalier_moving_scene_block(self.address, ctypes.byref(size))
+        return ctypes.string_at(block, size.value)
+
+    def view(self):
+        """Returns the address of the scene that queries take until the next change."""
+        assert self.library.espalier_moving_scene_view(self.address, self.view_address) == 0
+        return self.view_address
+
+    def pairs(self, name, *arguments):
+        """Returns all pairs of slots, and the status."""
+        function = getattr(self.library, f"espalier_collect_{name}_pairs")
+        function.restype = FilledPairs
+        found = np.zeros(100_000, espalier.INSTANCE_PAIR)
+        filled = function(self.address, found.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(found)), *arguments,
+                          None, InstanceId(0, 0))
+        return found[: filled.count], filled.status

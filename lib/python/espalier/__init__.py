@@ -19,11 +19,15 @@ from .baking import BakeWarning, Mesh, bake, bake_file, bake_meshes
 from .blob import Blob, Refitted, open_blob, verify
 from .errors import BakeError, OpenError
 from .mesh_files import read_mesh
+from .moving_scenes import MovingScene, Pairs, open_moving_scene
 from .results import (
+    BAKED_PAIR,
     BLOB_DISTANCE,
     CLOSEST_POINT,
     CONTACT,
+    HANDLE,
     INSTANCE,
+    INSTANCE_PAIR,
     NO_TRIANGLE,
     ORIGINAL_HIT,
     ORIGINAL_TRIANGLE,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .filters import flag_array
 from .rays import culling_number
 from .results import Lists, YesNo
 from .shapes import Body, Box, Moving, Segment, Volume, split
@@ -23,6 +24,7 @@ class ShapeQueries:
 
     __slots__ = ()
     _core: _core.Blob
+    triangle_count: int
 
     def closest_point(self, points: Union[ArrayLike, Segment, Box], max_distance: ArrayLike = np.inf, *,
                       threads: int = 1) -> NDArray[Any]:
@@ -72,15 +74,17 @@ class ShapeQueries:
         return Lists(*_core.touching_lists(self._core, *split(shape), threads))
 
     def sweep(self, shape: Moving, displacement: ArrayLike, *, culling: str = "none", ignore_leaving: bool = False,
-              skin: float = 0.0, threads: int = 1) -> NDArray[Any]:
+              skin: float = 0.0, only: Optional[ArrayLike] = None, threads: int = 1) -> NDArray[Any]:
         """Returns the first contact of each shape as it moves by a displacement: an array of SWEEP_HIT.
 
         displacement: (..., 3). t is the share of it, from 0 to 1, at which the shape stops: where it touches, or a
         skin earlier. culling: "back" ignores triangles that show their back to the motion, "front" the others.
         ignore_leaving: ignores triangles that a shape touches at the start and leaves. skin: 0 or more.
+        only: a flag for each triangle, as of raycast().
         """
         options = (culling_number(culling), ignore_leaving, skin)
-        return _core.sweeps(self._core, *split(shape), displacement, options, threads)
+        flags = flag_array(only, self.triangle_count, "triangles")
+        return _core.sweeps(self._core, *split(shape), displacement, options, flags, threads)
 
     def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
         """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.

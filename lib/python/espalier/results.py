@@ -167,3 +167,9 @@ SCENE_TRIANGLE = _record("scene_triangle")
 """instance, in_tile, triangle."""
 INSTANCE = _record("instance")
 """transform (8), mesh, mask, user, source."""
+HANDLE = _record("handle")
+"""slot, generation, status: the name of an instance of a moving scene. A refused one has NO_TRIANGLE for its slot."""
+INSTANCE_PAIR = _record("instance_pair")
+"""a, b: two slots of a moving scene."""
+BAKED_PAIR = _record("baked_pair")
+"""moving, instance, in_tile: a slot of a moving scene, and an instance of a baked one."""

@@ -11,6 +11,8 @@
 #include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/scene.hpp>
+#include <espalier/scenes/moving_scene.hpp>
+#include <espalier/scenes/pairs.hpp>
 #include <espalier/status.hpp>
 #include <espalier/sweep.hpp>
 #include <espalier/types.hpp>
@@ -103,6 +105,16 @@ std::map<std::string, py::dtype> make_all() {
     all["instance"] = make({Field{"transform", "8f4", offsetof(Instance, transform)}, ESPALIER_FIELD(Instance, mesh, "u4"),
                             ESPALIER_FIELD(Instance, mask, "u4"), ESPALIER_FIELD(Instance, user, "u4"),
                             ESPALIER_FIELD(Instance, source, "u4")}, sizeof(Instance));
+    using Handle = Result<InstanceHandle>;
+    all["handle"] = make({Field{"slot", "u4", offsetof(Handle, value) + offsetof(InstanceHandle, slot)},
+                          Field{"generation", "u4", offsetof(Handle, value) + offsetof(InstanceHandle, generation)},
+                          Field{"status", "u1", offsetof(Handle, status)}}, sizeof(Handle));
+    all["instance_pair"] = make({ESPALIER_FIELD(InstancePair, a, "u4"), ESPALIER_FIELD(InstancePair, b, "u4")},
+                                sizeof(InstancePair));
+    all["baked_pair"] = make({ESPALIER_FIELD(BakedPair, moving, "u4"),
+                              Field{"instance", "u4", offsetof(BakedPair, baked) + offsetof(InstanceId, index)},
+                              Field{"in_tile", "u4", offsetof(BakedPair, baked) + offsetof(InstanceId, in_tile)}},
+                             sizeof(BakedPair));
     return all;
 }
 // clang-format on

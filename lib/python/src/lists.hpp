@@ -41,6 +41,8 @@ public:
         places(1)[0] = value;
         ++count_;
     }
+    /// Returns the elements from one on.
+    std::span<Value> from(std::size_t first) { return {memory_.get() + first, count_ - first}; }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] const Value* data() const { return memory_.get(); }
 

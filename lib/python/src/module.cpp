@@ -20,5 +20,8 @@ PYBIND11_MODULE(_core, module) {
     bind_contacts(module);
     bind_pairs(module);
     bind_transforms(module);
-    bind_scenes(module);
+    bind_baked_scenes(module);
+    bind_moving_scenes(module);
+    bind_scene_queries(module);
+    bind_scene_pairs(module);
 }

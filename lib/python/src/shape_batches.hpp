@@ -13,17 +13,23 @@
 
 namespace espalier::python {
 
+/// Returns nothing to hold: what a batch reads never changes.
+struct WithoutLock {
+    int operator()() const { return 0; }
+};
+
 /// Returns answer(shape, query) for each shape of a batch, which `more` is spread with. Refuses the kinds of shapes
-/// that `answer` does not take.
-template <class Answer>
+/// that `answer` does not take. Holds what lock() returns while it answers.
+template <class Answer, class Lock = WithoutLock>
 py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats* more, const py::dtype& type,
-                        unsigned threads, const Answer& answer) {
+                        unsigned threads, const Answer& answer, const Lock& lock = {}) {
     ShapeFields fields;
     return with_shape(kind, given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::array {
         if constexpr (std::invocable<const Answer&, const Shape&, std::size_t>) {
             const Batch batch = spread(fields, more);
             py::array results = batch.results(type);
             using Result = std::invoke_result_t<const Answer&, const Shape&, std::size_t>;
+            [[maybe_unused]] const auto held = lock();
             answer_each(static_cast<Result*>(results.mutable_data()), batch.count(), threads,
                         [&](std::size_t i) { return at(i, [&](const Shape& shape) { return answer(shape, i); }); });
             return results;
@@ -34,14 +40,16 @@ py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats*
 }
 
 /// Returns (offsets, values, statuses), where list(shape, query, values) appends those of a shape and returns its
-/// status. `more` is spread with the shapes. Refuses the kinds of shapes that `list` does not take.
-template <class Value, class List>
+/// status. `more` is spread with the shapes. Refuses the kinds of shapes that `list` does not take. Holds what lock()
+/// returns meanwhile.
+template <class Value, class List, class Lock = WithoutLock>
 py::tuple list_for_shapes(const std::string& kind, const py::tuple& given, Floats* more, const py::dtype& type,
-                          unsigned threads, const List& list) {
+                          unsigned threads, const List& list, const Lock& lock = {}) {
     ShapeFields fields;
     return with_shape(kind, given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::tuple {
         if constexpr (std::invocable<const List&, const Shape&, std::size_t, Growing<Value>&>) {
             const Batch batch = spread(fields, more);
+            [[maybe_unused]] const auto held = lock();
             return make_lists<Value>(batch, type, threads, [&](std::size_t i, Growing<Value>& values) {
                 return at(i, [&](const Shape& shape) { return list(shape, i, values); });
             });

@@ -1,6 +1,7 @@
 // Moving shapes against one blob.
 #include "bindings.hpp"
 #include "dtypes.hpp"
+#include "flags.hpp"
 #include "held_blob.hpp"
 #include "shape_batches.hpp"
 #include "sweeps.hpp"
@@ -12,8 +13,10 @@ namespace espalier::python {
 namespace {
 
 py::array sweeps(const HeldBlob& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
-                 const GivenSweepOptions& given_options, unsigned threads) {
-    const auto options = sweep_options<SweepOptions>(given_options);
+                 const GivenSweepOptions& given_options, const py::object& only, unsigned threads) {
+    const Flags flags(only);
+    auto options = sweep_options<SweepOptions>(given_options);
+    options.filter = flags.of_triangles();
     Floats ways(displacement, "displacement", {3});
     return answer_shapes(
         kind, given, &ways, dtype_of("sweep_hit"),

@@ -1,0 +1,249 @@
+"""Scenes whose instances come, move and go, and which pairs of them touch."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .blob import Blob
+from .filters import flag_array
+from .pairs import _visits
+from .results import Status
+from .scene_queries import SceneQueries
+from .scenes import Scene, instance_rows, words
+
+
+class Pairs(NamedTuple):
+    """Pairs of instances, in ascending order, and whether they are all."""
+
+    items: NDArray[Any]
+    """(n,): INSTANCE_PAIR, or BAKED_PAIR of a moving scene and a baked one."""
+    status: Status
+    """OK: all. WORK_LIMIT: pairs are missing, from `next` on. OUT_OF_RANGE: `next` was refused, and what is behind it
+    is missing."""
+    next: tuple[int, ...]
+    """A pair to begin at, as `start` of the next call."""
+
+
+class MovingScene(SceneQueries):
+    """Instances of blobs that are inserted, moved and removed, with the queries of SceneQueries.
+
+    blobs: the meshes that instances place, Blob objects; instances name them by their numbers.
+    capacity: the largest number of instances at once, 1 to 2^24; it takes 161 bytes for each.
+    step_exponent: a step of the world is 2^step_exponent long, -100 to 80. A thousandth of the smallest instance is a
+    good step; the world reaches 2^30 - 128 steps from the origin.
+    tiles: Scene objects without tiles, numbered after the blobs.
+
+    Any number of threads may query a scene at once; a change waits for them, and they wait for it. Calls release
+    Python's lock. Results do not depend on the order of changes. Pickling writes a snapshot and the blobs.
+    """
+
+    __slots__ = ("_core", "_blobs", "_tiles")
+
+    def __init__(self, blobs: Sequence[Blob], capacity: int, step_exponent: int = -10, *,
+                 tiles: Sequence[Scene] = ()) -> None:
+        self._hold(blobs, tiles)
+        if not 1 <= capacity <= 1 << 24:
+            raise ValueError(f"capacity must be from 1 to 16777216, not {capacity}")
+        if not -100 <= step_exponent <= 80:
+            raise ValueError(f"step_exponent must be from -100 to 80, not {step_exponent}")
+        self._core = _core.create_moving_scene(*self._cores(), capacity, step_exponent)
+
+    def _hold(self, blobs: Sequence[Blob], tiles: Sequence[Scene]) -> None:
+        self._blobs, self._tiles = list(blobs), list(tiles)
+        for each in self._blobs:
+            if not isinstance(each, Blob):
+                raise TypeError(f"blobs must be Blob objects, not {type(each).__name__}; scenes are given as tiles")
+        for each in self._tiles:
+            if not isinstance(each, Scene):
+                raise TypeError(f"tiles must be Scene objects, not {type(each).__name__}")
+
+    def _cores(self) -> tuple[list[_core.Blob], list[_core.Scene]]:
+        return [blob._core for blob in self._blobs], [tile._core for tile in self._tiles]
+
+    @property
+    def instance_count(self) -> int:
+        """The number of instances."""
+        return int(self._core.facts()["instance_count"])
+
+    @property
+    def capacity(self) -> int:
+        """The number of instances that there is room for."""
+        return int(self._core.facts()["capacity"])
+
+    @property
+    def slot_end(self) -> int:
+        """A number above each slot that was ever used: the length of instances(), handles() and of flags."""
+        return int(self._core.facts()["slot_end"])
+
+    @property
+    def step_exponent(self) -> int:
+        """A step of the world is 2^step_exponent long."""
+        return int(self._core.facts()["step_exponent"])
+
+    @property
+    def quality(self) -> float:
+        """How much more surface the boxes of the tree have than after the last repack(); from 1.3 on, repack().
+
+        Infinite before the first repack(); 1 without instances. O(n).
+        """
+        return self._core.quality()
+
+    @property
+    def blobs(self) -> tuple[Blob, ...]:
+        """The meshes, by number."""
+        return tuple(self._blobs)
+
+    def _flags(self, only: Optional[ArrayLike]) -> Optional[NDArray[np.uint8]]:
+        return flag_array(only, self.slot_end, "slots")
+
+    def handles(self) -> NDArray[Any]:
+        """Returns the handles of all slots, (slot_end,): an array of HANDLE. A free slot has the status NOT_FOUND."""
+        return self._core.handles()
+
+    def instances(self) -> NDArray[Any]:
+        """Returns the instances of all slots, (slot_end,): an array of INSTANCE, whose `source` is the slot.
+
+        So `scene.instances()[hits["instance"]]` are those of hits. A free slot has NO_TRIANGLE for `mesh` and `source`,
+        and the mask 0.
+        """
+        return self._core.instances()
+
+    def insert(self, places: ArrayLike, meshes: ArrayLike = 0, *, masks: Optional[ArrayLike] = None,
+               users: Optional[ArrayLike] = None) -> NDArray[Any]:
+        """Inserts instances and returns their handles, (n,): an array of HANDLE.
+
+        places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob or tile. masks, users:
+        (n,), 32 bits for queries and for the caller. Keep the handles: they name instances until these are removed.
+        A refused instance has a status from 16 on, the others go on: INVALID_ARGUMENT for a number without a mesh or a
+        transform that is not valid, OUT_OF_RANGE for a place outside of the world, NO_ROOM in a full scene.
+        """
+        return self._core.insert(*instance_rows(places, meshes, masks, users))
+
+    def remove(self, handles: ArrayLike) -> NDArray[np.uint8]:
+        """Removes instances and returns the Status of each: OK, or STALE_HANDLE. handles: (...), of HANDLE."""
+        return self._core.remove(_handle_rows(handles))
+
+    def move(self, handles: ArrayLike, places: ArrayLike) -> NDArray[np.uint8]:
+        """Moves instances to other places, and returns the Status of each.
+
+        handles: (...), of HANDLE. places: (..., 8), which broadcast to the handles. An instance that is refused stays
+        where it is, and the others move: STALE_HANDLE, INVALID_ARGUMENT or OUT_OF_RANGE, as of insert(). Renews the
+        boxes of the tree once. Give all instances of a step in one call: it takes O(moved + capacity / 8).
+        """
+        rows = _handle_rows(handles)
+        given = np.asarray(places)
+        if given.shape[-1:] != (8,):
+            raise ValueError(f"places must have the shape (..., 8), not {given.shape}")
+        return self._core.move(rows, np.broadcast_to(given, (*rows.shape[:-1], 8)))
+
+    def set_masks(self, handles: ArrayLike, masks: ArrayLike) -> NDArray[np.uint8]:
+        """Sets the masks of instances, which broadcast to the handles. Returns the Status of each."""
+        return self._set_words(handles, words(masks, "masks"), True)
+
+    def set_users(self, handles: ArrayLike, users: ArrayLike) -> NDArray[np.uint8]:
+        """Sets the caller's numbers of instances, which broadcast to the handles. Returns the Status of each."""
+        return self._set_words(handles, words(users, "users"), False)
+
+    def _set_words(self, handles: ArrayLike, values: NDArray[np.uint32], is_mask: bool) -> NDArray[np.uint8]:
+        rows = _handle_rows(handles)
+        return self._core.set_words(rows, np.ascontiguousarray(np.broadcast_to(values, rows.shape[:-1])), is_mask)
+
+    def set_mesh(self, mesh: int, blob: Blob) -> None:
+        """Gives all instances of a mesh another blob, such as another pose of it, and renews their boxes.
+
+        The instances count as moved. Raises IndexError for a number without a mesh, and ValueError for a blob without
+        triangles or one that leaves the world at the place of an instance; the scene is then as before.
+        """
+        if not isinstance(blob, Blob):
+            raise TypeError(f"a Blob is needed, not {type(blob).__name__}")
+        if not 0 <= mesh < len(self._blobs):
+            raise IndexError(f"the scene has no mesh {mesh}")
+        status = Status(self._core.set_mesh(mesh, blob._core))
+        if status != Status.OK:
+            raise ValueError(f"mesh {mesh} keeps its blob: {status.describe()}")
+        self._blobs[mesh] = blob
+
+    def repack(self) -> None:
+        """Builds the tree anew, for faster queries. Call it every few steps, or when quality has risen. O(n)."""
+        self._core.repack()
+
+    def end_step(self) -> None:
+        """Ends a step: no instance counts as moved until it is moved or inserted again (only_moved)."""
+        self._core.end_step()
+
+    def candidate_pairs(self, baked: Optional[Scene] = None, *, only_moved: bool = False,
+                        start: Optional[Sequence[int]] = None) -> Pairs:
+        """Returns the pairs of instances that may touch: those whose boxes do, and whose masks share a bit.
+
+        baked: a scene that stays, in the same world; the pairs are then those of an instance of each, as BAKED_PAIR.
+        Without it: of this scene with itself, as INSTANCE_PAIR, a < b. Both name slots of this scene.
+        only_moved: only pairs of which an instance was moved or inserted since end_step().
+        start: the pair to begin at, by default the first one.
+        """
+        if baked is None:
+            return _pairs(_core.candidate_pairs(self._core, only_moved, _start(start, 2)))
+        return _pairs(_core.candidate_pairs_with_baked(self._core, _scene(baked), only_moved, _start(start, 3)))
+
+    def colliding_pairs(self, baked: Optional[Scene] = None, *, only_moved: bool = False,
+                        work_limit: Optional[int] = None, start: Optional[Sequence[int]] = None) -> Pairs:
+        """Returns the candidate pairs of which triangles touch.
+
+        work_limit: the number of pairs of nodes or leaves that all pairs together may visit; None is unlimited.
+        Other arguments are those of candidate_pairs(). A surface inside another one does not touch it.
+        """
+        visits = _visits(work_limit)
+        if baked is None:
+            return _pairs(_core.colliding_pairs(self._core, only_moved, _start(start, 2), visits))
+        return _pairs(_core.colliding_pairs_with_baked(self._core, _scene(baked), only_moved, _start(start, 3), visits))
+
+    def snapshot(self) -> bytes:
+        """Returns the bytes of the scene without its blobs, with which open_moving_scene() continues."""
+        return self._core.snapshot()
+
+    def __reduce__(self) -> Any:
+        return open_moving_scene, (self.snapshot(), self._blobs, self._tiles)
+
+    def __repr__(self) -> str:
+        return f"<espalier.MovingScene of {self.instance_count} instances of {len(self._blobs)} meshes>"
+
+
+def open_moving_scene(snapshot: bytes, blobs: Sequence[Blob], tiles: Sequence[Scene] = ()) -> MovingScene:
+    """Returns a moving scene that continues with a snapshot, whose handles stay valid. O(n log n).
+
+    blobs, tiles: those of the scene. Raises ValueError for bytes that are no snapshot or one of other meshes.
+    """
+    scene = MovingScene.__new__(MovingScene)
+    scene._hold(blobs, tiles)
+    scene._core = _core.open_moving_scene(bytes(snapshot), *scene._cores())
+    return scene
+
+
+def _handle_rows(handles: ArrayLike) -> NDArray[np.uint32]:
+    array = np.asarray(handles)
+    names = array.dtype.names or ()
+    if "slot" not in names or "generation" not in names:
+        raise TypeError(f"handles must be those that insert() returned, of espalier.HANDLE, not {array.dtype}")
+    return np.stack([array["slot"], array["generation"]], axis=-1).astype(np.uint32, copy=False)
+
+
+def _scene(baked: Any) -> _core.Scene:
+    if not isinstance(baked, Scene):
+        raise TypeError(f"baked must be a Scene, not {type(baked).__name__}")
+    return baked._core
+
+
+def _start(start: Optional[Sequence[int]], length: int) -> tuple[int, ...]:
+    if start is None:
+        return (0,) * length
+    numbers = tuple(int(number) for number in start)
+    if len(numbers) != length or min(numbers) < 0 or max(numbers) > 0xFFFFFFFF:
+        raise ValueError(f"start must be {length} integers from 0 to 4294967295, as `next` of the call before")
+    return numbers
+
+
+def _pairs(collected: tuple[NDArray[Any], int, tuple[int, ...]]) -> Pairs:
+    return Pairs(collected[0], Status(collected[1]), collected[2])

@@ -1,0 +1,102 @@
+// Baked scenes: many instances of blobs in one file.
+#include "bindings.hpp"
+#include "dtypes.hpp"
+#include "held_blob.hpp"
+#include "scenes/instances.hpp"
+
+#include <cstring>
+
+#include <espalier/bake.hpp>
+#include <espalier/scene.hpp>
+
+namespace espalier::python {
+
+namespace {
+
+/// Returns an open scene, or the number of the refusal.
+py::object open_held(std::shared_ptr<const HeldBytes> held) {
+    auto opened = std::make_unique<HeldScene>();
+    opened->held = std::move(held);
+    {
+        const py::gil_scoped_release unlocked;
+        const auto bytes = opened->held->bytes();
+        opened->meshes.resize(mesh_count_of_scene(bytes));
+        opened->tiles.resize(tile_count_of_scene(bytes));
+        opened->scene = open_scene(bytes, opened->meshes, opened->tiles);
+    }
+    if (!opened->scene) return py::int_(static_cast<int>(opened->scene.status()));
+    return py::cast(std::move(opened));
+}
+
+/// Returns (status, message), or an open scene. `places` has 8 numbers, `numbers` mesh, mask and user of each instance.
+py::object bake(const py::list& blobs, const py::handle& places, const GivenInstances::Numbers& numbers) {
+    const GivenInstances given(places, numbers);
+    std::vector<std::shared_ptr<const HeldBytes>> held;
+    std::vector<std::span<const std::byte>> bytes;
+    for (const py::handle blob : blobs) {
+        if (py::isinstance<HeldBlob>(blob)) {
+            bytes.push_back(blob.cast<const HeldBlob&>().bytes());
+        } else if (py::isinstance<HeldScene>(blob)) {
+            bytes.push_back(blob.cast<const HeldScene&>().held->bytes());
+        } else {
+            held.push_back(HeldBytes::of(blob));
+            bytes.push_back(held.back()->bytes());
+        }
+    }
+    std::vector<Instance> instances;
+    for (std::size_t i = 0; i < given.batch.count(); ++i) instances.push_back(given.at(i));
+    SceneBakeResult result;
+    {
+        const py::gil_scoped_release unlocked;
+        result = bake_scene(bytes, instances);
+    }
+    if (!result) return py::make_tuple(static_cast<int>(result.status), result.message);
+    return open_held(HeldBytes::of(std::move(result.bytes)));
+}
+
+py::array instances_of(const HeldScene& self) {
+    py::array results(dtype_of("instance"),
+                      std::vector<py::ssize_t>{static_cast<py::ssize_t>(self.scene.instance_count())});
+    auto* out = static_cast<char*>(results.mutable_data());
+    for (std::uint32_t i = 0; i < self.scene.instance_count(); ++i) {
+        const Instance instance = instance_at(self.scene, {i, InstanceId{}.in_tile}).value;
+        std::memcpy(out + i * sizeof instance, &instance, sizeof instance);
+    }
+    return results;
+}
+
+/// Returns one of the scene's meshes, which lie in the bytes of the scene.
+HeldBlob mesh_of(const HeldScene& self, std::size_t mesh) {
+    if (mesh >= self.scene.meshes().size()) throw py::index_error("the scene has no such mesh");
+    return {self.held, self.scene.meshes()[mesh]};
+}
+
+}  // namespace
+
+void bind_baked_scenes(py::module_& module) {
+    py::class_<HeldScene>(module, "Scene", py::buffer_protocol())
+        .def("instances", instances_of)
+        .def("mesh", mesh_of)
+        .def("facts",
+             [](const HeldScene& self) {
+                 const Box bounds = self.scene.bounds();
+                 py::dict facts;
+                 facts["instance_count"] = self.scene.instance_count();
+                 facts["mesh_count"] = self.scene.meshes().size();
+                 facts["tile_count"] = self.scene.tiles().size();
+                 facts["size"] = self.scene.size();
+                 facts["max_error"] = self.scene.max_error();
+                 facts["bounds"] = py::make_tuple(py::make_tuple(bounds.min.x, bounds.min.y, bounds.min.z),
+                                                  py::make_tuple(bounds.max.x, bounds.max.y, bounds.max.z));
+                 return facts;
+             })
+        .def_buffer([](HeldScene& self) {
+            const auto bytes = self.held->bytes();
+            return py::buffer_info(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                   static_cast<py::ssize_t>(bytes.size()));
+        });
+    module.def("open_scene", [](const py::object& object) { return open_held(HeldBytes::of(object)); });
+    module.def("bake_scene", bake);
+}
+
+}  // namespace espalier::python

@@ -1,0 +1,232 @@
+// Scenes whose instances come, move and go. Each call takes a whole batch of them.
+#include "bindings.hpp"
+#include "dtypes.hpp"
+#include "floats.hpp"
+#include "scenes/held_moving.hpp"
+#include "scenes/instances.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include <espalier/scenes/moving_scene.hpp>
+
+namespace espalier::python {
+
+namespace {
+
+static_assert(sizeof(InstanceHandle) == 8);
+
+/// Returns a scene without a block, with the meshes and tiles that its instances place.
+std::unique_ptr<HeldMovingScene> hold_parts(const py::list& meshes, const py::list& tiles) {
+    auto self = std::make_unique<HeldMovingScene>();
+    for (const py::handle mesh : meshes) {
+        self->meshes.push_back(mesh.cast<const HeldBlob&>().blob);
+        self->mesh_owners.push_back(py::reinterpret_borrow<py::object>(mesh));
+    }
+    for (const py::handle tile : tiles) {
+        self->tiles.push_back(tile.cast<const HeldScene&>().scene);
+        self->tile_owners.push_back(py::reinterpret_borrow<py::object>(tile));
+    }
+    return self;
+}
+
+/// Gives a scene its block, whose bytes are not set.
+std::span<std::byte> allocate(HeldMovingScene& self, std::size_t size) {
+    self.memory.reset(static_cast<std::byte*>(::operator new (size, std::align_val_t{32})));
+    return {self.memory.get(), size};
+}
+
+std::unique_ptr<HeldMovingScene> create(const py::list& meshes, const py::list& tiles, std::uint32_t capacity,
+                                        int step_exponent) {
+    auto self = hold_parts(meshes, tiles);
+    const auto size = static_cast<std::size_t>(moving_scene_bytes(capacity));
+    if (size == 0) throw py::value_error("capacity must be from 1 to 16777216");
+    const std::span<std::byte> memory = allocate(*self, size);
+    self->scene = create_moving_scene(memory, capacity, step_exponent, self->meshes, self->tiles);
+    if (!self->scene) throw py::value_error("step_exponent must be from -100 to 80");
+    return self;
+}
+
+std::unique_ptr<HeldMovingScene> open(const py::bytes& snapshot, const py::list& meshes, const py::list& tiles) {
+    auto self = hold_parts(meshes, tiles);
+    const std::string_view bytes = snapshot;
+    const std::span<std::byte> memory = allocate(*self, std::max<std::size_t>(bytes.size(), 1));
+    std::memcpy(memory.data(), bytes.data(), bytes.size());
+    {
+        const py::gil_scoped_release unlocked;
+        self->scene = open_moving_scene(memory.first(bytes.size()), self->meshes, self->tiles);
+    }
+    if (!self->scene) throw py::value_error("the bytes are no snapshot of a moving scene with these meshes and tiles");
+    return self;
+}
+
+py::bytes snapshot(const HeldMovingScene& self) {
+    const auto lock = reading(self);
+    const std::span<const std::byte> bytes = self.scene.bytes();
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Returns a handle and a status for each instance.
+py::array insert_all(HeldMovingScene& self, const py::handle& places, const GivenInstances::Numbers& numbers) {
+    const GivenInstances instances(places, numbers);
+    py::array results = instances.batch.results(dtype_of("handle"));
+    auto* out = static_cast<Result<InstanceHandle>*>(results.mutable_data());
+    alone(self, [&] {
+        for (std::size_t i = 0; i < instances.batch.count(); ++i) out[i] = insert(self.scene, instances.at(i));
+    });
+    return results;
+}
+
+/// The handles of a batch: an array whose last axis is a slot and a generation.
+class Handles {
+public:
+    using Array = py::array_t<std::uint32_t, py::array::c_style>;
+
+    explicit Handles(const Array& given) : array_(given), shape_(shape_of(given)) {
+        if (shape_.empty() || shape_.back() != 2) throw py::value_error("a handle has a slot and a generation");
+        shape_.pop_back();
+    }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(array_.size()) / 2; }
+    [[nodiscard]] InstanceHandle at(std::size_t i) const { return {array_.data()[2 * i], array_.data()[2 * i + 1]}; }
+    /// Returns an array for a status of each.
+    [[nodiscard]] py::array statuses() const { return py::array(py::dtype::of<std::uint8_t>(), shape_); }
+
+private:
+    Array array_;
+    std::vector<py::ssize_t> shape_;
+};
+
+/// Calls change(scene, handle, value) with each handle and the 32 bits of it, and returns the statuses.
+template <class Change>
+py::array change_each(HeldMovingScene& self, const Handles& handles, const std::uint32_t* values,
+                      const Change& change) {
+    py::array statuses = handles.statuses();
+    auto* out = static_cast<QueryStatus*>(statuses.mutable_data());
+    alone(self, [&] {
+        for (std::size_t i = 0; i < handles.count(); ++i)
+            out[i] = change(self.scene, handles.at(i), values == nullptr ? 0 : values[i]);
+    });
+    return statuses;
+}
+
+py::array remove_all(HeldMovingScene& self, const Handles::Array& given) {
+    return change_each(self, Handles(given), nullptr,
+                       [](MovingScene& scene, InstanceHandle handle, std::uint32_t) { return remove(scene, handle); });
+}
+
+using Words = py::array_t<std::uint32_t, py::array::c_style>;
+
+/// Sets the mask or the user's number of each instance.
+py::array set_words(HeldMovingScene& self, const Handles::Array& given, const Words& words, bool is_mask) {
+    const Handles handles(given);
+    if (static_cast<std::size_t>(words.size()) != handles.count())
+        throw py::value_error("there must be a number for each handle");
+    return change_each(self, handles, words.data(), is_mask ? set_mask : set_user);
+}
+
+/// Moves instances as one batch, which goes on behind those that are refused, and renews the tree once.
+py::array move_all(HeldMovingScene& self, const Handles::Array& given, const py::handle& given_places) {
+    const Handles handles(given);
+    Floats places(given_places, "places", {8});
+    const Batch batch({&places});
+    if (batch.count() != handles.count()) throw py::value_error("there must be a place for each handle");
+    py::array statuses = handles.statuses();
+    auto* out = static_cast<QueryStatus*>(statuses.mutable_data());
+    alone(self, [&] {
+        std::vector<Movement> movements(handles.count());
+        for (std::size_t i = 0; i < movements.size(); ++i) movements[i] = {handles.at(i), places.as<Transform>().at(i)};
+        std::fill_n(out, movements.size(), QueryStatus::ok);
+        for (std::size_t begin = 0; begin < movements.size();) {
+            const Filled moved = move(self.scene, std::span(movements).subspan(begin));
+            begin += moved.count;
+            if (moved.status != QueryStatus::ok) out[begin++] = moved.status;
+        }
+        refit(self.scene);
+    });
+    return statuses;
+}
+
+/// Gives all instances of a mesh another blob. Returns the status; a refusal changes nothing.
+int set_mesh(HeldMovingScene& self, std::size_t mesh, const py::object& given) {
+    const HeldBlob& blob = given.cast<const HeldBlob&>();
+    if (mesh >= self.meshes.size()) throw py::index_error("the scene has no such mesh");
+    if (blob.blob.triangle_count() == 0) throw py::value_error("the blob has no triangles");
+    py::object owner = given;
+    const QueryStatus status = alone(self, [&] {
+        const Blob old = self.meshes[mesh];
+        self.meshes[mesh] = blob.blob;
+        const QueryStatus moved = move_instances_of(self.scene, static_cast<std::uint32_t>(mesh));
+        if (moved == QueryStatus::ok) {
+            std::swap(self.mesh_owners[mesh].ptr(), owner.ptr());  // counts no references
+            refit(self.scene);
+        } else {
+            self.meshes[mesh] = old;
+        }
+        return moved;
+    });
+    return static_cast<int>(status);
+}
+
+/// Calls at(slot) for all slots that were ever used.
+template <class Value, class At>
+py::array for_slots(const HeldMovingScene& self, const char* type, const At& at) {
+    const auto lock = reading(self);
+    py::array results(dtype_of(type), std::vector<py::ssize_t>{static_cast<py::ssize_t>(self.scene.slot_end())});
+    auto* out = static_cast<Value*>(results.mutable_data());
+    for (std::uint32_t slot = 0; slot < self.scene.slot_end(); ++slot) out[slot] = at(slot);
+    return results;
+}
+
+py::array handles(const HeldMovingScene& self) {
+    return for_slots<Result<InstanceHandle>>(self, "handle",
+                                             [&](std::uint32_t slot) { return handle_of(self.scene, slot); });
+}
+
+py::array instances(const HeldMovingScene& self) {
+    return for_slots<Instance>(self, "instance", [&](std::uint32_t slot) {
+        const Result<Instance> instance = instance_at(self.scene, InstanceId{slot});
+        if (instance) return *instance;
+        Instance free;
+        free.mesh = free.source = no_instance.index;
+        free.mask = 0;
+        return free;
+    });
+}
+
+py::dict facts(const HeldMovingScene& self) {
+    const auto lock = reading(self);
+    py::dict facts;
+    facts["instance_count"] = self.scene.instance_count();
+    facts["capacity"] = self.scene.capacity();
+    facts["slot_end"] = self.scene.slot_end();
+    facts["step_exponent"] = self.scene.step_exponent();
+    return facts;
+}
+
+float quality_of(const HeldMovingScene& self) {
+    const auto lock = reading(self);
+    return quality(self.scene);
+}
+
+}  // namespace
+
+void bind_moving_scenes(py::module_& module) {
+    py::class_<HeldMovingScene>(module, "MovingScene")
+        .def("facts", facts)
+        .def("quality", quality_of)
+        .def("handles", handles)
+        .def("instances", instances)
+        .def("snapshot", snapshot)
+        .def("insert", insert_all)
+        .def("remove", remove_all)
+        .def("move", move_all)
+        .def("set_words", set_words)
+        .def("set_mesh", set_mesh)
+        .def("repack", [](HeldMovingScene& self) { alone(self, [&] { repack(self.scene); }); })
+        .def("end_step", [](HeldMovingScene& self) { alone(self, [&] { end_step(self.scene); }); });
+    module.def("create_moving_scene", create);
+    module.def("open_moving_scene", open);
+}
+
+}  // namespace espalier::python

@@ -1,0 +1,167 @@
+// Queries of scenes: those of baked and of moving ones are the same.
+#include "bindings.hpp"
+#include "dtypes.hpp"
+#include "flags.hpp"
+#include "floats.hpp"
+#include "lists.hpp"
+#include "parts.hpp"
+#include "rays.hpp"
+#include "scenes/held_moving.hpp"
+#include "shape_batches.hpp"
+#include "sweeps.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <espalier/scene.hpp>
+#include <espalier/scenes/moving_scene.hpp>
+
+namespace espalier::python {
+
+namespace {
+
+/// A triangle of an instance, as the type scene_triangle has it.
+struct SceneTriangle {
+    InstanceId instance;
+    TriangleId triangle;
+};
+static_assert(sizeof(SceneTriangle) == 12);
+
+/// Takes the four arguments of rays.
+Rays rays_of(const py::tuple& given, int culling) { return {given[0], given[1], given[2], given[3], culling}; }
+
+template <class Scene>
+py::array raycasts(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
+                   unsigned threads) {
+    const Rays rays = rays_of(given, culling);
+    const Flags flags(only);
+    py::array results = rays.batch.results(dtype_of("scene_ray_hit"));
+    [[maybe_unused]] const auto lock = reading(self);
+    answer_each(static_cast<InScene<RayHit>*>(results.mutable_data()), rays.batch.count(), threads,
+                [&](std::size_t i) { return raycast(self.scene, rays.arrays.at(i), flags.of_instances(mask)); });
+    return results;
+}
+
+template <class Scene>
+py::array occlusions(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
+                     unsigned threads) {
+    const Rays rays = rays_of(given, culling);
+    const Flags flags(only);
+    py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
+    [[maybe_unused]] const auto lock = reading(self);
+    answer_each(static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
+                [&](std::size_t i) { return occluded(self.scene, rays.arrays.at(i), flags.of_instances(mask)); });
+    return results;
+}
+
+/// Appends what walk(visit) visits, in ascending order of instances, and returns its status. A moving scene visits in
+/// the order of its tree, but within one instance in that of a baked scene.
+template <class Scene, class Value, class Walk>
+QueryStatus append_by_instance(Growing<Value>& all, const Walk& walk) {
+    const std::size_t before = all.count();
+    const QueryStatus status = append(all, walk);
+    if constexpr (std::is_same_v<Scene, HeldMovingScene>) {
+        const std::span<Value> added = all.from(before);
+        std::stable_sort(added.begin(), added.end(),
+                         [](const Value& a, const Value& b) { return a.instance.index < b.instance.index; });
+    }
+    return status;
+}
+
+template <class Scene>
+py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
+                    unsigned threads) {
+    const Rays rays = rays_of(given, culling);
+    const Flags flags(only);
+    using Hit = InScene<RayHit>;
+    [[maybe_unused]] const auto lock = reading(self);
+    return make_lists<Hit>(rays.batch, dtype_of("scene_ray_hit"), threads, [&](std::size_t i, Growing<Hit>& hits) {
+        return append_by_instance<Scene>(hits, [&](const auto& push) {
+            return for_each_hit(
+                self.scene, rays.arrays.at(i),
+                [&](InstanceId instance, const RayHit& hit) {
+                    return push(Hit{hit, instance});
+                },
+                flags.of_instances(mask));
+        });
+    });
+}
+
+template <class Scene>
+py::array closest_points(const Scene& self, const py::handle& given, const py::handle& max_distance, std::uint32_t mask,
+                         unsigned threads) {
+    Floats points(given, "points", {3});
+    Floats distances(max_distance, "max_distance", {});
+    const Batch batch({&points, &distances});
+    const auto point = points.as<Vec3>();
+    const auto distance = distances.as<float>();
+    py::array results = batch.results(dtype_of("scene_closest_point"));
+    [[maybe_unused]] const auto lock = reading(self);
+    answer_each(static_cast<InScene<ClosestPoint>*>(results.mutable_data()), batch.count(), threads,
+                [&](std::size_t i) { return closest_point(self.scene, point.at(i), distance.at(i), mask); });
+    return results;
+}
+
+template <class Scene>
+py::array sweeps(const Scene& self, const std::string& kind, const py::tuple& given, const py::handle& displacement,
+                 const GivenSweepOptions& given_options, std::uint32_t mask, const py::object& only, unsigned threads) {
+    const Flags flags(only);
+    auto options = sweep_options<SceneSweepOptions>(given_options);
+    options.filter = flags.of_instances(mask);
+    Floats ways(displacement, "displacement", {3});
+    const auto answer = [&](const auto& shape, std::size_t i) requires requires {
+        sweep(self.scene, shape, Vec3{}, SceneFilter());
+    }
+    { return sweep(self.scene, shape, ways.as<Vec3>().at(i), options); };
+    return answer_shapes(kind, given, &ways, dtype_of("scene_sweep_hit"), threads, answer,
+                         [&] { return reading(self); });
+}
+
+template <class Scene>
+py::array touching(const Scene& self, const std::string& kind, const py::tuple& given, std::uint32_t mask,
+                   const py::object& only, unsigned threads) {
+    const Flags flags(only);
+    const auto answer = [&](const SceneShape auto& shape, std::size_t) {
+        return overlaps(self.scene, shape, flags.of_instances(mask));
+    };
+    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads, answer,
+                         [&] { return reading(self); });
+}
+
+template <class Scene>
+py::tuple touching_lists(const Scene& self, const std::string& kind, const py::tuple& given, std::uint32_t mask,
+                         const py::object& only, unsigned threads) {
+    const Flags flags(only);
+    const auto list = [&](const SceneShape auto& shape, std::size_t, Growing<SceneTriangle>& triangles) {
+        return append_by_instance<Scene>(triangles, [&](const auto& push) {
+            return for_each_overlap(
+                self.scene, shape,
+                [&](InstanceId instance, TriangleId triangle) {
+                    return push(SceneTriangle{instance, triangle});
+                },
+                flags.of_instances(mask));
+        });
+    };
+    return list_for_shapes<SceneTriangle>(kind, given, nullptr, dtype_of("scene_triangle"), threads, list,
+                                          [&] { return reading(self); });
+}
+
+template <class Scene>
+void bind_queries_of(py::module_& module) {
+    module.def("scene_raycasts", raycasts<Scene>);
+    module.def("scene_occlusions", occlusions<Scene>);
+    module.def("scene_hit_lists", hit_lists<Scene>);
+    module.def("scene_closest_points", closest_points<Scene>);
+    module.def("scene_sweeps", sweeps<Scene>);
+    module.def("scene_touching", touching<Scene>);
+    module.def("scene_touching_lists", touching_lists<Scene>);
+}
+
+}  // namespace
+
+void bind_scene_queries(py::module_& module) {
+    bind_queries_of<HeldScene>(module);
+    bind_queries_of<HeldMovingScene>(module);
+}
+
+}  // namespace espalier::python
