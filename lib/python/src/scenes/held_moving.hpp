@@ -20,7 +20,7 @@ namespace espalier::python {
 /// A moving scene as Python holds it.
 struct HeldMovingScene {
     struct Free {
-        void operator()(std::byte* memory) const { ::operator delete (memory, std::align_val_t{32}); }
+        void operator()(std::byte* bytes) const { ::operator delete (bytes, std::align_val_t{32}); }
     };
 
     std::vector<py::object> mesh_owners;  // each keeps the bytes of a mesh
