@@ -22,24 +22,11 @@ public:
     /// Returns a bound for each triangle, whose three corners are seen from the sphere's centre.
     [[nodiscard]] Floats operator()(const Floats3* corners) const {
         const Triangle triangle(corners);
-        return is_sphere_ ? of_triangle(triangle) : of_prism(triangle);
+        const Floats first = of_triangle(triangle, triangle.corners);
+        return is_sphere_ ? first : smaller(first, of_prism(triangle));
     }
 
 private:
-    /// The direction of an edge, and what of its cylinder does not depend on where the edge is.
-    struct Side {
-        Floats3 vector;
-        Floats3 way_across;
-        Floats squared;  ///< length
-        Floats a;        ///< of the equation of edge()
-
-        Side(const CapsuleBounds& capsule, const Floats3& v)
-            : vector(v), way_across(cross(capsule.way_, v)), squared(dot(v, v)) {
-            using namespace time_bounds;
-            const Floats error = multiply(multiply(capsule.squared_way_, squared), splat(rounding));
-            a = larger(subtract(dot(way_across, way_across), error), splat(0.0f));
-        }
-    };
     /// A triangle's sides, and its normal: what it and the same triangle at the other end of the axis share.
     struct Triangle {
         const Floats3* corners;
@@ -54,34 +41,23 @@ private:
               product(multiply(length_bound(sides[0]), length_bound(sides[1]))) {}
     };
 
-    [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle) const {
-        Floats first = face(triangle, triangle.corners);
-        for (int i = 0; i < 3; ++i) first = smaller(first, one_end(triangle.corners[i], triangle.sides[i]));
+    [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle, const Floats3* corners) const {
+        Floats first = face(triangle, corners);
+        for (int i = 0; i < 3; ++i) {
+            first = smaller(first, edge(corners[i], triangle.sides[i]));
+            first = smaller(first, vertex(corners[i]));
+        }
         return first;
     }
-    /// Of the vertex p and the edge that begins there.
-    [[nodiscard, gnu::noinline]] Floats one_end(const Floats3& p, const Floats3& vector) const {
-        return smaller(edge(p, Side(*this, vector)), vertex(p));
-    }
-    /// The triangle, the one at the axis' other end, and what connects the two.
+    /// The rest of the prism: the triangle at the axis' other end, and what connects the two.
     [[nodiscard, gnu::noinline]] Floats of_prism(const Triangle& triangle) const {
+        const Floats3 back = negate(axis_);
         Floats3 moved[3];
         for (int i = 0; i < 3; ++i) moved[i] = subtract(triangle.corners[i], axis_);
-        Floats first = smaller(face(triangle, triangle.corners), face(triangle, moved));
-        for (int i = 0; i < 3; ++i) first = smaller(first, both_ends(triangle.corners[i], moved[i], triangle.sides[i]));
-        return smaller(first, smaller(crossing(triangle), between_ends(triangle)));
-    }
-    /// Of the vertices p and q, and the edges of one direction that begin there.
-    [[nodiscard, gnu::noinline]] Floats both_ends(const Floats3& p, const Floats3& q, const Floats3& vector) const {
-        const Side side(*this, vector);
-        return smaller(smaller(edge(p, side), edge(q, side)), smaller(vertex(p), vertex(q)));
-    }
-    [[nodiscard, gnu::noinline]] Floats between_ends(const Triangle& triangle) const {
-        const Side back(*this, negate(axis_));
-        Floats first = splat(time_bounds::never);
+        Floats first = smaller(of_triangle(triangle, moved), crossing(triangle));
         for (int i = 0; i < 3; ++i) {
             first = smaller(first, edge(triangle.corners[i], back));
-            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i], back.vector));
+            first = smaller(first, parallelogram(triangle.corners[i], triangle.sides[i], back));
         }
         return first;
     }
@@ -96,18 +72,19 @@ private:
     }
     /// Of the cylinder around a side that begins at p, where the centre is beside it. A side without length is a
     /// vertex.
-    [[nodiscard, gnu::noinline]] Floats edge(const Floats3& p, const Side& side) const {
+    [[nodiscard, gnu::noinline]] Floats edge(const Floats3& p, const Floats3& side) const {
         using namespace time_bounds;
-        const Floats squared = side.squared, length = length_bound(side.vector), reach = length_bound(p);
-        const Floats3 u = cross(p, side.vector);
-        const Floats b =
-            multiply_add(multiply(multiply(reach, way_length_), squared), splat(rounding), dot(u, side.way_across));
+        const Floats squared = dot(side, side), length = length_bound(side), reach = length_bound(p);
+        const Floats3 u = cross(p, side), v = cross(way_, side);
+        const Floats a =
+            larger(subtract(dot(v, v), multiply(multiply(squared_way_, squared), splat(rounding))), splat(0.0f));
+        const Floats b = multiply_add(multiply(multiply(reach, way_length_), squared), splat(rounding), dot(u, v));
         const Floats c_error =
             multiply(multiply(multiply_add(reach, reach, squared_radius_), squared), splat(rounding));
         const Floats c = subtract(subtract(dot(u, u), multiply(squared_radius_, squared)), c_error);
         const Floats error = multiply(multiply(add(add(reach, way_length_), length), length), splat(rounding));
-        const Interval beside = {negate(dot(p, side.vector)), dot(way_, side.vector), splat(0.0f), squared, error};
-        const Floats when = larger(root(side.a, b, c), beside.entry());
+        const Interval beside = {negate(dot(p, side)), dot(way_, side), splat(0.0f), squared, error};
+        const Floats when = larger(root(a, b, c), beside.entry());
         return where_at_most(squared, splat(0.0f), splat(never), larger(when, beside.is_left_at(when)));
     }
     /// Where the centre is over the face. A face without area is a side.
