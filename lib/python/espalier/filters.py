@@ -17,7 +17,8 @@ def flag_array(only: Optional[ArrayLike], count: int, name: str) -> Optional[NDA
         return None
     array = np.asarray(only)
     if array.dtype not in (np.bool_, np.uint8):
-        remedy = f"; from numbers: flags = np.zeros({count}, bool); flags[numbers] = True"
+        remedy = ("; of 0 and 1: np.asarray(only, bool)" if array.shape == (count,) else
+                  f"; from numbers: flags = np.zeros({count}, bool); flags[numbers] = True")
         raise TypeError(f"only must be flags, an array of bool or uint8, not {array.dtype}"
                         + (remedy if array.dtype.kind in "iu" else ""))
     if array.shape != (count,):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from threading import RLock
 from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
@@ -22,8 +23,8 @@ class Pairs(NamedTuple):
     items: NDArray[Any]
     """(n,): INSTANCE_PAIR, or BAKED_PAIR of a moving scene and a baked one."""
     status: Status
-    """OK: all. WORK_LIMIT: pairs are missing, from `next` on. OUT_OF_RANGE: `next` was refused, and what is behind it
-    is missing."""
+    """OK: all. WORK_LIMIT: pairs are missing, from `next` on; if that is `start`, the limit is too small for one pair.
+    OUT_OF_RANGE: `next` was refused, and what is behind it is missing."""
     next: tuple[int, ...]
     """A pair to begin at, as `start` of the next call."""
 
@@ -37,11 +38,11 @@ class MovingScene(SceneQueries):
     good step; the world reaches 2^30 - 128 steps from the origin.
     tiles: Scene objects without tiles, numbered after the blobs.
 
-    Any number of threads may query a scene at once; a change waits for them, and they wait for it. Calls release
-    Python's lock. Results do not depend on the order of changes. Pickling writes a snapshot and the blobs.
+    Any number of threads may query a scene at once; a change waits for those that began before it, and those that begin
+    later wait for it. Calls release Python's lock. Results do not depend on the order of changes. Pickling writes a snapshot and the blobs.
     """
 
-    __slots__ = ("_core", "_blobs", "_tiles")
+    __slots__ = ("_core", "_blobs", "_tiles", "_changing")
 
     def __init__(self, blobs: Sequence[Blob], capacity: int, step_exponent: int = -10, *,
                  tiles: Sequence[Scene] = ()) -> None:
@@ -53,6 +54,7 @@ class MovingScene(SceneQueries):
         self._core = _core.create_moving_scene(*self._cores(), capacity, step_exponent)
 
     def _hold(self, blobs: Sequence[Blob], tiles: Sequence[Scene]) -> None:
+        self._changing = RLock()  # the scene and the list of its blobs change together
         self._blobs, self._tiles = list(blobs), list(tiles)
         for each in self._blobs:
             if not isinstance(each, Blob):
@@ -98,7 +100,7 @@ class MovingScene(SceneQueries):
         return tuple(self._blobs)
 
     def _flags(self, only: Optional[ArrayLike]) -> Optional[NDArray[np.uint8]]:
-        return flag_array(only, self.slot_end, "slots")
+        return None if only is None else flag_array(only, self.slot_end, "slots")
 
     def handles(self) -> NDArray[Any]:
         """Returns the handles of all slots, (slot_end,): an array of HANDLE. A free slot has the status NOT_FOUND."""
@@ -155,6 +157,7 @@ class MovingScene(SceneQueries):
     def set_mesh(self, mesh: int, blob: Blob) -> None:
         """Gives all instances of a mesh another blob, such as another pose of it, and renews their boxes.
 
+        O(n) for a pose, which has the lattice of the blob before; another blob repacks the scene.
         The instances count as moved. Raises IndexError for a number without a mesh, and ValueError for a blob without
         triangles or one that leaves the world at the place of an instance; the scene is then as before.
         """
@@ -162,10 +165,11 @@ class MovingScene(SceneQueries):
             raise TypeError(f"a Blob is needed, not {type(blob).__name__}")
         if not 0 <= mesh < len(self._blobs):
             raise IndexError(f"the scene has no mesh {mesh}")
-        status = Status(self._core.set_mesh(mesh, blob._core))
-        if status != Status.OK:
-            raise ValueError(f"mesh {mesh} keeps its blob: {status.describe()}")
-        self._blobs[mesh] = blob
+        with self._changing:
+            status = Status(self._core.set_mesh(mesh, blob._core))
+            if status != Status.OK:
+                raise ValueError(f"mesh {mesh} keeps its blob: {status.describe()}")
+            self._blobs[mesh] = blob
 
     def repack(self) -> None:
         """Builds the tree anew, for faster queries. Call it every few steps, or when quality has risen. O(n)."""
@@ -205,7 +209,8 @@ class MovingScene(SceneQueries):
         return self._core.snapshot()
 
     def __reduce__(self) -> Any:
-        return open_moving_scene, (self.snapshot(), self._blobs, self._tiles)
+        with self._changing:
+            return open_moving_scene, (self.snapshot(), list(self._blobs), self._tiles)
 
     def __repr__(self) -> str:
         return f"<espalier.MovingScene of {self.instance_count} instances of {len(self._blobs)} meshes>"
@@ -214,7 +219,8 @@ class MovingScene(SceneQueries):
 def open_moving_scene(snapshot: bytes, blobs: Sequence[Blob], tiles: Sequence[Scene] = ()) -> MovingScene:
     """Returns a moving scene that continues with a snapshot, whose handles stay valid. O(n log n).
 
-    blobs, tiles: those of the scene. Raises ValueError for bytes that are no snapshot or one of other meshes.
+    blobs, tiles: those of the scene. Raises ValueError for bytes that are no snapshot, and for meshes of other bounds or
+    lattice steps; others with the same ones give other answers.
     """
     scene = MovingScene.__new__(MovingScene)
     scene._hold(blobs, tiles)
@@ -227,7 +233,7 @@ def _handle_rows(handles: ArrayLike) -> NDArray[np.uint32]:
     names = array.dtype.names or ()
     if "slot" not in names or "generation" not in names:
         raise TypeError(f"handles must be those that insert() returned, of espalier.HANDLE, not {array.dtype}")
-    return np.stack([array["slot"], array["generation"]], axis=-1).astype(np.uint32, copy=False)
+    return np.stack([array["slot"], array["generation"]], axis=-1).astype(np.uint32, casting="same_kind", copy=False)
 
 
 def _scene(baked: Any) -> _core.Scene:

@@ -37,6 +37,8 @@ public:
         return {memory_.get() + count_, capacity_ - count_};
     }
     void add(std::size_t written) { count_ += written; }
+    /// Removes the elements from one on.
+    void cut(std::size_t first) { count_ = first; }
     void push(const Value& value) {
         places(1)[0] = value;
         ++count_;
@@ -83,9 +85,10 @@ QueryStatus append(Growing<Value>& all, const Walk& walk) {
 }
 
 /// Returns (offsets, elements, statuses) of a batch, where list(query, elements) appends those of a query and returns
-/// its status.
-template <class Value, class List>
-py::tuple make_lists(const Batch& batch, const py::dtype& type, unsigned threads, const List& list) {
+/// its status. Holds what lock() returns while it calls list().
+template <class Value, class List, class Lock = WithoutLock>
+py::tuple make_lists(const Batch& batch, const py::dtype& type, unsigned threads, const List& list,
+                     const Lock& lock = {}) {
     const std::size_t count = batch.count();
     py::array_t<py::ssize_t> offsets(static_cast<py::ssize_t>(count + 1));
     py::ssize_t* const ends = offsets.mutable_data();
@@ -94,13 +97,16 @@ py::tuple make_lists(const Batch& batch, const py::dtype& type, unsigned threads
     const std::size_t size = threads == 1 ? std::max<std::size_t>(count, 1) : part_size;
     std::vector<Growing<Value>> parts((count + size - 1) / size);
     ends[0] = 0;
-    run_parts(parts.size(), threads, [&](std::size_t part) {
-        for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
-            const std::size_t before = parts[part].count();
-            status[i] = list(i, parts[part]);
-            ends[i + 1] = static_cast<py::ssize_t>(parts[part].count() - before);
-        }
-    });
+    run_parts(
+        parts.size(), threads,
+        [&](std::size_t part) {
+            for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
+                const std::size_t before = parts[part].count();
+                status[i] = list(i, parts[part]);
+                ends[i + 1] = static_cast<py::ssize_t>(parts[part].count() - before);
+            }
+        },
+        lock);
     for (std::size_t i = 0; i < count; ++i) ends[i + 1] += ends[i];
     if (parts.size() == 1) return py::make_tuple(offsets, parts[0].to_numpy(type), statuses);
     Growing<Value> all;

@@ -13,11 +13,6 @@
 
 namespace espalier::python {
 
-/// Returns nothing to hold: what a batch reads never changes.
-struct WithoutLock {
-    int operator()() const { return 0; }
-};
-
 /// Returns answer(shape, query) for each shape of a batch, which `more` is spread with. Refuses the kinds of shapes
 /// that `answer` does not take. Holds what lock() returns while it answers.
 template <class Answer, class Lock = WithoutLock>
@@ -29,9 +24,9 @@ py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats*
             const Batch batch = spread(fields, more);
             py::array results = batch.results(type);
             using Result = std::invoke_result_t<const Answer&, const Shape&, std::size_t>;
-            [[maybe_unused]] const auto held = lock();
-            answer_each(static_cast<Result*>(results.mutable_data()), batch.count(), threads,
-                        [&](std::size_t i) { return at(i, [&](const Shape& shape) { return answer(shape, i); }); });
+            answer_each(
+                static_cast<Result*>(results.mutable_data()), batch.count(), threads,
+                [&](std::size_t i) { return at(i, [&](const Shape& shape) { return answer(shape, i); }); }, lock);
             return results;
         } else {
             refuse_shape(kind);
@@ -49,10 +44,12 @@ py::tuple list_for_shapes(const std::string& kind, const py::tuple& given, Float
     return with_shape(kind, given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::tuple {
         if constexpr (std::invocable<const List&, const Shape&, std::size_t, Growing<Value>&>) {
             const Batch batch = spread(fields, more);
-            [[maybe_unused]] const auto held = lock();
-            return make_lists<Value>(batch, type, threads, [&](std::size_t i, Growing<Value>& values) {
-                return at(i, [&](const Shape& shape) { return list(shape, i, values); });
-            });
+            return make_lists<Value>(
+                batch, type, threads,
+                [&](std::size_t i, Growing<Value>& values) {
+                    return at(i, [&](const Shape& shape) { return list(shape, i, values); });
+                },
+                lock);
         } else {
             refuse_shape(kind);
         }

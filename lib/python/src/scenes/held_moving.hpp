@@ -6,7 +6,6 @@
 #include <mutex>
 #include <new>
 #include <shared_mutex>
-#include <variant>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -14,6 +13,7 @@
 #include <espalier/scenes/moving_scene.hpp>
 
 #include "held_blob.hpp"
+#include "parts.hpp"
 
 namespace espalier::python {
 
@@ -30,20 +30,33 @@ struct HeldMovingScene {
     std::unique_ptr<std::byte, Free> memory;
     MovingScene scene;
     mutable std::shared_mutex mutex;  // shared by queries, and held alone by changes
+    mutable std::mutex gate;          // held by who waits, so that queries do not pass a change that waits
 };
 
-/// Returns what a query of a scene holds while it reads: nothing, since a baked scene never changes.
-inline std::monostate reading(const HeldScene&) { return {}; }
-/// Returns a lock that keeps the scene as it is. Waits without Python's lock: the thread that it waits for may need it.
-inline std::shared_lock<std::shared_mutex> reading(const HeldMovingScene& self) {
+/// Returns how to keep a scene as it is during a query: a baked scene never changes.
+inline WithoutLock reading(const HeldScene&) { return {}; }
+/// Returns what returns a lock that keeps the scene as it is. Call that without Python's lock, and make no Python
+/// objects while it is held.
+inline auto reading(const HeldMovingScene& self) {
+    return [&self] {
+        const std::lock_guard first(self.gate);
+        return std::shared_lock(self.mutex);
+    };
+}
+
+/// Calls read() while no thread changes the scene, without Python's lock.
+template <class Read>
+auto shared(const HeldMovingScene& self, const Read& read) {
     const py::gil_scoped_release unlocked;
-    return std::shared_lock(self.mutex);
+    const auto lock = reading(self)();
+    return read();
 }
 
 /// Calls change() while no other thread reads or changes the scene, without Python's lock.
 template <class Change>
 auto alone(HeldMovingScene& self, const Change& change) {
     const py::gil_scoped_release unlocked;
+    const std::lock_guard first(self.gate);
     const std::unique_lock lock(self.mutex);
     return change();
 }

@@ -2,12 +2,15 @@
 #include "bindings.hpp"
 #include "dtypes.hpp"
 #include "floats.hpp"
+#include "lists.hpp"
 #include "scenes/held_moving.hpp"
 #include "scenes/instances.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <espalier/scenes/moving_scene.hpp>
 
@@ -42,8 +45,11 @@ std::unique_ptr<HeldMovingScene> create(const py::list& meshes, const py::list& 
     auto self = hold_parts(meshes, tiles);
     const auto size = static_cast<std::size_t>(moving_scene_bytes(capacity));
     if (size == 0) throw py::value_error("capacity must be from 1 to 16777216");
-    const std::span<std::byte> memory = allocate(*self, size);
-    self->scene = create_moving_scene(memory, capacity, step_exponent, self->meshes, self->tiles);
+    {
+        const py::gil_scoped_release unlocked;
+        const std::span<std::byte> memory = allocate(*self, size);
+        self->scene = create_moving_scene(memory, capacity, step_exponent, self->meshes, self->tiles);
+    }
     if (!self->scene) throw py::value_error("step_exponent must be from -100 to 80");
     return self;
 }
@@ -62,8 +68,10 @@ std::unique_ptr<HeldMovingScene> open(const py::bytes& snapshot, const py::list&
 }
 
 py::bytes snapshot(const HeldMovingScene& self) {
-    const auto lock = reading(self);
-    const std::span<const std::byte> bytes = self.scene.bytes();
+    const std::vector<std::byte> bytes = shared(self, [&] {
+        const std::span<const std::byte> all = self.scene.bytes();
+        return std::vector(all.begin(), all.end());
+    });
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -159,7 +167,9 @@ int set_mesh(HeldMovingScene& self, std::size_t mesh, const py::object& given) {
         const QueryStatus moved = move_instances_of(self.scene, static_cast<std::uint32_t>(mesh));
         if (moved == QueryStatus::ok) {
             std::swap(self.mesh_owners[mesh].ptr(), owner.ptr());  // counts no references
-            refit(self.scene);
+            // The slack of queries follows from the lattices, and a repack computes it anew.
+            if (old.lattice() == blob.blob.lattice()) refit(self.scene);
+            else repack(self.scene);
         } else {
             self.meshes[mesh] = old;
         }
@@ -171,11 +181,11 @@ int set_mesh(HeldMovingScene& self, std::size_t mesh, const py::object& given) {
 /// Calls at(slot) for all slots that were ever used.
 template <class Value, class At>
 py::array for_slots(const HeldMovingScene& self, const char* type, const At& at) {
-    const auto lock = reading(self);
-    py::array results(dtype_of(type), std::vector<py::ssize_t>{static_cast<py::ssize_t>(self.scene.slot_end())});
-    auto* out = static_cast<Value*>(results.mutable_data());
-    for (std::uint32_t slot = 0; slot < self.scene.slot_end(); ++slot) out[slot] = at(slot);
-    return results;
+    Growing<Value> values;
+    shared(self, [&] {
+        for (std::uint32_t slot = 0; slot < self.scene.slot_end(); ++slot) values.push(at(slot));
+    });
+    return values.to_numpy(dtype_of(type));
 }
 
 py::array handles(const HeldMovingScene& self) {
@@ -195,18 +205,18 @@ py::array instances(const HeldMovingScene& self) {
 }
 
 py::dict facts(const HeldMovingScene& self) {
-    const auto lock = reading(self);
+    const auto [count, end] =
+        shared(self, [&] { return std::pair(self.scene.instance_count(), self.scene.slot_end()); });
     py::dict facts;
-    facts["instance_count"] = self.scene.instance_count();
+    facts["instance_count"] = count;
     facts["capacity"] = self.scene.capacity();
-    facts["slot_end"] = self.scene.slot_end();
+    facts["slot_end"] = end;
     facts["step_exponent"] = self.scene.step_exponent();
     return facts;
 }
 
 float quality_of(const HeldMovingScene& self) {
-    const auto lock = reading(self);
-    return quality(self.scene);
+    return shared(self, [&] { return quality(self.scene); });
 }
 
 }  // namespace

@@ -77,11 +77,7 @@ py::tuple colliding_pairs(HeldMovingScene& self, bool only_moved, const Numbers<
 /// Calls collect(array) as Collected::of() does, while no thread changes the scene.
 template <class Collect>
 py::tuple collect_with_baked(const HeldMovingScene& self, const Collect& collect) {
-    const auto lock = reading(self);
-    auto collected = [&] {
-        const py::gil_scoped_release unlocked;
-        return Collected<BakedPair>::of(collect);
-    }();
+    auto collected = shared(self, [&] { return Collected<BakedPair>::of(collect); });
     return collected.to_python("baked_pair");
 }
 

@@ -36,9 +36,9 @@ py::array raycasts(const Scene& self, const py::tuple& given, int culling, std::
     const Rays rays = rays_of(given, culling);
     const Flags flags(only);
     py::array results = rays.batch.results(dtype_of("scene_ray_hit"));
-    [[maybe_unused]] const auto lock = reading(self);
-    answer_each(static_cast<InScene<RayHit>*>(results.mutable_data()), rays.batch.count(), threads,
-                [&](std::size_t i) { return raycast(self.scene, rays.arrays.at(i), flags.of_instances(mask)); });
+    answer_each(
+        static_cast<InScene<RayHit>*>(results.mutable_data()), rays.batch.count(), threads,
+        [&](std::size_t i) { return raycast(self.scene, rays.arrays.at(i), flags.of_instances(mask)); }, reading(self));
     return results;
 }
 
@@ -48,19 +48,21 @@ py::array occlusions(const Scene& self, const py::tuple& given, int culling, std
     const Rays rays = rays_of(given, culling);
     const Flags flags(only);
     py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
-    [[maybe_unused]] const auto lock = reading(self);
-    answer_each(static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
-                [&](std::size_t i) { return occluded(self.scene, rays.arrays.at(i), flags.of_instances(mask)); });
+    answer_each(
+        static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
+        [&](std::size_t i) { return occluded(self.scene, rays.arrays.at(i), flags.of_instances(mask)); },
+        reading(self));
     return results;
 }
 
 /// Appends what walk(visit) visits, in ascending order of instances, and returns its status. A moving scene visits in
-/// the order of its tree, but within one instance in that of a baked scene.
+/// the order of its tree, but within one instance in that of a baked scene. Nothing of a refused query is kept there.
 template <class Scene, class Value, class Walk>
 QueryStatus append_by_instance(Growing<Value>& all, const Walk& walk) {
     const std::size_t before = all.count();
     const QueryStatus status = append(all, walk);
     if constexpr (std::is_same_v<Scene, HeldMovingScene>) {
+        if (is_refused(status)) all.cut(before);  // what was visited until then depends on the tree
         const std::span<Value> added = all.from(before);
         std::stable_sort(added.begin(), added.end(),
                          [](const Value& a, const Value& b) { return a.instance.index < b.instance.index; });
@@ -74,17 +76,19 @@ py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std:
     const Rays rays = rays_of(given, culling);
     const Flags flags(only);
     using Hit = InScene<RayHit>;
-    [[maybe_unused]] const auto lock = reading(self);
-    return make_lists<Hit>(rays.batch, dtype_of("scene_ray_hit"), threads, [&](std::size_t i, Growing<Hit>& hits) {
-        return append_by_instance<Scene>(hits, [&](const auto& push) {
-            return for_each_hit(
-                self.scene, rays.arrays.at(i),
-                [&](InstanceId instance, const RayHit& hit) {
-                    return push(Hit{hit, instance});
-                },
-                flags.of_instances(mask));
-        });
-    });
+    return make_lists<Hit>(
+        rays.batch, dtype_of("scene_ray_hit"), threads,
+        [&](std::size_t i, Growing<Hit>& hits) {
+            return append_by_instance<Scene>(hits, [&](const auto& push) {
+                return for_each_hit(
+                    self.scene, rays.arrays.at(i),
+                    [&](InstanceId instance, const RayHit& hit) {
+                        return push(Hit{hit, instance});
+                    },
+                    flags.of_instances(mask));
+            });
+        },
+        reading(self));
 }
 
 template <class Scene>
@@ -96,9 +100,9 @@ py::array closest_points(const Scene& self, const py::handle& given, const py::h
     const auto point = points.as<Vec3>();
     const auto distance = distances.as<float>();
     py::array results = batch.results(dtype_of("scene_closest_point"));
-    [[maybe_unused]] const auto lock = reading(self);
-    answer_each(static_cast<InScene<ClosestPoint>*>(results.mutable_data()), batch.count(), threads,
-                [&](std::size_t i) { return closest_point(self.scene, point.at(i), distance.at(i), mask); });
+    answer_each(
+        static_cast<InScene<ClosestPoint>*>(results.mutable_data()), batch.count(), threads,
+        [&](std::size_t i) { return closest_point(self.scene, point.at(i), distance.at(i), mask); }, reading(self));
     return results;
 }
 
@@ -113,8 +117,7 @@ py::array sweeps(const Scene& self, const std::string& kind, const py::tuple& gi
         sweep(self.scene, shape, Vec3{}, SceneFilter());
     }
     { return sweep(self.scene, shape, ways.as<Vec3>().at(i), options); };
-    return answer_shapes(kind, given, &ways, dtype_of("scene_sweep_hit"), threads, answer,
-                         [&] { return reading(self); });
+    return answer_shapes(kind, given, &ways, dtype_of("scene_sweep_hit"), threads, answer, reading(self));
 }
 
 template <class Scene>
@@ -124,8 +127,7 @@ py::array touching(const Scene& self, const std::string& kind, const py::tuple& 
     const auto answer = [&](const SceneShape auto& shape, std::size_t) {
         return overlaps(self.scene, shape, flags.of_instances(mask));
     };
-    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads, answer,
-                         [&] { return reading(self); });
+    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads, answer, reading(self));
 }
 
 template <class Scene>
@@ -143,7 +145,7 @@ py::tuple touching_lists(const Scene& self, const std::string& kind, const py::t
         });
     };
     return list_for_shapes<SceneTriangle>(kind, given, nullptr, dtype_of("scene_triangle"), threads, list,
-                                          [&] { return reading(self); });
+                                          reading(self));
 }
 
 template <class Scene>
