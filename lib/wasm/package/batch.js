@@ -71,14 +71,13 @@ export class Batch {
     /// Returns the fields of records, each in an array of its own.
     columns(record, records, count = this.count) {
         const { bytes, fields } = this.instance.records[record];
-        const column = this.instance.allocate(bytes * count);
+        const column = this.allocate(bytes * count);
         const result = {};
         for (const [name, field] of Object.entries(fields)) {
             const width = field.count * field.Type.BYTES_PER_ELEMENT;
             this.functions.wasm_copy_fields(records + field.offset, bytes, column, width, width, count);
             result[name.replace('value.', '')] = this.copy(field.Type, column, field.count * count);
         }
-        this.instance.release(column);
         return result;
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <espalier/c/batches/arrays.h>
 #include <espalier/c/status.h>
@@ -26,9 +27,10 @@ struct Room {
     std::size_t capacity;
     std::size_t added = 0;
 
+    /// More elements than memory has room for count as one too many, so that the number does not wrap.
     void add(const Item& item) {
         if (added < capacity) places[added] = item;
-        ++added;
+        if (added <= PTRDIFF_MAX / sizeof(Item)) ++added;
     }
 };
 
