@@ -9,7 +9,7 @@ rm -rf "$folder"
 mkdir -p "$folder/include"
 folder=$(realpath "$folder")
 for package in CLI11:CLI nlohmann_json:nlohmann; do
-    config=$(cd /usr && find share/cmake lib/cmake -maxdepth 1 -name "${package%:*}" 2>/dev/null | head -n 1)
+    config=$(cd /usr && find share/cmake lib/cmake -maxdepth 1 -name "${package%:*}" 2>/dev/null | head -n 1) || true
     if [[ -z $config || ! -d /usr/include/${package#*:} ]]; then
         echo "skipped: ${package%:*} is not installed (tools/dev platforms installs it)"
         exit 77

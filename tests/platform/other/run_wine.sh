@@ -18,8 +18,16 @@ unset DISPLAY WAYLAND_DISPLAY WINEARCH
 # Without mscoree and mshtml nothing asks for Mono and Gecko; menus and file types of the user stay as they are.
 export WINEPREFIX=$prefix WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml=;winemenubuilder.exe="
 
+mkdir -p "$prefix"
+# A program that starts while the server ends loses its connection, so the server stays for ten minutes after the last one.
+for server in wineserver /usr/lib/wine/wineserver64 /usr/lib/wine/wineserver; do
+    if command -v "$server" >/dev/null; then
+        # It fails where it runs already. Wine's own programs stay as long, so the first of all must not keep our streams.
+        if "$server" -p600 </dev/null >/dev/null 2>&1; then "$wine" cmd /c exit </dev/null >/dev/null 2>&1 || true; fi
+        break
+    fi
+done
 if [[ ! -e $prefix/runs ]]; then
-    mkdir -p "$prefix"
     status=0
     timeout 300 "$wine" cmd /c exit 7 </dev/null >"$prefix/probe.log" 2>&1 || status=$?
     if [[ $status -ne 7 ]]; then
@@ -28,11 +36,4 @@ if [[ ! -e $prefix/runs ]]; then
     fi
     touch "$prefix/runs"
 fi
-# A program that starts while the server ends loses its connection, so the server stays for ten minutes after the last one.
-for server in wineserver /usr/lib/wine/wineserver64 /usr/lib/wine/wineserver; do
-    if command -v "$server" >/dev/null; then
-        "$server" -p600 </dev/null >/dev/null 2>&1 || true  # fails where it runs already
-        break
-    fi
-done
 if [[ $# -gt 0 ]]; then exec "$wine" "$@"; fi
