@@ -34,6 +34,9 @@ void require_writable(std::span<const NamedOutput> outputs) {
         if (is_standard_output(output.path)) continue;
         if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
             OutputFiles().add(output.path, {});  // a temporary that is removed again
+            if (!fs::exists(status)) continue;
+            if (const int failure = error_of_replacing(path_of(output.path)); failure != 0)
+                fail_to_write(output.path, failure);
         } else if (const int failure = error_of_writing_to(output.path); failure != 0) {
             fail_to_write(output.path, failure);
         }
@@ -52,7 +55,7 @@ void refuse_standard_output(std::span<const NamedOutput> outputs) {
 void require_ending(const NamedOutput& output, std::string_view ending, std::string_view what) {
     std::error_code error;
     const fs::file_status status = fs::status(path_of(output.path), error);
-    const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
+    const bool is_device = is_standard_output(output.path) || (fs::exists(status) && !fs::is_regular_file(status));
     if (output.path.empty() || output.path.ends_with(ending) || is_device) return;
     throw CommandError(ExitCode::usage, text(output.option, ' ', printable(output.path), ": ", what,
                                              "; give it a name that ends in ", ending, '.'));

@@ -24,6 +24,9 @@ int write_directly(const std::string& path, std::span<const std::byte> bytes);
 /// Returns 0 if this process may write to the pipe or device, else an error.
 int error_of_writing_to(const std::string& path);
 
+/// Returns 0 if another file may take the place of this one, as far as can be found before; else an error.
+int error_of_replacing(const std::filesystem::path& target);
+
 /// While it lives, an interrupt of the process waits, so that it leaves no temporary behind.
 class HeldInterrupts {
 public:

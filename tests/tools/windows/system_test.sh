@@ -57,6 +57,19 @@ run 1 bake box.obj -o '.\box.obj'
 err_has "itself"
 only replaced "folder.espl x.espl "
 
+claim "names in files that are no UTF-8 are those of missing files"
+{ printf 'mtllib H\366hle.mtl\n'; cat box.obj; } >latin.obj
+run 0 bake latin.obj -o latin.espl -q
+same latin.espl box.espl
+
+claim "a file that must not be replaced is refused before the work begins"
+cp sheet.espl kept.espl
+chmod a-w kept.espl
+run 2 bake box.obj -o kept.espl --depfile kept.d
+absent kept.d
+same kept.espl sheet.espl
+chmod u+w kept.espl
+
 claim "what this build cannot read or write is refused by name, with the remedy"
 write_box_collada "" 1 Y_UP >box.dae
 run 5 bake box.dae -o refused.espl --json

@@ -78,6 +78,9 @@ int write_directly(const std::string& path, std::span<const std::byte> bytes) {
 
 int error_of_writing_to(const std::string& path) { return ::access(path.c_str(), W_OK) != 0 ? errno : 0; }
 
+/// The right to do so is that of the folder, in which write_temporary() makes a file.
+int error_of_replacing(const std::filesystem::path&) { return 0; }
+
 struct HeldInterrupts::State {
     sigset_t before;
 };

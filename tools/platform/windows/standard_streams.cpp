@@ -63,6 +63,7 @@ bool is_standard_output(const std::string& path) {
 void end_process(int exit_code, std::string_view to_stderr, std::string_view to_stdout) {
     write_to(2, to_stderr);
     write_to(1, to_stdout);
+    if (code_page_before != 0) restore_code_page();
     ::_exit(exit_code);
 }
 

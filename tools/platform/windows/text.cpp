@@ -13,4 +13,13 @@ std::string utf8_of(std::wstring_view text) {
     return result;
 }
 
+std::wstring utf16_of(std::string_view text) {
+    const int length = static_cast<int>(text.size());
+    if (length == 0) return {};
+    const int words = ::MultiByteToWideChar(CP_UTF8, 0, text.data(), length, nullptr, 0);
+    std::wstring result(static_cast<std::size_t>(words), L'\0');
+    ::MultiByteToWideChar(CP_UTF8, 0, text.data(), length, result.data(), words);
+    return result;
+}
+
 }  // namespace espalier::tools

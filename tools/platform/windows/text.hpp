@@ -8,5 +8,7 @@ namespace espalier::tools {
 
 /// Returns the text in UTF-8; half a pair of surrogates becomes U+FFFD.
 std::string utf8_of(std::wstring_view text);
+/// Returns the text in UTF-16; bytes that are no UTF-8 become U+FFFD.
+std::wstring utf16_of(std::string_view text);
 
 }  // namespace espalier::tools

@@ -55,9 +55,9 @@ int last_error() {
 /// Held while a temporary exists: an interrupt is handled by a thread of its own, which waits for it.
 std::recursive_mutex writing;
 
-/// Returns that the next handler is due: the system's, which ends the process.
+/// Returns that the next handler is due: the system's, which ends the process. No other temporary is begun until then.
 BOOL WINAPI wait_for_writing(DWORD) {
-    const std::lock_guard lock(writing);
+    writing.lock();
     return FALSE;
 }
 
@@ -101,6 +101,17 @@ int write_directly(const std::string& path, std::span<const std::byte> bytes) {
 int error_of_writing_to(const std::string& path) {
     constexpr int write_access = 2;
     return ::_waccess(path_of(path).c_str(), write_access) != 0 ? errno : 0;
+}
+
+/// A file that is open elsewhere without sharing its deletion stays, and so does a read-only one.
+int error_of_replacing(const std::filesystem::path& target) {
+    const DWORD attributes = ::GetFileAttributesW(target.c_str());
+    if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_READONLY) != 0) return EACCES;
+    const HANDLE file = ::CreateFileW(target.c_str(), DELETE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                                      nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+    if (file == INVALID_HANDLE_VALUE) return last_error();
+    ::CloseHandle(file);
+    return 0;
 }
 
 struct HeldInterrupts::State {
