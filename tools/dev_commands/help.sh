@@ -33,8 +33,8 @@ Before a release
               mutate [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--claims TEXT...] [--publish]
               The parts are verifier, decode, quantiser, traversal, rounding, small and queries; --since selects the files
               of lib whose code differs from a commit; --publish writes the table of docs/testing.md. Results are kept.
-  release     Makes the files of a release in build/packages: Debian packages, checked by lintian, and archives with the
-              command that needs no packages (5 minutes).
+  release     Makes the files of a release in build/packages: Debian packages, checked by lintian, and archives of the
+              command for Linux and Windows, which need no packages (10 minutes).
   firmware    Counts code, instructions, bytes read and stack of queries on six emulated Cortex-M cores (3 minutes):
               firmware [FOLDER_OF_MESHES]
 

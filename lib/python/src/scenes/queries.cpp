@@ -27,30 +27,34 @@ struct SceneTriangle {
 };
 static_assert(sizeof(SceneTriangle) == 12);
 
-/// Takes the four arguments of rays.
-Rays rays_of(const py::tuple& given, int culling) { return {given[0], given[1], given[2], given[3], culling}; }
+/// The four arguments of rays, and the flags of the instances that they may hit.
+struct FilteredRays : Rays {
+    Flags flags;
+
+    FilteredRays(const py::tuple& given, int culling, const py::object& only)
+        : Rays{given[0], given[1], given[2], given[3], culling}, flags(only) {}
+};
 
 template <class Scene>
 py::array raycasts(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                    unsigned threads) {
-    const Rays rays = rays_of(given, culling);
-    const Flags flags(only);
+    const FilteredRays rays(given, culling, only);
     py::array results = rays.batch.results(dtype_of("scene_ray_hit"));
     answer_each(
         static_cast<InScene<RayHit>*>(results.mutable_data()), rays.batch.count(), threads,
-        [&](std::size_t i) { return raycast(self.scene, rays.arrays.at(i), flags.of_instances(mask)); }, reading(self));
+        [&](std::size_t i) { return raycast(self.scene, rays.arrays.at(i), rays.flags.of_instances(mask)); },
+        reading(self));
     return results;
 }
 
 template <class Scene>
 py::array occlusions(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                      unsigned threads) {
-    const Rays rays = rays_of(given, culling);
-    const Flags flags(only);
+    const FilteredRays rays(given, culling, only);
     py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
     answer_each(
         static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
-        [&](std::size_t i) { return occluded(self.scene, rays.arrays.at(i), flags.of_instances(mask)); },
+        [&](std::size_t i) { return occluded(self.scene, rays.arrays.at(i), rays.flags.of_instances(mask)); },
         reading(self));
     return results;
 }
@@ -73,8 +77,7 @@ QueryStatus append_by_instance(Growing<Value>& all, const Walk& walk) {
 template <class Scene>
 py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                     unsigned threads) {
-    const Rays rays = rays_of(given, culling);
-    const Flags flags(only);
+    const FilteredRays rays(given, culling, only);
     using Hit = InScene<RayHit>;
     return make_lists<Hit>(
         rays.batch, dtype_of("scene_ray_hit"), threads,
@@ -85,7 +88,7 @@ py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std:
                     [&](InstanceId instance, const RayHit& hit) {
                         return push(Hit{hit, instance});
                     },
-                    flags.of_instances(mask));
+                    rays.flags.of_instances(mask));
             });
         },
         reading(self));
