@@ -54,17 +54,8 @@ for tool in "${needed[@]}"; do
     fi
 done
 mkdir -p "$build"
-if [[ $machine == windows ]]; then
-    "${emulator[@]}" || exit  # whether there is a Wine, and it runs programs
-    # The command too, for tests/tools/windows; without the libraries that Debian does not have for it.
-    status=0
-    bash "$here/../../lib/cmake/toolchains/header_libraries.sh" "$build/headers" || status=$?
-    case $status in
-        0) options+=(-DESPALIER_TOOLS=ON -DESPALIER_COMMAND_PARTS= -DCMAKE_FIND_ROOT_PATH="$build/headers") ;;
-        77) ;;  # a header is missing: the libraries alone
-        *) exit 1 ;;
-    esac
-fi
+if [[ $machine == windows ]]; then "${emulator[@]}" || exit; fi  # whether there is a Wine, and it runs programs
+
 "$cmake" -S "$here/other" -B "$build" -G "$generator" "${options[@]}" >"$build/configure.log" 2>&1 ||
     { cat "$build/configure.log"; exit 1; }
 "$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { tail -n 60 "$build/build.log"; exit 1; }

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# run.sh BUILD_FOLDER TEST ARGUMENT...: runs a test of the command with the one that tests/platform/run_platform.sh built for
-# Windows in BUILD_FOLDER, by Wine.
+# run.sh BUILD_FOLDER TEST ARGUMENT...: runs a test of the command with the one that build.sh built for Windows in BUILD_FOLDER,
+# by Wine.
 # Exit status: that of the test; 77 where there is no such build.
 set -euo pipefail
 
 build=$(realpath "$1") test=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 if [[ ! -e $build/espalier/tools/espalier.exe ]]; then
-    echo "skipped: the command was not built for Windows; the test of that platform prints the reason"
+    echo "skipped: the command was not built for Windows; the test that builds it prints the reason"
     exit 77
 fi
 # A program of this system that is the command there.
