@@ -17,11 +17,14 @@ cd "$folder/single"
 for macro in ESPALIER_PLAIN_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_PREDICTED_STRIPS=0 ESPALIER_SMALL_CODE=1; do
     "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-D$macro" espalier.cpp
 done
-for other in aarch64-linux-gnu-g++ "clang++ --target=wasm32-wasi -msimd128"; do  # the lanes of other machines
-    read -ra other <<<"$other"
-    echo '#include <span>' | "${other[@]}" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null || continue
+case $compiler in  # the lanes of another machine
+    g++*) other=aarch64-linux-gnu-g++ ;;
+    *) other="clang++ --target=wasm32-wasi -msimd128" ;;
+esac
+read -ra other <<<"$other"
+if echo '#include <span>' | "${other[@]}" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null; then
     "${other[@]}" -std=c++20 -fsyntax-only "${warnings[@]}" espalier.cpp
-done
+fi
 ! "$compiler" -std=c++20 -fsyntax-only -ffast-math espalier.cpp 2>/dev/null || { echo "failed: -ffast-math passes"; exit 1; }
 # Nothing is left that needs the library's own files.
 "$compiler" -std=c++20 -MM espalier.cpp >../espalier.d

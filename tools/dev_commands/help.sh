@@ -11,6 +11,7 @@ Every day
   test        Builds everything and runs every test, then again under the sanitizers
               (60 to 90 minutes).
               test --strict fails at a compiler warning or a missing include too, as continuous integration does.
+              It compiles by ccache, where that is installed.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.

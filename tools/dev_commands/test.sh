@@ -26,10 +26,15 @@ run_tests() {
 }
 
 run_all_tests() {
-    local warnings_are_errors=OFF precompile_headers=ON
+    local warnings_are_errors=OFF precompile_headers=ON launcher=
     export WERROR=-Wno-error  # for the tests that run a compiler
     case ${1-} in
-        --strict) warnings_are_errors=ON precompile_headers=OFF WERROR=-Werror ;;  # also at a missing include
+        --strict)
+            warnings_are_errors=ON precompile_headers=OFF WERROR=-Werror  # also at a missing include
+            # A checkout is new each time and has another name; what did not change is compiled once.
+            if command -v ccache >/dev/null; then launcher=ccache; fi
+            export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+            ;;
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}"
@@ -39,7 +44,8 @@ run_all_tests() {
     local installation=$!
     local built=no
     if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors" \
-        -DESPALIER_PRECOMPILE_HEADERS="$precompile_headers"; then built=yes; fi
+        -DESPALIER_PRECOMPILE_HEADERS="$precompile_headers" \
+        -DCMAKE_C_COMPILER_LAUNCHER="$launcher" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"; then built=yes; fi
     wait "$installation" || fail "packages are missing"
     if [[ $built == yes ]]; then
         run_tests build/release -LE windows  # `tools/dev platforms` runs those
