@@ -65,9 +65,9 @@ def words(values: ArrayLike, name: str) -> NDArray[np.uint32]:
 
 
 def instance_rows(places: ArrayLike, meshes: ArrayLike, masks: Optional[ArrayLike],
-                  users: Optional[ArrayLike]) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
+                  users: Optional[ArrayLike]) -> tuple[NDArray[Any], NDArray[np.uint32]]:
     """Returns the places of instances, (n, 8), and the mesh, mask and user's number of each, (n, 3)."""
-    rows = np.asarray(places, np.float32)
+    rows = np.asarray(places)  # the library takes real numbers of any type, and no others
     if rows.shape[-1:] != (8,) or rows.ndim > 2:
         raise ValueError(f"places must have the shape (n, 8), not {rows.shape}")
     rows = rows.reshape(-1, 8)
