@@ -254,6 +254,10 @@ function(espalier_command_of_sources sources executable_variable)
   set(environment "")
   set(options -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=ON -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF
     -DESPALIER_PRECOMPILE_HEADERS=ON)
+  if(DEFINED ESPALIER_COMMAND_PARTS) # also none
+    list(JOIN ESPALIER_COMMAND_PARTS "$<SEMICOLON>" parts) # one word of a command
+    list(APPEND options "-DESPALIER_COMMAND_PARTS=${parts}")
+  endif()
   if(CMAKE_CROSSCOMPILING)
     foreach(variable IN ITEMS CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS CMAKE_TOOLCHAIN_FILE PKG_CONFIG_PATH
         PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR)

@@ -64,6 +64,10 @@ cat >sources/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(sources LANGUAGES CXX)
 add_subdirectory(tools)
+if(NOT DEFINED ESPALIER_COMMAND_PARTS)
+  set(ESPALIER_COMMAND_PARTS all)
+endif()
+file(WRITE ${CMAKE_BINARY_DIR}/parts.txt "${ESPALIER_COMMAND_PARTS}\n")
 CMAKE
 cat >sources/tools/CMakeLists.txt <<'CMAKE'
 add_executable(espalier_command main.cpp)
@@ -95,6 +99,21 @@ for each in Ninja "Unix Makefiles"; do
     if has_generator "$each"; then generators+=("$each"); else status=77; fi
 done
 for each in "${generators[@]}"; do from_sources "own ${each::1}" "$each"; done
+
+claim "it has the parts that ESPALIER_COMMAND_PARTS names: all of a list, none, and by default those of the sources"
+# parts_are BUILD GENERATOR PARTS [OPTION]: the build makes a command of these parts
+parts_are() {
+    local build=$1 generator=$2 made
+    must configure level "$build" "${@:4}"
+    must build "$build" --target level
+    made=$(cat "$build/espalier_for_this_machine/parts.txt")
+    [ "$made" = "$3" ] || fail "$build: the parts are '$made', not '$3'"
+}
+for each in "${generators[@]}"; do
+    parts_are "own ${each::1}" "$each" all
+    for parts in "assimp;png" ""; do parts_are "own ${each::1}" "$each" "$parts" "-DESPALIER_COMMAND_PARTS=$parts"; done
+done
+rm -f "$verbs"
 
 claim "a cross build makes it with the compiler of this machine, whatever the environment says"
 if command -v arm-none-eabi-g++ >/dev/null; then
