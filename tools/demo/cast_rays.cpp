@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
 #include <vector>
 
 #include <espalier/espalier.hpp>
@@ -66,9 +65,18 @@ Tally cast(const Blob& blob, std::uint32_t count) {
     return tally;
 }
 
-std::vector<char> read_file(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+/// Reads a whole file; returns false at an error, whose reason is in errno.
+bool read_file(const char* path, std::vector<char>& bytes) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path, "rb"), std::fclose);
+    if (!file) return false;
+    constexpr std::size_t chunk = std::size_t{1} << 20;
+    for (std::size_t count = chunk; count == chunk;) {
+        const std::size_t have = bytes.size();
+        bytes.resize(have + chunk);
+        count = std::fread(bytes.data() + have, 1, chunk, file.get());
+        bytes.resize(have + count);
+    }
+    return std::ferror(file.get()) == 0;
 }
 
 double kilobytes(const char* path) {
@@ -84,7 +92,11 @@ int main(int argument_count, char** arguments) {
         std::fputs("usage: espalier_demo_rays MESH.obj BLOB.espl PICTURE.png\n", stderr);
         return 1;
     }
-    const std::vector<char> bytes = read_file(arguments[2]);
+    std::vector<char> bytes;
+    if (!read_file(arguments[2], bytes)) {
+        std::perror(arguments[2]);
+        return 2;
+    }
     Blob blob;
     const double open_seconds = seconds_of([&] { blob = open(std::as_bytes(std::span(bytes))); });
     if (!blob) {

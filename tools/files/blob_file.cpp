@@ -1,15 +1,13 @@
 #include "blob_file.hpp"
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <limits>
+#include <span>
 #include <utility>
 
+#include "base/file_error.hpp"
 #include "base/numbers.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 #include "scene_file.hpp"
 
@@ -20,34 +18,23 @@ namespace {
 constexpr std::size_t largest_blob = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t chunk = std::size_t{1} << 20;
 
-[[noreturn]] void fail_to_read(const std::string& path, int error) {
-    throw CommandError(
-        ExitCode::file_access,
-        text("cannot read '", printable(path), "': ", std::strerror(error), ". Check the path and the rights on it."),
-        {.file = path});
-}
-
 }  // namespace
 
 // In chunks and not by the file's stated size: pipes and devices state none.
 std::vector<std::byte> read_file(const std::string& path) {
-    errno = 0;
-    std::ifstream file;
-    if (path != "-") file.open(path_of(path), std::ios::binary);
-    std::istream& input = path == "-" ? std::cin : file;
+    InputFile file = path == "-" ? InputFile() : InputFile(path_of(path));
     std::vector<std::byte> bytes;
-    while (input) {
+    for (std::size_t count = chunk; count == chunk;) {
         const std::size_t have = bytes.size();
         if (have > largest_blob) {
             throw CommandError(ExitCode::unsupported,
                                text("'", printable(path), "' is larger than 4 GiB, which no blob is."), {.file = path});
         }
         bytes.resize(have + chunk);
-        input.read(reinterpret_cast<char*>(bytes.data() + have), static_cast<std::streamsize>(chunk));
-        bytes.resize(have + static_cast<std::size_t>(input.gcount()));
+        count = file.read(std::span(bytes).subspan(have));
+        bytes.resize(have + count);
     }
-    const bool failed = !input.eof() || input.bad() || (path == "-" && std::ferror(stdin) != 0);
-    if (failed) fail_to_read(path, errno == 0 ? EIO : errno);
+    if (file.error() != 0) fail_to_read(path, file.error());
     return bytes;
 }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "output_names.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 #include "platform/standard_streams.hpp"
 
@@ -60,10 +59,8 @@ void write_output_file(const std::string& path, std::span<const std::byte> bytes
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes) {
     std::error_code error;
     if (std::filesystem::is_regular_file(path_of(path), error) && !is_standard_output(path)) {
-        std::ifstream file(path_of(path), std::ios::binary);
-        const std::string before{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-        const auto old_bytes = std::as_bytes(std::span(before));
-        if (file && std::equal(bytes.begin(), bytes.end(), old_bytes.begin(), old_bytes.end())) return;
+        std::vector<std::byte> before;
+        if (read_whole_file(path_of(path), before) == 0 && std::ranges::equal(bytes, before)) return;
     }
     write_output_file(path, bytes);
 }

@@ -4,12 +4,13 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <new>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "base/exit_code.hpp"
+#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "import/assimp/importer.hpp"
 #include "import/gltf/importer.hpp"
@@ -18,6 +19,7 @@
 #include "import/readers/ply_reader.hpp"
 #include "import/readers/raw_reader.hpp"
 #include "import/readers/stl_reader.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
 namespace espalier::tools {
@@ -37,10 +39,9 @@ void require_readable(const std::string& path) {
         reason = "it is a folder";
     } else if (!std::filesystem::is_regular_file(status)) {
         reason = "importers read files only, no pipes or devices";
-    } else if (errno = 0; !std::ifstream(path_of(path), std::ios::binary).is_open()) {
-        reason = std::strerror(errno);
-    }
-    if (reason == nullptr && std::filesystem::file_size(path_of(path), error) == 0) {
+    } else if (const InputFile file(path_of(path)); file.error() != 0) {
+        reason = std::strerror(file.error());
+    } else if (file.size() == 0) {
         throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' is empty. Export it again."),
                            {.file = path});
     }
@@ -65,7 +66,9 @@ void require_kept_vertices(Import* import, const std::string& path) {
 /// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
 Import* importer_of(const std::string& path) {
     char begin[5] = {};
-    std::ifstream(path_of(path), std::ios::binary).read(begin, sizeof(begin));
+    InputFile file(path_of(path));
+    file.read(std::as_writable_bytes(std::span(begin)));
+    if (file.error() != 0) fail_to_read(path, file.error());
     const std::string_view content(begin, sizeof(begin));
     if (content.starts_with("ESPL") || content.starts_with("ESPS")) {
         throw CommandError(ExitCode::unsupported,

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
+#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "hidden_defects.hpp"
 #include "import/guards/crash_guard.hpp"
@@ -82,13 +83,15 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     ImportedFile file;
     file.path = path;
-    std::vector<std::string> missing;
+    OpenedFiles files{file.opened};
+    const std::vector<std::string>& missing = files.missing;
     importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes, like the next
-    importer.SetIOHandler(list_opened_files(file.opened, missing).release());
+    importer.SetIOHandler(list_opened_files(files).release());
     const std::string ending = ending_of(path);
     const bool is_known_ending = !ending.empty() && importer.IsExtensionSupported(ending);
     // Requests triangles only: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+    if (files.error != 0) fail_to_read(files.unreadable, files.error);
     if (scene == nullptr && !is_known_ending) {
         throw CommandError(ExitCode::unsupported,
                            text("'", printable(path), "' cannot be imported: ",

@@ -9,9 +9,15 @@
 
 namespace espalier::tools {
 
-/// Returns a reader of files that adds the path of each opened file to `opened`, and of each one that is not there to
-/// `missing`; both must live as long. Texts in UTF-16 are converted to UTF-8.
-std::unique_ptr<Assimp::IOSystem> list_opened_files(std::vector<std::string>& opened,
-                                                    std::vector<std::string>& missing);
+/// The paths of files that assimp opened or looked for.
+struct OpenedFiles {
+    std::vector<std::string>& opened;
+    std::vector<std::string> missing = {};  ///< those that are not there, or are folders
+    std::string unreadable = {};            ///< the first one of which reading failed
+    int error = 0;                          ///< why, a value of errno
+};
+
+/// Returns a reader of files that fills the lists, which must live as long. Texts in UTF-16 are converted to UTF-8.
+std::unique_ptr<Assimp::IOSystem> list_opened_files(OpenedFiles& files);
 
 }  // namespace espalier::tools

@@ -1,14 +1,13 @@
 #include "text_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "base/exit_code.hpp"
+#include "base/file_error.hpp"
 #include "base/numbers.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
 namespace espalier::tools {
@@ -86,16 +85,9 @@ float beyond_double(std::string_view decimal) {
 }  // namespace
 
 std::string read_bytes(const std::string& path) {
-    errno = 0;
-    std::ifstream file(path_of(path), std::ios::binary | std::ios::ate);
-    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
-    std::string bytes(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-    file.seekg(0);
-    if (size >= 0 && file.read(bytes.data(), size)) return bytes;
-    throw CommandError(ExitCode::file_access,
-                       text("cannot read '", printable(path), "': ", std::strerror(errno == 0 ? EIO : errno),
-                            ". Check the path and the rights on it."),
-                       {.file = path});
+    std::string bytes;
+    if (const int error = read_whole_file(path_of(path), bytes); error != 0) fail_to_read(path, error);
+    return bytes;
 }
 
 std::string utf8_text(std::string bytes) {

@@ -1,13 +1,12 @@
 #include "buffers.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "base/numbers.hpp"
 #include "base64.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
 namespace espalier::tools {
@@ -81,27 +80,25 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
     const std::string beside = text_of(file_beside);
     std::error_code error;
     const char* problem = nullptr;
+    std::vector<std::byte> bytes;
     ExitCode code = ExitCode::file_access;
     if (!std::filesystem::is_regular_file(file_beside, error)) {
         problem = error ? std::strerror(error.value()) : "it is no file";
-    } else if (std::filesystem::file_size(file_beside, error) < length) {
+    } else if (InputFile file(file_beside); file.error() != 0) {
+        problem = std::strerror(file.error());
+    } else if (file.size() < length) {
         problem = "it is shorter than \"byteLength\"";
         code = ExitCode::invalid_input;
-    }
-    std::ifstream file;
-    if (problem == nullptr) {
-        errno = 0;
-        file.open(file_beside, std::ios::binary);
-        if (!file.is_open()) problem = std::strerror(errno);
+    } else {
+        bytes.resize(length);
+        bytes.resize(file.read(bytes));
+        if (file.error() != 0) problem = std::strerror(file.error());
     }
     if (problem != nullptr) {
         throw CommandError(code, text(buffer.words(), ": cannot read '", printable(beside), "': ", problem,
                                       ". Put the whole file beside the glTF file."));
     }
     if (std::find(opened_.begin(), opened_.end(), beside) == opened_.end()) opened_.push_back(beside);
-    std::vector<std::byte> bytes(length);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(length));
-    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
     return bytes;
 }
 

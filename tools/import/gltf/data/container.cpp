@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "base/exit_code.hpp"
+#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "json_keys.hpp"
+#include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
 namespace espalier::tools {
@@ -49,12 +48,12 @@ Content content_of(std::string_view start) {
     return first != std::string_view::npos && start[first] == '{' ? Content::json : Content::other;
 }
 
-std::vector<std::byte> whole_file(const std::string& path) {
-    std::vector<std::byte> bytes(std::filesystem::file_size(path_of(path)));
-    std::ifstream file(path_of(path), std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-    return bytes;
+std::string start_of(const std::string& path) {
+    std::string start(4096, '\0');
+    InputFile file(path_of(path));
+    start.resize(file.read(std::as_writable_bytes(std::span(start))));
+    if (file.error() != 0) fail_to_read(path, file.error());
+    return start;
 }
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
@@ -136,18 +135,14 @@ bool has_lists_of_version_1(const nlohmann::json& json) {
 
 std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     const bool named_so = ends_as_gltf(path);
-    std::string start(4096, '\0');
-    std::ifstream opening(path_of(path), std::ios::binary);
-    opening.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(std::max<std::streamsize>(opening.gcount(), 0)));
-    const Content content = content_of(start);
+    const Content content = content_of(start_of(path));
     if (content == Content::other) {
         if (!named_so) return std::nullopt;
         fail(path,
              "it is named as a glTF file, and is neither JSON nor binary glTF. Give it the ending of its format.");
     }
     GltfContainer container;
-    container.file = whole_file(path);
+    if (const int error = read_whole_file(path_of(path), container.file); error != 0) fail_to_read(path, error);
     std::span<const std::byte> json = container.file;
     container.format = "glTF 2.0";
     if (content == Content::binary) {

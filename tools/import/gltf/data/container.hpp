@@ -19,8 +19,8 @@ struct GltfContainer {
     std::size_t trailing_bytes = 0;     ///< behind the last chunk of a .glb, or the length that its header states
 };
 
-/// Reads a readable file. Returns nothing for what is no glTF by ending and content. Throws CommandError:
-/// (invalid_input) for a broken file, (unsupported) for another version than 2.0.
+/// Reads a file. Returns nothing for what is no glTF by ending and content. Throws CommandError: (file_access) when it
+/// cannot be read, (invalid_input) for a broken file, (unsupported) for another version than 2.0.
 std::optional<GltfContainer> read_gltf_container(const std::string& path);
 
 }  // namespace espalier::tools
