@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests of what the command does where calls of the system fail: reads in the middle of a file.
+# Tests of what the command does where calls of the system fail: reads in the middle of a file, and limits on importers.
 # Usage: failing_calls_test.sh PATH_TO_ESPALIER
 # Exit status 77: nothing is broken, and what needs a library that is preloaded was not tested.
 # shellcheck source=meshes.sh
@@ -106,5 +106,18 @@ touch -d '2020-01-01' failing.h
 failing FAILING_FROM=10 embed box.espl -o level.c --header failing.h -q || fail "$(cat err)"
 same failing.h expected.h
 [ "$(stat -c %Y failing.h)" != "$(date -d '2020-01-01' +%s)" ] || fail "the header is the old one"
+
+claim "a limit on importers that cannot be set is exit status 5, with its option and the reason"
+failing FAILING_LIMITS=memory bake box.obj -o kept.espl --json
+[ $? = 5 ] || fail "no limit on memory was set, and: $(cat err)"
+err_has "'box.obj': the limit of --import-memory cannot be set: Operation not permitted. For files that you trust, --import-memory none"
+json '.error.kind == "import_memory" and .error.file == "box.obj"'
+failing FAILING_LIMITS=memory bake box.obj -o x.espl -q --import-memory none || fail "--import-memory none: $(cat err)"
+same x.espl box.espl
+failing FAILING_LIMITS=time bake box.obj -o kept.espl --json
+[ $? = 5 ] || fail "no limit on time was set, and: $(cat err)"
+err_has "'box.obj': the limit of --import-seconds cannot be set: Operation not permitted."
+json '.error.kind == "import_seconds" and .error.file == "box.obj"'
+same kept.espl box.espl
 
 finish

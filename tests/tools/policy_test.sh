@@ -173,6 +173,7 @@ if ! grep -q __asan_init "$espalier"; then
     err_has "'huge.off': reading it takes more than 512 MiB of memory, the limit of --import-memory"
     json '.error.file == "huge.off"'
     run 0 bake box.obj -o x.espl --import-memory 512M
+    run 0 bake box.obj -o x.espl --import-memory none
     run 3 verify box.espl --source huge.off --import-memory 512M --json
     run 3 trade huge.off --import-memory 512M --json
     for amount in 0 -1 many 12 512 1023K ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done

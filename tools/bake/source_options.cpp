@@ -21,6 +21,7 @@ constexpr std::uint64_t least_import_memory = 1 << 20;
 
 std::uint64_t import_memory(const std::string& input) {
     if (input.empty()) return default_import_memory();
+    if (input == "none") return 0;
     const std::uint64_t bytes = parse_byte_size(input, "--import-memory");
     if (bytes >= least_import_memory) return bytes;
     throw CommandError(ExitCode::usage, text("--import-memory: '", printable(input), "' is ", counted(bytes, "byte"),

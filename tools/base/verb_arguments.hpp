@@ -21,7 +21,7 @@ struct SourceArguments {
     std::optional<Axis> up;
     bool strict = false;            ///< warnings are errors
     bool allow_empty = false;       ///< files without triangles are none
-    std::string import_memory;      ///< an amount of bytes; empty: half of the machine's memory
+    std::string import_memory;      ///< an amount of bytes, or none; empty: half of the machine's memory
     double import_seconds = 600.0;  ///< of processor time, for one file
     bool verbose = false;           ///< print what importers report
 };

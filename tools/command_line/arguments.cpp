@@ -39,8 +39,8 @@ void add_source(CLI::App* verb, SourceArguments& source) {
                    "Take files without triangles, and let bake write a blob without any; without it either is an "
                    "error, and nothing is written");
     verb->add_option("--import-memory", source.import_memory,
-                     "Most address space (512M, 4G) that reading one file may add; without it half of the machine's "
-                     "memory. Beyond it the file is refused")
+                     "Most address space (512M, 4G) that reading one file may add, or none for no limit; without it "
+                     "half of the machine's memory. Beyond it the file is refused")
         ->type_name("BYTES");
     verb->add_option("--import-seconds", source.import_seconds,
                      "Most processor time that reading one file may take. Beyond it the file is refused")

@@ -1,4 +1,4 @@
-// Limits on the memory and the processor time of this process.
+// Limits on the memory and the processor time of this process. Errors are values of errno.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,9 @@ public:
     MemoryLimit(const MemoryLimit&) = delete;
     MemoryLimit& operator=(const MemoryLimit&) = delete;
 
+    /// Returns 0, or the error for which there is no limit.
+    [[nodiscard]] int error() const;
+
 private:
     struct State;
     std::unique_ptr<State> state_;
@@ -29,10 +32,16 @@ public:
     ProcessorTimeLimit(const ProcessorTimeLimit&) = delete;
     ProcessorTimeLimit& operator=(const ProcessorTimeLimit&) = delete;
 
+    /// Returns 0, or the error for which there is no limit.
+    [[nodiscard]] int error() const;
+
 private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Tests whether systems of this kind can limit the memory of a process.
+bool can_limit_memory();
 
 /// Returns the bytes of memory that the machine has.
 std::uint64_t machine_memory();

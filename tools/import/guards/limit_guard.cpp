@@ -1,6 +1,8 @@
 #include "limit_guard.hpp"
 
 #include <atomic>
+#include <cstring>
+#include <string_view>
 
 #include "base/numbers.hpp"
 #include "last_words.hpp"
@@ -26,11 +28,6 @@ void end_with_time_words() { end_with(time_words); }
     return memory;
 }
 
-std::new_handler note_allocations_that_fail() {
-    allocation_failed = false;
-    return std::set_new_handler(note_failed_allocation);
-}
-
 auto handler_that_names(const std::string& path, const ImportOptions& options) {
     time_words =
         last_words({ExitCode::invalid_input,
@@ -42,16 +39,33 @@ auto handler_that_names(const std::string& path, const ImportOptions& options) {
     return end_with_time_words;
 }
 
+/// Throws CommandError (unsupported) for an error.
+void require_set(int error, const std::string& path, const char* kind, std::string_view option,
+                 std::string_view remedy) {
+    if (error == 0) return;
+    throw CommandError(
+        ExitCode::unsupported,
+        text("'", printable(path), "': the limit of ", option, " cannot be set: ", std::strerror(error), ". ", remedy),
+        {.file = path, .kind = kind});
+}
+
 }  // namespace
+
+NotedAllocations::NotedAllocations() : before_(std::set_new_handler(note_failed_allocation)) {
+    allocation_failed = false;
+}
+
+NotedAllocations::~NotedAllocations() { std::set_new_handler(before_); }
 
 LimitGuard::LimitGuard(const std::string& path, const ImportOptions& options)
     : path_(path),
       limits_(options.limits),
-      handler_before_(note_allocations_that_fail()),
       memory_(limits_.memory),
-      time_(limits_.seconds, handler_that_names(path, options)) {}
-
-LimitGuard::~LimitGuard() { std::set_new_handler(handler_before_); }
+      time_(limits_.seconds, handler_that_names(path, options)) {
+    require_set(memory_.error(), path, "import_memory", "--import-memory",
+                "For files that you trust, --import-memory none reads without it.");
+    require_set(time_.error(), path, "import_seconds", "--import-seconds", "End other programs, and try again.");
+}
 
 bool LimitGuard::memory_ran_out() const { return allocation_failed; }
 
@@ -66,7 +80,15 @@ void LimitGuard::refuse_memory() const {
                        {.file = path_, .kind = "import_memory"});
 }
 
-std::uint64_t default_import_memory() { return machine_memory() / 2; }
+std::uint64_t default_import_memory() {
+    if (!can_limit_memory()) return 0;
+    const std::uint64_t memory = machine_memory();
+    if (memory != 0) return memory / 2;
+    throw CommandError(
+        ExitCode::unsupported,
+        "--import-memory: the system does not tell how much memory the machine has, of which half is the "
+        "limit without this option. Give an amount such as 4G, or none.");
+}
 
 }  // namespace espalier::tools
 

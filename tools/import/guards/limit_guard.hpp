@@ -9,15 +9,25 @@
 
 namespace espalier::tools {
 
+/// While it lives, allocations that fail are noted.
+class NotedAllocations {
+public:
+    NotedAllocations();
+    ~NotedAllocations();
+    NotedAllocations(const NotedAllocations&) = delete;
+    NotedAllocations& operator=(const NotedAllocations&) = delete;
+
+private:
+    std::new_handler before_;
+};
+
 /// While it lives, the process can add so much address space and no more: an allocation beyond it throws
 /// std::bad_alloc. After so much processor time of the process, user and system, the process ends with
 /// ExitCode::invalid_input and a message. Nothing has been written by then. One at a time.
 class LimitGuard {
 public:
+    /// Throws CommandError (unsupported) where a limit cannot be set.
     LimitGuard(const std::string& path, const ImportOptions& options);
-    ~LimitGuard();
-    LimitGuard(const LimitGuard&) = delete;
-    LimitGuard& operator=(const LimitGuard&) = delete;
 
     /// Whether an allocation failed: also one of which the importer made another error, or a file with less in it.
     [[nodiscard]] bool memory_ran_out() const;
@@ -27,12 +37,14 @@ public:
 private:
     std::string path_;
     ImportLimits limits_;
-    std::new_handler handler_before_;
+    NotedAllocations allocations_;
     MemoryLimit memory_;
     ProcessorTimeLimit time_;
 };
 
-/// Half of the machine's memory: baking takes four times what importing takes, so that no larger file could be baked.
+/// Returns half of the machine's memory: baking takes four times what importing takes, so that no larger file could be
+/// baked. Returns 0, no limit, where systems of this kind have none. Throws CommandError (unsupported) where the
+/// machine's memory is unknown.
 std::uint64_t default_import_memory();
 
 }  // namespace espalier::tools

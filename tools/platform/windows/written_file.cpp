@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <mutex>
 #include <random>
-#include <system_error>
 
+#include "errors.hpp"
 #include "platform/paths.hpp"
 #include "platform/standard_streams.hpp"
 
@@ -44,12 +44,6 @@ std::string random_ending() {
     std::string result;
     for (int i = 0; i < 6; ++i) result += characters[numbers() % characters.size()];
     return result;
-}
-
-int last_error() {
-    const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
-    const std::error_condition condition = error.default_error_condition();
-    return condition.category() == std::generic_category() ? condition.value() : EIO;
 }
 
 /// Held while a temporary exists: an interrupt is handled by a thread of its own, which waits for it.
