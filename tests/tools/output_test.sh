@@ -162,6 +162,25 @@ cp box.espl target.espl
 run 0 bake sheet.obj -o link.espl --ids --materials
 [ -L link.espl ] || fail "the link was replaced"
 same target.espl sheet.espl
+mkdir linked
+ln -s target.espl linked/second.espl
+ln -s linked/second.espl chain.espl # to a link whose file does not exist
+run 0 bake box.obj -o chain.espl
+[ -L chain.espl ] || fail "the first link was replaced"
+[ -L linked/second.espl ] || fail "the second link was replaced"
+same linked/target.espl box.espl
+run 1 bake box.obj -o chain.espl --depfile linked/target.espl
+err_has "name the same file"
+rm linked/target.espl
+run 1 bake box.obj -o chain.espl --depfile linked/target.espl
+absent linked/target.espl
+ln -s missing_folder/x.espl lost.espl
+run 2 bake box.obj -o lost.espl
+err_has "cannot write 'lost.espl': No such file or directory"
+ln -s loop.espl loop.espl
+run 2 bake box.obj -o loop.espl
+err_has "cannot write 'loop.espl': Too many levels of symbolic links"
+[ -L loop.espl ] || fail "the loop was replaced"
 run 0 bake box.obj -o /dev/null
 [ -c /dev/null ] || fail "/dev/null was replaced"
 run 0 bake box.obj -o /dev/stdout -q

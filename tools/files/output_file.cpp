@@ -24,12 +24,11 @@ void OutputFiles::add(const std::string& path, std::span<const std::byte> bytes)
     const std::filesystem::path named = path_of(path);
     const auto status = std::filesystem::status(named, error);
     if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
-    Staged file{path, named, {}, {}};
+    Staged file{path, {}, {}, {}};
     if (is_standard_output(path) || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
         file.bytes = bytes;
     } else {
-        if (std::filesystem::exists(status)) file.target = std::filesystem::canonical(named, error);
-        if (error && std::filesystem::exists(status)) fail_to_write(path, error.default_error_condition().value());
+        if (const int failure = follow_links(named, file.target); failure != 0) fail_to_write(path, failure);
         if (const int failure = write_temporary(file.target, bytes, file.temporary); failure != 0)
             fail_to_write(path, failure);
     }

@@ -77,7 +77,9 @@ void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::
 void refuse_one_file_for_two(std::span<const NamedOutput> outputs) {
     std::error_code error;
     const auto place = [&error](const std::string& path) {
-        return fs::weakly_canonical(fs::absolute(path_of(path)), error);
+        fs::path target;
+        if (follow_links(path_of(path), target) != 0) target = path_of(path);  // which is refused elsewhere
+        return fs::weakly_canonical(fs::absolute(target), error);
     };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (const NamedOutput& other : outputs.first(i)) {

@@ -10,6 +10,9 @@
 
 namespace espalier::tools {
 
+/// Stores in `target` the file that a path names behind symbolic links. Returns 0 or an error.
+int follow_links(const std::filesystem::path& path, std::filesystem::path& target);
+
 /// Writes a new file in the folder of `target`, flushes it to the disk and stores its name in `temporary`. Returns 0,
 /// or an error; then no file is left behind and `temporary` is empty.
 int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,

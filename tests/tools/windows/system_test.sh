@@ -57,6 +57,21 @@ run 1 bake box.obj -o '.\box.obj'
 err_has "itself"
 only replaced "folder.espl x.espl "
 
+claim "a link as an output is written through"
+mkdir linked
+cp sheet.espl linked/target.espl
+ln -s linked/target.espl link.espl
+run 0 bake box.obj -o link.espl -q
+[ -L link.espl ] || fail "the link was replaced"
+same linked/target.espl box.espl
+only linked "target.espl "
+cp sheet.espl linked/target.espl
+chmod a-w linked/target.espl
+run 2 bake box.obj -o link.espl --depfile link.d
+absent link.d
+same linked/target.espl sheet.espl
+chmod u+w linked/target.espl
+
 claim "names in files that are no UTF-8 are those of missing files"
 { printf 'mtllib H\366hle.mtl\n'; cat box.obj; } >latin.obj
 run 0 bake latin.obj -o latin.espl -q

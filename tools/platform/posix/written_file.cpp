@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
 
 #include "platform/standard_streams.hpp"
 
@@ -43,6 +44,20 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+/// The file need not exist: a link to a place where there is none yet is followed, too.
+int follow_links(const std::filesystem::path& path, std::filesystem::path& target) {
+    constexpr int most_links = 40;
+    target = path;
+    for (int links = 0; links < most_links; ++links) {
+        std::error_code error;
+        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(target, error))) return 0;
+        const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+        if (error) return error.value();
+        target = target.parent_path() / next;
+    }
+    return ELOOP;
+}
 
 int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,
                     std::filesystem::path& temporary) {

@@ -46,6 +46,26 @@ std::string random_ending() {
     return result;
 }
 
+HANDLE open_existing(const std::filesystem::path& path, DWORD access) {
+    return ::CreateFileW(path.c_str(), access, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
+                         OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+}
+
+/// Returns the name of an open file, without the mark of names of any length; an empty one where the drive has none.
+std::wstring name_of(HANDLE file) {
+    std::wstring name(MAX_PATH, L'\0');
+    DWORD length = ::GetFinalPathNameByHandleW(file, name.data(), static_cast<DWORD>(name.size()), 0);
+    if (length > name.size()) {
+        name.resize(length);
+        length = ::GetFinalPathNameByHandleW(file, name.data(), length, 0);
+    }
+    name.resize(length < name.size() ? length : 0);
+    constexpr std::wstring_view mark = L"\\\\?\\";
+    constexpr std::wstring_view mark_of_shares = L"\\\\?\\UNC\\";
+    if (name.starts_with(mark_of_shares)) return L"\\\\" + name.substr(mark_of_shares.size());
+    return name.starts_with(mark) ? name.substr(mark.size()) : name;
+}
+
 /// Held while a temporary exists: an interrupt is handled by a thread of its own, which waits for it.
 std::recursive_mutex writing;
 
@@ -56,6 +76,20 @@ BOOL WINAPI wait_for_writing(DWORD) {
 }
 
 }  // namespace
+
+/// A link to a file that does not exist is refused, because nothing tells the name of that.
+int follow_links(const std::filesystem::path& path, std::filesystem::path& target) {
+    target = path;
+    const DWORD attributes = ::GetFileAttributesW(path.c_str());
+    if (attributes == INVALID_FILE_ATTRIBUTES) return 0;  // a new file
+    const HANDLE file = open_existing(path, 0);
+    if (file == INVALID_HANDLE_VALUE) return last_error();
+    const std::wstring name = name_of(file);
+    const int error = last_error();
+    ::CloseHandle(file);
+    if (!name.empty()) target = name;
+    return name.empty() && (attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0 ? error : 0;
+}
 
 int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,
                     std::filesystem::path& temporary) {
@@ -99,13 +133,13 @@ int error_of_writing_to(const std::string& path) {
 
 /// A file that is open elsewhere without sharing its deletion stays, and so does a read-only one.
 int error_of_replacing(const std::filesystem::path& target) {
-    const DWORD attributes = ::GetFileAttributesW(target.c_str());
-    if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_READONLY) != 0) return EACCES;
-    const HANDLE file = ::CreateFileW(target.c_str(), DELETE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
-                                      nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+    const HANDLE file = open_existing(target, DELETE);
     if (file == INVALID_HANDLE_VALUE) return last_error();
+    BY_HANDLE_FILE_INFORMATION facts{};
+    const bool is_read_only =
+        ::GetFileInformationByHandle(file, &facts) != 0 && (facts.dwFileAttributes & FILE_ATTRIBUTE_READONLY) != 0;
     ::CloseHandle(file);
-    return 0;
+    return is_read_only ? EACCES : 0;
 }
 
 struct HeldInterrupts::State {
