@@ -18,7 +18,6 @@ namespace espalier::bench {
 namespace {
 
 constexpr WorkLimit unlimited = WorkLimit::unlimited();
-constexpr float infinity = __builtin_inff();
 
 /// A query of a blob at the origin and the same blob in a pose.
 struct PairQuery {

@@ -53,8 +53,7 @@ Transform Trial::any_transform(Random& random) const {
             std::ldexp(unit() * (1.0f + random.unit()), random.between(kind == 2 ? -30 : -3, kind == 3 ? 15 : 1));
     }
     if (kind != 12) return transform;
-    constexpr float hostile[] = {
-        0.0f, -0.0f, -1.0f, 0x1p-149f, 0x1p-101f, 0x1p127f, __builtin_inff(), __builtin_nanf("")};
+    constexpr float hostile[] = {0.0f, -0.0f, -1.0f, 0x1p-149f, 0x1p-101f, 0x1p127f, infinity, __builtin_nanf("")};
     float* const fields[] = {&transform.rotation.x,    &transform.rotation.w,    &transform.translation.x,
                              &transform.translation.z, &transform.translation.y, &transform.scale};
     *fields[random.below(6)] = hostile[random.below(static_cast<std::uint32_t>(std::size(hostile)))];

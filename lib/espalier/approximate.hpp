@@ -48,7 +48,7 @@ YesNo occluded(const Blob& blob, const Ray& ray, Accuracy accuracy, QueryCounter
 /// Bounds of a distance: it is at least `lower` and at most `upper`. The default holds for any distance.
 struct DistanceBounds {
     float lower = 0.0f;
-    float upper = __builtin_inff();
+    float upper = infinity;
 };
 
 /// Returns a lower and an upper bound of the distance from the point to the surface. Where `upper` is above

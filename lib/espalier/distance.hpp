@@ -25,7 +25,7 @@ struct [[nodiscard]] ClosestPoint {
     Vec3 point;        ///< on the surface
     Vec3 on_shape;     ///< the point of the shape at that distance; of a point: itself, as it was given
     Vec3 face_normal;  ///< unit length, pointing away from the front of the triangle; zero for one without area
-    float distance = __builtin_inff();
+    float distance = infinity;
     float u = 0.0f;                              ///< barycentric weight of corner b
     float v = 0.0f;                              ///< barycentric weight of corner c; corner a has 1 - u - v
     TriangleId triangle;                         ///< baked order; its corners are those of triangle_at()
@@ -41,18 +41,18 @@ struct [[nodiscard]] ClosestPoint {
 ///
 /// Refuses a point that is 2^120 lattice steps or more away (out_of_range). Cost: expected O(log n);
 /// docs/queries.md, Bounded, has the bound.
-ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance = __builtin_inff()) noexcept;
+ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance = infinity) noexcept;
 
 /// Returns the closest pair of points, one of the segment and one of the surface. The segment may have length zero. The
 /// distance is 0 exactly if they share a point, and the result is one such point.
 ///
 /// Refuses a segment that reaches 2^36 lattice steps or more from any vertex of the asset along an axis (out_of_range).
 /// Cost: as for a point, but several times as much per triangle.
-ClosestPoint closest_point(const Blob& blob, const Segment& segment, float max_distance = __builtin_inff()) noexcept;
+ClosestPoint closest_point(const Blob& blob, const Segment& segment, float max_distance = infinity) noexcept;
 
 /// Returns the closest pair of points, one of the solid box and one of the surface; otherwise as for a segment. An
 /// empty box has no closest point (not_found).
-ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance = __builtin_inff()) noexcept;
+ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance = infinity) noexcept;
 
 /// Writes the triangles that are closest to the point and within max_distance, as many as `nearest` has room for, each
 /// with its own closest point, sorted by distance; equally close ones by index. The first is the result of
@@ -62,7 +62,7 @@ ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance 
 /// Cost: O(log(nearest.size())) for each triangle that is closer than those found before; O(nearest.size()) in a blob
 /// with duplicate references.
 Filled closest_triangles(const Blob& blob, Vec3 point, std::span<ClosestPoint> nearest,
-                         float max_distance = __builtin_inff()) noexcept;
+                         float max_distance = infinity) noexcept;
 
 /// Returns whether the point is inside the closed surface. A point on the surface is inside; a point however far away
 /// is outside.
@@ -77,7 +77,7 @@ YesNo contains(const Blob& blob, Vec3 point) noexcept;
 /// than max_distance, the status is not_found and the distance is max_distance, negative inside.
 ///
 /// Refuses what contains() and closest_point() refuse. Cost: that of both.
-ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance = __builtin_inff()) noexcept;
+ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance = infinity) noexcept;
 
 /// The largest number of directions that winding_number() takes.
 inline constexpr unsigned max_winding_directions = 4096;

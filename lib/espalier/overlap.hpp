@@ -9,7 +9,7 @@
 #include <span>
 
 #include <espalier/blob.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>

@@ -15,7 +15,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/contact.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/status.hpp>
 #include <espalier/transform.hpp>
 #include <espalier/types.hpp>
@@ -44,7 +44,7 @@ struct [[nodiscard]] PairContact {
 
 /// The nearest points of two surfaces. Converts to true if the search found them and came to its end.
 struct [[nodiscard]] BlobDistance {
-    float distance = __builtin_inff();  ///< 0 where the surfaces touch; infinity if nothing was found
+    float distance = infinity;  ///< 0 where the surfaces touch; infinity if nothing was found
     Vec3 on_a;
     Vec3 on_b;
     TriangleId a;  ///< the triangle of on_a
@@ -136,7 +136,7 @@ Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairT
 /// first_contact(). not_found: nothing is within max_distance. work_limit: the distance is an upper bound, infinity if
 /// nothing was found yet. Refusals as overlaps(); invalid_argument also for a max_distance that is negative or NaN.
 [[nodiscard]] BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit,
-                                    float max_distance = __builtin_inff()) noexcept;
+                                    float max_distance = infinity) noexcept;
 
 /// Returns whether the surfaces are within `distance` (0 or more, or infinity) of each other; equal counts.
 /// Cheaper than distance(). Refusals as distance().

@@ -12,7 +12,7 @@
 #include <span>
 
 #include <espalier/blob.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
@@ -23,7 +23,7 @@ struct Ray {
     Vec3 origin;
     Vec3 direction;      ///< of any length but zero; t counts in multiples of it
     float t_min = 0.0f;  ///< below zero it counts as zero; above t_max the ray hits nothing
-    float t_max = __builtin_inff();
+    float t_max = infinity;
     FaceCulling culling = FaceCulling::none;
 
     /// Returns the ray from one point to another: t runs from 0 to 1. Its direction is rounded like any other ray's, so
@@ -36,7 +36,7 @@ struct Ray {
 /// The place where a ray hits a triangle. Converts to true if it does. A miss or a refusal has an infinite t and
 /// no_triangle.
 struct [[nodiscard]] RayHit {
-    float t = __builtin_inff();                  ///< the point is origin + t * direction
+    float t = infinity;                          ///< the point is origin + t * direction
     float u = 0.0f;                              ///< barycentric weight of corner b, as triangle_at() returns it
     float v = 0.0f;                              ///< barycentric weight of corner c; corner a has 1 - u - v
     Vec3 normal;                                 ///< of unit length, away from the triangle's front

@@ -23,7 +23,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/distance.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/rounding.hpp>
@@ -235,7 +235,7 @@ QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, const RoundedR
 
 /// Returns the closest point of any surface within max_distance; of equally close ones that in the lowest instance,
 /// then the lowest triangle. Refuses as closest_point() of a blob does.
-InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance = __builtin_inff(),
+InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance = infinity,
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
 /// A mask comes after the distance.
 template <class Mask>

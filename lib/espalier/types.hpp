@@ -3,8 +3,12 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 
 namespace espalier {
+
+/// The largest distance and the largest ray parameter: no limit.
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// A point or a direction, in the units and axes of the baked mesh.
 struct Vec3 {

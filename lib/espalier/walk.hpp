@@ -7,7 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>

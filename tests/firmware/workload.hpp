@@ -245,9 +245,8 @@ private:
         measure_(coarse_box, [&] { answer = overlaps(blob_, box, Accuracy{accuracy}).yes(); });
         answers_.add(answer);
         answers_.add(measured(coarse_ray, [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
-        const Result<DistanceBounds> bounds = measured(coarse_distance, [&] {
-            return distance_bounds(blob_, sphere.center, __builtin_inff(), Accuracy{accuracy});
-        });
+        const Result<DistanceBounds> bounds = measured(
+            coarse_distance, [&] { return distance_bounds(blob_, sphere.center, infinity, Accuracy{accuracy}); });
         answers_.add(bounds->lower);
         answers_.add(bounds->upper);
     }

@@ -79,7 +79,7 @@ public:
         const Vec3 a = number % 4 == 3 ? any_bits() : number % 4 == 2 ? corner() : point_around(1.0f);
         const float away = size() * 0.25f * fraction();
         if (number % 5 == 0) return {a, a};
-        return {a, {a.x + away, a.y + away, number % 3 == 0 ? __builtin_inff() : a.z + away}};
+        return {a, {a.x + away, a.y + away, number % 3 == 0 ? infinity : a.z + away}};
     }
 
     LatticeBox box_in_steps(std::uint32_t number) {
@@ -144,7 +144,7 @@ public:
     float distance(std::uint32_t number) {
         switch (number % 3) {
             case 0:
-                return __builtin_inff();
+                return infinity;
             case 1:
                 return size() * fraction();
             default:

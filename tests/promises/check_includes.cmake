@@ -26,9 +26,9 @@ file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/
 set(baker_headers ${root}/lib/espalier/bake.hpp)
 list(REMOVE_ITEM public_headers ${baker_headers})
 check("a public header of the runtime includes public headers and freestanding ones only"
-  "<espalier/((format|scenes|batches)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
+  "<espalier/((base|format|scenes|batches)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("a public header of the baker includes public and standard headers only"
-  "<espalier/(scenes/)?[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
+  "<espalier/((base|scenes)/)?[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
 file(GLOB_RECURSE c_headers ${root}/lib/espalier/*.h)
 check("a header for C includes headers for C and freestanding ones only" "<espalier/c/((scenes|batches)/)?[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
 foreach(header IN LISTS public_headers)
@@ -40,7 +40,7 @@ endforeach()
 
 file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
 check("the runtime includes public headers, its own and freestanding ones only"
-  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds|(scenes|batches)/[a-z_]+)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds|(base|scenes|batches)/[a-z_]+)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
 # check_layers(<library> <others> <row>...): a row is "<folder>: <folder>...", the folders of lib/<library> whose files those of the
 # first may include in addition to their own. It names folders of earlier rows only, so that no two folders need each other.
@@ -83,7 +83,7 @@ endfunction()
 
 # The runtime's folders, from numbers to the families of queries.
 set(walks "base lattice kernels blob lanes answers traversal")
-check_layers(runtime "<espalier/((scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
+check_layers(runtime "<espalier/((base|scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
   "base:"
   "lattice: base"
   "kernels: base lattice"
@@ -111,7 +111,7 @@ check_layers(runtime "<espalier/((scenes|batches)/)?[a-z_]+\\.h(pp)?>|${plain_he
   "c: moving_scenes")
 
 # The baker's folders, in the order of its stages.
-check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<espalier/c/bake\\.h>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
+check_layers(baker "<espalier/((base|scenes)/)?[a-z_]+\\.hpp>|<espalier/c/bake\\.h>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
   "base:"
   "input: base"
   "quantise: base input"
@@ -128,11 +128,11 @@ check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<espalier/c/bake\\.h>|<ru
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"
-  "<espalier/(scenes/)?[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
+  "<espalier/((base|scenes)/)?[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
 # The baker's own reader testifies to what the rest of it writes and the runtime reads.
 file(GLOB witness ${root}/lib/baker/verify/decode_*.?pp ${root}/lib/baker/verify/check_tree.?pp ${root}/lib/baker/verify/field_reader.hpp)
 check("the baker's own reader includes the format and its own files only"
-  "<espalier/(format|function_ref)\\.hpp>|<baker/verify/(check_tree|decode_tree|field_reader)\\.hpp>|${standard_headers}" ${witness})
+  "<espalier/(format|base/function_ref)\\.hpp>|<baker/verify/(check_tree|decode_tree|field_reader)\\.hpp>|${standard_headers}" ${witness})
 list(LENGTH witness witness_count)
 if(witness_count LESS 6)
   list(APPEND problems "only ${witness_count} files of the baker's own reader found")

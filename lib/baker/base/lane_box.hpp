@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
+#include <espalier/types.hpp>
 #include <runtime/base/vector.hpp>
 
 namespace espalier::baker {
@@ -20,8 +20,6 @@ using IntegerLanes = detail::Vector<std::int32_t, 4>;
 
 /// A box in lanes x, y, z; the fourth lane carries nothing.
 struct LaneBox {
-    static constexpr float infinity = std::numeric_limits<float>::infinity();
-
     Lanes lo = {infinity, infinity, infinity, infinity};
     Lanes hi = {-infinity, -infinity, -infinity, -infinity};
 

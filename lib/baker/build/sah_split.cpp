@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include <baker/build/leaves_added.hpp>
 
 namespace espalier::baker {
 
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using Parts = std::pair<SplitRange, SplitRange>;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 #include <baker/build/clip_triangle.hpp>
@@ -12,7 +11,6 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr unsigned spatial_bins = 32;
 // Where children overlap by less, of the root's area, no spatial split is tried (Stich et al. 2009, section 4.5).
 constexpr float least_overlap = 1e-5f;

@@ -1,7 +1,6 @@
 #include <baker/deformation/pose_tree.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -10,8 +9,6 @@
 namespace espalier::baker {
 
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// A plane across an axis of a pose.
 struct PoseSplit {

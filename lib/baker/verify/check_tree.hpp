@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 
 #include <baker/verify/decode_tree.hpp>
 

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 
+#include <espalier/base/compiler.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
@@ -21,8 +22,8 @@ struct Strided {
 
     [[nodiscard]] Value at(std::size_t query) const noexcept {
         Value value;
-        __builtin_memcpy(&value, static_cast<const char*>(first) + static_cast<std::ptrdiff_t>(query) * stride,
-                         sizeof value);
+        ESPALIER_COPY_BYTES(&value, static_cast<const char*>(first) + static_cast<std::ptrdiff_t>(query) * stride,
+                            sizeof value);
         return value;
     }
     /// Returns the arguments from a query on, for the rest of a batch. Null stays null.

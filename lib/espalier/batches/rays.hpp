@@ -25,7 +25,7 @@ struct RayArrays {
 
     [[nodiscard]] Ray at(std::size_t query) const noexcept {
         return {origins.at(query), directions.at(query), t_min.first == nullptr ? 0.0f : t_min.at(query),
-                t_max.first == nullptr ? __builtin_inff() : t_max.at(query), culling};
+                t_max.first == nullptr ? infinity : t_max.at(query), culling};
     }
     /// Returns the rays from one on.
     [[nodiscard]] RayArrays from(std::size_t query) const noexcept {

@@ -40,11 +40,11 @@ struct BoxArrays {
 
 /// Writes what closest_point() returns for each point.
 Filled closest_point(const Blob& blob, const Strided<Vec3>& points, std::span<ClosestPoint> nearest,
-                     float max_distance = __builtin_inff()) noexcept;
+                     float max_distance = infinity) noexcept;
 
 /// Writes what signed_distance() returns for each point.
 Filled signed_distance(const Blob& blob, const Strided<Vec3>& points, std::span<ClosestPoint> nearest,
-                       float max_distance = __builtin_inff()) noexcept;
+                       float max_distance = infinity) noexcept;
 
 /// Writes what contains() returns for each point.
 Filled contains(const Blob& blob, const Strided<Vec3>& points, std::span<YesNo> answers) noexcept;
@@ -52,7 +52,7 @@ Filled contains(const Blob& blob, const Strided<Vec3>& points, std::span<YesNo> 
 /// Writes what closest_triangles() returns for each point to `found`, and the triangles to rows of `nearest`: that of
 /// point i begins at i * places, where `places` is nearest.size() / found.size(). Refuses sizes that leave a rest.
 Filled closest_triangles(const Blob& blob, const Strided<Vec3>& points, std::span<ClosestPoint> nearest,
-                         std::span<Filled> found, float max_distance = __builtin_inff()) noexcept;
+                         std::span<Filled> found, float max_distance = infinity) noexcept;
 
 /// Writes what overlaps() returns for each shape.
 Filled overlaps(const Blob& blob, const SphereArrays& spheres, std::span<YesNo> answers) noexcept;

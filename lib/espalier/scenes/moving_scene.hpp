@@ -201,7 +201,7 @@ QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<Insta
                          const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
-InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance = __builtin_inff(),
+InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance = infinity,
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
 /// A mask comes after the distance.
 template <class Mask>

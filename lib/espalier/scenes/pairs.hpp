@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <span>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/scenes/moving_scene.hpp>
 #include <espalier/pair.hpp>
 #include <espalier/scene.hpp>

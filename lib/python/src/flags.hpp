@@ -6,7 +6,7 @@
 
 #include <pybind11/numpy.h>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/scene.hpp>
 #include <espalier/types.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/statistics.hpp>
 #include <espalier/types.hpp>
@@ -91,7 +91,7 @@ private:
     }
     /// Has a frame of its own: queries need no room for the corners.
     template <class Leaf>
-    [[gnu::noinline]] Visit take_triangle(const Found& found, const Leaf& leaf, unsigned slot) {
+    ESPALIER_NOINLINE Visit take_triangle(const Found& found, const Leaf& leaf, unsigned slot) {
         const LatticeTriangle triangle = leaf.triangle(slot);
         if (on_triangle != nullptr) return on_triangle(*this, found.index, triangle);
         return visit(TriangleId{found.index}, blob, found.reference, &triangle);

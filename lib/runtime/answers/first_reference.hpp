@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>

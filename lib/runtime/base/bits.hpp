@@ -17,7 +17,6 @@ namespace espalier::detail {
 static_assert(sizeof(float) == 4, "float must be IEEE binary32");
 static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
 
-inline constexpr float infinity = __builtin_inff();
 inline constexpr std::uint32_t magnitude_mask = 0x7FFFFFFFu;
 inline constexpr std::uint32_t infinity_bits = 0x7F800000u;
 
@@ -123,7 +122,7 @@ ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
 
 /// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
 /// the compiler's own conversion would bring all of its float addition along.
-[[gnu::noinline]] inline float words_to_float(const std::uint32_t* words, int count) {
+ESPALIER_NOINLINE inline float words_to_float(const std::uint32_t* words, int count) {
     std::int32_t top;
     std::uint32_t below = 0, rest = 0;
     do {  // what is the next one's sign, and no more, is left out
@@ -166,7 +165,7 @@ constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
 inline float minimum(float a, float b) { return a < b ? a : b; }
 // mutant(> -> >=) equivalent: equal numbers differ in the sign of 0 alone, which no caller passes on
 inline float maximum(float a, float b) { return a > b ? a : b; }
-inline float absolute(float x) { return __builtin_fabsf(x); }  // one instruction, and no call anywhere
+inline float absolute(float x) { return ESPALIER_ABSOLUTE(x); }  // one instruction, and no call anywhere
 
 // Correctly rounded square roots without a libm: the core's instruction where it has one.
 
@@ -201,7 +200,7 @@ inline constexpr bool has_square_root = false;
 inline float square_root_by_instruction(float x) {
     float root = x;
 #if defined(__NO_MATH_ERRNO__)
-    root = __builtin_sqrtf(x);
+    root = ESPALIER_SQUARE_ROOT(x);
 #elif defined(__SSE2__)
     asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
 #elif defined(__aarch64__)
@@ -231,7 +230,7 @@ inline float square_root(float x) {
 #if defined(__arm__) && !defined(__ARM_FEATURE_UNALIGNED)
 #define ESPALIER_LOAD inline
 #else
-#define ESPALIER_LOAD [[gnu::always_inline]] inline
+#define ESPALIER_LOAD ESPALIER_ALWAYS_INLINE inline
 #endif
 
 inline std::uint32_t load_u8(const std::byte* at) { return std::to_integer<std::uint32_t>(*at); }
@@ -246,7 +245,7 @@ ESPALIER_LOAD float load_f32(const std::byte* at) { return std::bit_cast<float>(
 
 /// `count` bits from bit `bit` of a stream on, low bits first; count at most 25. Reads the 4 bytes from the one in
 /// which the bits begin: the format's guard keeps that inside the blob.
-[[gnu::always_inline]] inline std::uint32_t load_few_bits(const std::byte* stream, unsigned bit, unsigned count) {
+ESPALIER_ALWAYS_INLINE inline std::uint32_t load_few_bits(const std::byte* stream, unsigned bit, unsigned count) {
     return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << count) - 1u);
 }
 /// Field `index` of a stream of fields with that many bits.

@@ -7,8 +7,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <espalier/base/compiler.hpp>
 #include <espalier/format.hpp>
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 
 // The policy for small cores: microcontrollers (Cortex-M), whose flash holds a program and its blobs. They give the
 // same answers with less code and stack. Each choice between two forms is made here. What a type or a function of this
@@ -23,8 +24,8 @@ namespace espalier::detail {
 /// ahead of a loop it would overflow the registers and be kept on the stack a second time. A word that is loaded stays
 /// one word, too.
 template <class T>
-[[gnu::always_inline]] inline T as_if_changed(T x) {
-    __asm__ volatile("" : "+r"(x));
+ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
+    ESPALIER_AS_IF_CHANGED(x, "r");
     return x;
 }
 
@@ -63,19 +64,15 @@ template <class T>
 
 /// For a small function with many callers: an inlined copy takes several times the code of a call.
 #if ESPALIER_SMALL_CODE
-#if defined(__clang__)
-#define ESPALIER_SHARED_CODE [[gnu::noinline]]
-#else
-#define ESPALIER_SHARED_CODE [[gnu::noinline, gnu::noclone]]  // a copy for each file would be no less code
-#endif
+#define ESPALIER_SHARED_CODE ESPALIER_ONE_COPY
 /// For a larger function with one caller: inlined, it saves the call.
-#define ESPALIER_PART_OF_CALLER [[gnu::always_inline]]
+#define ESPALIER_PART_OF_CALLER ESPALIER_ALWAYS_INLINE
 /// For a function that fast code inlines into each caller, so that it is compiled for the caller's instruction set.
-#define ESPALIER_SHARED_OR_PART_OF_CALLER [[gnu::noinline]]
+#define ESPALIER_SHARED_OR_PART_OF_CALLER ESPALIER_NOINLINE
 #else
 #define ESPALIER_SHARED_CODE
 #define ESPALIER_PART_OF_CALLER
-#define ESPALIER_SHARED_OR_PART_OF_CALLER [[gnu::always_inline]]
+#define ESPALIER_SHARED_OR_PART_OF_CALLER ESPALIER_ALWAYS_INLINE
 #endif
 
 namespace espalier::detail {
@@ -98,7 +95,7 @@ inline constexpr std::size_t wide_register_alignment = small_code ? 4 : 32;
 /// Returns whether to take a shortcut that applies: a second form, faster than the general one and with the same
 /// result. Small code has only the general form. A condition that takes more than a comparison is written behind the
 /// call, by &&: small code then does not compute it.
-[[gnu::always_inline]] constexpr bool takes_shortcut(bool applies = true) { return !small_code && applies; }
+ESPALIER_ALWAYS_INLINE constexpr bool takes_shortcut(bool applies = true) { return !small_code && applies; }
 
 /// The numbers to use where narrow ones suffice. Small code has the functions of the wide ones in any case.
 template <class Narrow, class Wide>
@@ -114,7 +111,7 @@ using Callable = std::conditional_t<small_code, FunctionRef<Signature>, Function
 
 /// Returns the same object. Small cores load it again, because what compilers keep of it in registers takes stack.
 template <class T>
-[[gnu::always_inline]] inline const T& load_again(const T& x) {
+ESPALIER_ALWAYS_INLINE inline const T& load_again(const T& x) {
     if constexpr (small_code) return *as_if_changed(&x);
     else return x;
 }
@@ -146,9 +143,9 @@ inline std::uint32_t count_bits(std::uint32_t word) {
 /// Before what exists once for each kind of leaf: a function of its own where there are several kinds, so that a frame
 /// on the stack holds but one of them, and part of its caller elsewhere.
 #if ESPALIER_PLAIN_LEAVES && (ESPALIER_STRIP_LEAVES || ESPALIER_PREDICTED_STRIPS)
-#define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::noinline]]
+#define ESPALIER_FOR_ONE_KIND_OF_LEAF ESPALIER_NOINLINE
 #else
-#define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::always_inline]]
+#define ESPALIER_FOR_ONE_KIND_OF_LEAF ESPALIER_ALWAYS_INLINE
 #endif
 
 namespace espalier::detail {

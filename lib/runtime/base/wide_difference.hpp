@@ -26,7 +26,7 @@ struct WideDifference {
 inline Unsigned256 magnitude(const WideDifference& a) { return a.magnitude; }
 
 /// a * b - c * d; the sum of their magnitudes must stay below 2^256. Out of line: rare where it matters.
-[[gnu::noinline]] inline WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
+ESPALIER_NOINLINE inline WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
                                                            const Int128& d) {
     const bool negative = a.is_negative() != b.is_negative();
     const bool subtracted_is_negative = c.is_negative() != d.is_negative();
@@ -38,7 +38,7 @@ inline Unsigned256 magnitude(const WideDifference& a) { return a.magnitude; }
     return {less ? cd.minus(ab) : ab.minus(cd), less != negative};
 }
 /// Its sign. Out of line: the difference does not lie on the caller's stack.
-[[gnu::noinline]] inline int compare_products(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
+ESPALIER_NOINLINE inline int compare_products(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
     return product_difference(a, b, c, d).sign();
 }
 

@@ -64,13 +64,14 @@ struct Int128 {
 
 private:
 #if ESPALIER_NATIVE_INT128
-    __extension__ using Native = unsigned __int128;
-    static constexpr Native native(const Int128& a) {
-        return static_cast<Native>(static_cast<std::uint64_t>(a.high)) << 64 | a.low;
+    static constexpr NativeUnsignedInt128 native(const Int128& a) {
+        return static_cast<NativeUnsignedInt128>(static_cast<std::uint64_t>(a.high)) << 64 | a.low;
     }
-    static constexpr Int128 of(Native a) { return {static_cast<std::int64_t>(a >> 64), static_cast<std::uint64_t>(a)}; }
+    static constexpr Int128 of(NativeUnsignedInt128 a) {
+        return {static_cast<std::int64_t>(a >> 64), static_cast<std::uint64_t>(a)};
+    }
 #endif
-    [[gnu::always_inline]] constexpr void add(const Int128& other, Int128& sum) const {
+    ESPALIER_ALWAYS_INLINE constexpr void add(const Int128& other, Int128& sum) const {
 #if ESPALIER_NATIVE_INT128
         sum = of(native(*this) + native(other));
 #else
@@ -86,8 +87,7 @@ private:
 /// The full product of two words, neither of which has a sign.
 constexpr Int128 multiply_words(std::uint64_t a, std::uint64_t b) {
 #if ESPALIER_NATIVE_INT128
-    __extension__ using Native = unsigned __int128;
-    const Native product = static_cast<Native>(a) * b;
+    const NativeUnsignedInt128 product = static_cast<NativeUnsignedInt128>(a) * b;
     return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
 #else
     const std::uint64_t a0 = a & 0xFFFFFFFFu, a1 = a >> 32, b0 = b & 0xFFFFFFFFu, b1 = b >> 32;
@@ -100,8 +100,7 @@ constexpr Int128 multiply_words(std::uint64_t a, std::uint64_t b) {
 
 ESPALIER_SHARED_CODE constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
 #if ESPALIER_NATIVE_INT128
-    __extension__ using Native = __int128;
-    const Native product = static_cast<Native>(a) * b;
+    const NativeInt128 product = static_cast<NativeInt128>(a) * b;
     return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
 #else
     const auto first = static_cast<std::uint64_t>(a), second = static_cast<std::uint64_t>(b);

@@ -25,7 +25,7 @@ struct NodeBytes {
 
     const std::byte* bytes;
 
-    [[nodiscard, gnu::always_inline]] std::uint32_t first_child() const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE std::uint32_t first_child() const {
         return load_u32(bytes + children_at) & 0xFFFFFFu;
     }
     [[nodiscard]] const std::byte* low_planes(int axis) const {
@@ -54,7 +54,7 @@ struct PackedNode : NodeBytes<format::packed_node::children_at, format::packed_n
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + children_at + 3) >> 4; }
     /// From the byte behind the number of the first child.
     static constexpr unsigned node_children_in(std::uint32_t counts) { return counts & 15u; }
-    [[nodiscard, gnu::always_inline]] unsigned shift(int axis) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE unsigned shift(int axis) const {
         return (load_u16(bytes + format::packed_node::shifts_at) >> (5 * axis)) & 31u;
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
@@ -118,7 +118,7 @@ inline constexpr unsigned every_child_of = (1u << Node::max_children) - 1u;
 
 /// A bit for each child.
 template <class Node>
-[[gnu::always_inline]] inline unsigned all_children(const Node& node) {
+ESPALIER_ALWAYS_INLINE inline unsigned all_children(const Node& node) {
     return (1u << (node.node_children() + node.leaf_children())) - 1u;
 }
 
@@ -140,7 +140,7 @@ template <class Leaf>
 using PlaceOf = LeafPlace<typename Leaf::Node>;
 
 template <class Node>
-[[gnu::always_inline]] inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
+ESPALIER_ALWAYS_INLINE inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
                                                LeafPlace<Node>& place) {
     place = {&blob, node, number};
 }

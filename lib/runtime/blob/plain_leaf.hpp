@@ -40,7 +40,7 @@ struct PlainLeaf : LeafVertices<PlainNode> {
     }
 
     static constexpr std::int32_t anchor(int) { return 0; }
-    [[nodiscard, gnu::always_inline]] std::int32_t offset(int axis, unsigned vertex) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE std::int32_t offset(int axis, unsigned vertex) const {
         const std::size_t place = static_cast<std::size_t>(axis) * vertex_count + vertex;
         const std::uint32_t low = load_u16(words() + 2 * place);
         return static_cast<std::int32_t>(has_high_bytes() ? low | load_u8(high_bytes() + place) << 16 : low);

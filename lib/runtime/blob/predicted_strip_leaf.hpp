@@ -81,7 +81,7 @@ struct StripWithVertices : StripLeaf {
     StripWithVertices(const StripWithVertices&) = delete;
     StripWithVertices& operator=(const StripWithVertices&) = delete;
 };
-[[gnu::always_inline]] inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
+ESPALIER_ALWAYS_INLINE inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
                                                StripWithVertices& leaf) {
     if (has_predicted_leaves(blob.profile)) return decode_predicted_strip(blob, node, number, leaf, leaf.vertices);
     decode_leaf(blob, node, number, static_cast<StripLeaf&>(leaf));

@@ -82,7 +82,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
         return load_few_bits(marks, references_at + reference * reference_width, reference_width);
     }
     /// The entries that are a triangle's corners.
-    [[nodiscard, gnu::always_inline]] std::array<unsigned, 3> window(unsigned slot) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE std::array<unsigned, 3> window(unsigned slot) const {
         const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
         const unsigned pivot = static_cast<unsigned>(std::bit_width(behind)) - 1;
         // Each turn of a strip changes the order in which its entries go round the triangle.
@@ -102,7 +102,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
 };
 
 /// Takes the width of offsets in the leaf's box on an axis from the node.
-[[gnu::always_inline]] inline unsigned decode_axis(StripLeaf& leaf, int axis) {
+ESPALIER_ALWAYS_INLINE inline unsigned decode_axis(StripLeaf& leaf, int axis) {
     const PackedNode& node = leaf.node;
     const unsigned bits = leaf.blob->bits;
     const unsigned child = leaf.child();

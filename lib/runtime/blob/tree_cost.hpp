@@ -10,7 +10,7 @@
 namespace espalier::detail {
 
 /// Returns half the surface of a box whose sides are counted in units, both ends included.
-[[gnu::always_inline]] inline float half_area_of_sides(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+ESPALIER_ALWAYS_INLINE inline float half_area_of_sides(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const auto side = [](std::uint32_t units) { return static_cast<float>(static_cast<std::int32_t>(units)); };
     const float a = side(x), b = side(y), c = side(z);
     return (a * b + b * c) + c * a;

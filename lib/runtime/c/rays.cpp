@@ -4,7 +4,7 @@
 using namespace espalier::detail;
 
 espalier_ray espalier_default_ray(espalier_vec3 origin, espalier_vec3 direction) {
-    return {origin, direction, 0.0f, __builtin_inff(), ESPALIER_FACE_CULLING_NONE};
+    return {origin, direction, 0.0f, espalier::infinity, ESPALIER_FACE_CULLING_NONE};
 }
 
 espalier_ray espalier_ray_between(espalier_vec3 from, espalier_vec3 to) {

@@ -72,7 +72,7 @@ const espalier_scene* espalier_scene_tiles(const espalier_scene* scene, size_t* 
 }
 uint32_t espalier_scene_size(const espalier_scene* scene) { return cpp(scene).size(); }
 float espalier_scene_max_error(const espalier_scene* scene) {
-    return is_view(cpp(scene)) ? __builtin_inff() : cpp(scene).max_error();
+    return is_view(cpp(scene)) ? espalier::infinity : cpp(scene).max_error();
 }
 espalier_box espalier_scene_bounds(const espalier_scene* scene) { return c(cpp(scene).bounds()); }
 

@@ -141,7 +141,7 @@ struct ConvexHullBody {
     bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
     static constexpr float radius = 0.0f;
 
-    [[gnu::noinline]] QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
+    ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
         if (world.vertices.empty()) return QueryStatus::not_found;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
         Rounder rounder(blob);

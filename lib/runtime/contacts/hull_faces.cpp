@@ -169,7 +169,7 @@ Integer3 HullBody::normal_of_face(unsigned face) const {
 }
 
 // Out of line: its stack is not needed beside the walk.
-[[gnu::noinline]] void find_faces(HullBody& hull) noexcept {
+ESPALIER_NOINLINE void find_faces(HullBody& hull) noexcept {
     Wrapping wrapping(hull);
     wrapping.run();
     wrapping.remove_others();

@@ -12,7 +12,7 @@ using namespace detail;
 namespace {
 
 /// Out of line: its stack is not needed beside the walk.
-[[gnu::noinline]] PairTouch touch_of(const PairFrame& frame, const Transform& transform, const PairContact& pair,
+ESPALIER_NOINLINE PairTouch touch_of(const PairFrame& frame, const Transform& transform, const PairContact& pair,
                                      const LatticeTriangle& a, const LatticeTriangle& b) {
     contacts::TrianglesTouch found;
     contacts::touch_triangles(a, b, found);
@@ -29,7 +29,7 @@ namespace {
     return touch;
 }
 
-[[gnu::noinline]] PairTouch touch_of(const PairFrame& frame, const Transform& transform, const PairContact& pair,
+ESPALIER_NOINLINE PairTouch touch_of(const PairFrame& frame, const Transform& transform, const PairContact& pair,
                                      const PlaceTriangles& place) {
     LatticeTriangle a, b;
     place(a, b);

@@ -141,7 +141,7 @@ private:
 }  // namespace
 
 // Out of line: its stack is not needed beside the walk.
-[[gnu::noinline]] void touch_triangles(const LatticeTriangle& a, const LatticeTriangle& b,
+ESPALIER_NOINLINE void touch_triangles(const LatticeTriangle& a, const LatticeTriangle& b,
                                        TrianglesTouch& touch) noexcept {
     touch.count = 0;
     find_points(Outline(a), Outline(b), touch);

@@ -21,7 +21,7 @@ bool are_apart(const std::byte* a, std::size_t a_size, const std::byte* b, std::
 }
 
 /// Copies bytes that may overlap.
-void move_bytes(std::byte* to, const std::byte* from, std::size_t count) { __builtin_memmove(to, from, count); }
+void move_bytes(std::byte* to, const std::byte* from, std::size_t count) { ESPALIER_MOVE_BYTES(to, from, count); }
 
 }  // namespace
 

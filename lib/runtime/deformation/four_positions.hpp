@@ -24,11 +24,11 @@ struct FourPositions {
     FourFloats axis[3];
 
     /// Loads positions, two numbers at a time where that takes fewer instructions.
-    [[gnu::always_inline]] FourPositions(const Vec3* a, const Vec3* b, const Vec3* c, const Vec3* d) {
+    ESPALIER_ALWAYS_INLINE FourPositions(const Vec3* a, const Vec3* b, const Vec3* c, const Vec3* d) {
         using TwoPairs = Vector<std::uint64_t, 2>;
         const auto pair = [](const Vec3* position) {
             std::uint64_t x_and_y;
-            __builtin_memcpy(&x_and_y, position, sizeof x_and_y);
+            ESPALIER_COPY_BYTES(&x_and_y, position, sizeof x_and_y);
             return x_and_y;
         };
         const auto first = std::bit_cast<FourFloats>(TwoPairs{pair(a), pair(b)});
@@ -40,39 +40,39 @@ struct FourPositions {
 };
 
 /// Returns the sums of PoseAxis::coordinate(): in the order of the coordinates, and as many apart in their bits.
-[[gnu::always_inline]] inline FourFloats four_sums(const PoseAxis& axis, FourFloats positions) {
+ESPALIER_ALWAYS_INLINE inline FourFloats four_sums(const PoseAxis& axis, FourFloats positions) {
     return positions * axis.steps_per_unit + PoseAxis::shifter;
 }
 
 /// Writes the low 16 bits of four numbers to one place, and of four others to another.
-[[gnu::always_inline]] inline void store_low_words(std::byte* to_a, FourWords a, std::byte* to_b, FourWords b) {
+ESPALIER_ALWAYS_INLINE inline void store_low_words(std::byte* to_a, FourWords a, std::byte* to_b, FourWords b) {
 #if defined(__SSE2__)
     using EightShorts = Vector<std::int16_t, 8>;
     using FourSigned = Vector<std::int32_t, 4>;
     using TwoPairs = Vector<std::uint64_t, 2>;
     // The instruction saturates, so the high bits become copies of bit 15.
     const EightShorts words =
-        __builtin_ia32_packssdw128(std::bit_cast<FourSigned>(a << 16) >> 16, std::bit_cast<FourSigned>(b << 16) >> 16);
+        ESPALIER_PACK_SATURATED(std::bit_cast<FourSigned>(a << 16) >> 16, std::bit_cast<FourSigned>(b << 16) >> 16);
     const auto pairs = std::bit_cast<TwoPairs>(words);
     const std::uint64_t of_a = pairs[0], of_b = pairs[1];
 #else
     using FourShorts = Vector<std::uint16_t, 4>;
-    const auto of_a = __builtin_convertvector(a & 0xFFFF, FourShorts);
-    const auto of_b = __builtin_convertvector(b & 0xFFFF, FourShorts);
+    const auto of_a = ESPALIER_CONVERT_VECTOR(a & 0xFFFF, FourShorts);
+    const auto of_b = ESPALIER_CONVERT_VECTOR(b & 0xFFFF, FourShorts);
 #endif
-    __builtin_memcpy(to_a, &of_a, sizeof of_a);
-    __builtin_memcpy(to_b, &of_b, sizeof of_b);
+    ESPALIER_COPY_BYTES(to_a, &of_a, sizeof of_a);
+    ESPALIER_COPY_BYTES(to_b, &of_b, sizeof of_b);
 }
 
 /// Tests whether four positions in a row are in range.
-[[gnu::always_inline]] inline bool are_four_in_range(const PoseAxes& axes, const Vec3* positions) {
+ESPALIER_ALWAYS_INLINE inline bool are_four_in_range(const PoseAxes& axes, const Vec3* positions) {
     static_assert(sizeof(Vec3) == 12);
     FourWords outside = {};
     for (unsigned row = 0; row < 3; ++row) {
         // Of twelve numbers in a row, number i is on axis i modulo 3.
         const PoseAxis &a = axes.axis[row], &b = axes.axis[(row + 1) % 3], &c = axes.axis[(row + 2) % 3];
         FourFloats numbers;
-        __builtin_memcpy(&numbers, reinterpret_cast<const std::byte*>(positions) + 16 * row, sizeof numbers);
+        ESPALIER_COPY_BYTES(&numbers, reinterpret_cast<const std::byte*>(positions) + 16 * row, sizeof numbers);
         const FourWords zero = {a.zero_bits, b.zero_bits, c.zero_bits, a.zero_bits};
         const FourWords extent = {a.extent, b.extent, c.extent, a.extent};
         const FourWords coordinates = std::bit_cast<FourWords>(numbers * a.steps_per_unit + PoseAxis::shifter) - zero;

@@ -45,7 +45,7 @@ inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, c
     VertexBox box;
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         const Vec3& position = positions[leaf.source(vertex)];
-        const auto place = [&](unsigned k, float number) __attribute__((always_inline)) {
+        const auto place = [&](unsigned k, float number) ESPALIER_ALWAYS_INLINE_LAMBDA {
             const std::uint32_t coordinate = axes.axis[k].coordinate<near>(number);
             const std::size_t at = std::size_t{k} * leaf.vertex_count + vertex;
             store_u16(leaf.words + 2 * at, coordinate & 0xFFFFu);
@@ -85,7 +85,7 @@ inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, con
             if constexpr (has_high_bytes) {
                 const FourWords above = coordinates[k] >> 16;
                 const std::uint32_t bytes = above[0] | above[1] << 8 | above[2] << 16 | above[3] << 24;
-                __builtin_memcpy(leaf.high_bytes + (k * row + first), &bytes, sizeof bytes);
+                ESPALIER_COPY_BYTES(leaf.high_bytes + (k * row + first), &bytes, sizeof bytes);
             }
         }
         std::byte* const words = leaf.words + 2 * first;

@@ -5,13 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <espalier/base/compiler.hpp>
+
 namespace espalier::detail {
 
 inline void store_u8(std::byte* at, std::uint32_t value) { *at = static_cast<std::byte>(value); }
 inline void store_u16(std::byte* at, std::uint32_t value) {
     if constexpr (std::endian::native == std::endian::little) {
         const auto word = static_cast<std::uint16_t>(value);
-        __builtin_memcpy(at, &word, sizeof word);
+        ESPALIER_COPY_BYTES(at, &word, sizeof word);
     } else {
         store_u8(at, value & 0xFFu);
         store_u8(at + 1, value >> 8 & 0xFFu);

@@ -12,7 +12,7 @@ namespace espalier::detail {
 /// Returns whether a ray that hits the triangle still hits it after its origin moves a little along x, far less along
 /// y, and far less again along z (Edelsbrunner, Mücke 1990). The moved ray meets no edge, so that of the triangles on
 /// both sides of one it hits a single one.
-[[gnu::noinline]] inline bool is_crossing(const IntegerRay& ray, const LatticeTriangle& triangle) {
+ESPALIER_NOINLINE inline bool is_crossing(const IntegerRay& ray, const LatticeTriangle& triangle) {
     std::int32_t corner[3][3];  // from the origin, in units of 2^-fraction_bits
     for (unsigned i = 0; i < 3; ++i)
         for (unsigned k = 0; k < 3; ++k)

@@ -290,7 +290,7 @@ private:
 
     /// Whether the line of the path comes within the radius of the triangle, exactly: the closest approach is known to
     /// lie on the path. Seen along the displacement the line is a point and the triangle a triangle.
-    [[nodiscard]] [[gnu::noinline]] bool passes_within_radius() const {
+    [[nodiscard]] ESPALIER_NOINLINE bool passes_within_radius() const {
         const Integer3& d = sphere_.displacement;
         const Int128 radius = multiply(sphere_.radius, sphere_.radius);
         const Int128 way = dot<Int128>(d, d);

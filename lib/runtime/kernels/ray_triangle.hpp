@@ -25,7 +25,7 @@ inline bool edges_are_below(const OriginRelative& t) {
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.
-[[gnu::noinline]] inline int compare_quotient(Argument<Int128> numerator, Argument<Int128> denominator, float bound) {
+ESPALIER_NOINLINE inline int compare_quotient(Argument<Int128> numerator, Argument<Int128> denominator, float bound) {
     const int exponent = exponent_of(bound) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(bound) & 0x007FFFFFu) | 0x00800000u);
     return compare_scaled(Unsigned256(numerator), Unsigned256::product(denominator, mantissa), exponent);
@@ -45,7 +45,7 @@ inline bool is_within(float quotient, float low, float high, Compare compare) {
 /// the side and the determinants. `Volume` holds the products of the normal with the direction and with corner a, `Sum`
 /// the weights, which are larger. `Line` is an IntegerRay or what has its members.
 template <class Volume, class Sum, class Line, class OnHit>
-[[gnu::always_inline]] inline bool decide(const Line& ray, const OriginRelative& t, OnHit on_hit) {
+ESPALIER_ALWAYS_INLINE inline bool decide(const Line& ray, const OriginRelative& t, OnHit on_hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
     Volume volume = dot<Volume>(direction, normal);
@@ -149,7 +149,7 @@ inline RayHit to_ray_hit(const IntegerRay& ray, const Caller& world, const Trian
 
 /// Returns a hit that is none, with zeros for its numbers.
 constexpr RayHit miss_of(float zero, QueryStatus status) {
-    return {__builtin_inff(), zero, zero, {zero, zero, zero}, no_triangle, status, Side::front, {}};
+    return {infinity, zero, zero, {zero, zero, zero}, no_triangle, status, Side::front, {}};
 }
 inline constexpr RayHit no_hit = miss_of(0.0f, QueryStatus::not_found);
 
@@ -159,7 +159,7 @@ inline RayHit miss_with(QueryStatus status) {
     if (!takes_shortcut()) return miss_of(std::bit_cast<float>(as_if_changed(0u)), status);
     // Others copy whole registers, which the caller's copy need not wait for. GCC would initialize field by field.
     RayHit miss;
-    __builtin_memcpy(&miss, &no_hit, sizeof(miss));
+    ESPALIER_COPY_BYTES(&miss, &no_hit, sizeof(miss));
     if (status != QueryStatus::not_found) miss.status = status;
     return miss;
 }

@@ -59,7 +59,7 @@ public:
     }
 
     /// Between an end of the segment, from which the triangle is seen, and the triangle.
-    [[gnu::noinline]] void try_end(const OriginRelative& triangle, float along) {
+    ESPALIER_NOINLINE void try_end(const OriginRelative& triangle, float along) {
         const PointDistance distance = distance_to(triangle, fraction_bits_);
         if (radius_ >= 0.0f && is_within_radius(distance, fraction_bits_, radius_)) within_ = true;
         if (distance.squared < nearest_.squared)
@@ -68,7 +68,7 @@ public:
 
     /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_side(const Integer3& w, Argument<Dot> wd, const Integer3& e, const Integer3& d,
+    ESPALIER_NOINLINE void try_side(const Integer3& w, Argument<Dot> wd, const Integer3& e, const Integer3& d,
                                     Argument<Dot> length, int number) {
         const Dot ee = dot<Dot>(e, e);
         const Dot de = dot<Dot>(d, e);
@@ -92,7 +92,7 @@ private:
 
     /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
     /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
-    [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
+    ESPALIER_NOINLINE bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
         const Integer3 normal = cross(from_start.ab, from_start.ac);
         const Int128 start = dot<Int128>(normal, from_start.a), end = dot<Int128>(normal, w[0] - d);
         if (start.is_zero() || end.is_zero() || start.is_negative() == end.is_negative()) return false;
@@ -113,7 +113,7 @@ private:
 
     /// `w`: the corners, seen from the segment's start.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
+    ESPALIER_NOINLINE void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
         const Dot length = dot<Dot>(d, d);
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
@@ -125,7 +125,7 @@ private:
 
     /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_corner(const Integer3& w, Argument<Dot> along, Argument<Dot> length, int number) {
+    ESPALIER_NOINLINE void try_corner(const Integer3& w, Argument<Dot> along, Argument<Dot> length, int number) {
         if (!(Dot(0) < along && along < length)) return;
         const Difference numerator = product_difference(dot<Dot>(w, w), length, along, along);
         const Difference denominator(length);

@@ -23,7 +23,7 @@ struct CrossProduct {
 };
 
 /// For coordinates within 2^25.
-[[gnu::noinline]] inline CrossProduct cross(const std::int32_t* q, const std::int32_t* r) {
+ESPALIER_NOINLINE inline CrossProduct cross(const std::int32_t* q, const std::int32_t* r) {
     CrossProduct result;
     for (unsigned k = 0; k < 3; ++k) {
         const unsigned next = k == 2 ? 0 : k + 1;
@@ -34,7 +34,7 @@ struct CrossProduct {
 }
 
 /// For coordinates of p within 2^25.
-[[gnu::noinline]] inline Words dot(const std::int32_t* p, const CrossProduct& q) {
+ESPALIER_NOINLINE inline Words dot(const std::int32_t* p, const CrossProduct& q) {
     // The low word of each coordinate, as a signed one, and the rest are multiplied apart: neither sum of three fills
     // its word.
     std::int64_t low = 0, high = 0;
@@ -50,7 +50,7 @@ struct CrossProduct {
 }
 
 /// Sign of numerator * 2^-shift / denominator - bound, exactly, given the quotient as a float within 4 ulp.
-[[gnu::noinline]] inline std::int32_t compare_quotient(float quotient, const Words& numerator, const Words& denominator,
+ESPALIER_NOINLINE inline std::int32_t compare_quotient(float quotient, const Words& numerator, const Words& denominator,
                                                        int shift, float bound) {
     // As their bits are ordered: negative ones downwards.
     const auto bits = std::bit_cast<std::int32_t>(bound);
@@ -83,7 +83,7 @@ struct CrossProduct {
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly. With all corners counted from the
 /// origin in units of 2^-f, as they are given, each determinant of two of them and the direction is a corner's weight,
 /// times 2^f, and that of all three is tau, times the sum of the weights and 2^f. Corners b and c become sides.
-[[gnu::always_inline]] inline bool hits(const IntegerRay& ray, LatticeTriangle& from_origin, TriangleHit& hit) {
+ESPALIER_ALWAYS_INLINE inline bool hits(const IntegerRay& ray, LatticeTriangle& from_origin, TriangleHit& hit) {
     auto& c = from_origin.corner;
     std::int32_t negative = 0, positive = 0;  // below 0 where a weight is
     hit.c = 0.0f;

@@ -30,14 +30,14 @@ public:
     }
 
 private:
-    [[gnu::noinline]] void try_corner(int number) {
+    ESPALIER_NOINLINE void try_corner(int number) {
         const bool of_a = number < 3;
         const int corner = of_a ? number : number - 3;
         places_.try_end(relative_to((of_a ? a_ : b_).corner[corner], 0, of_a ? b_ : a_), 0.0f);
         keep_nearer(of_a, corner);
     }
     /// Steps from one corner to another are below 2^26 along each axis: products of two fit 64 bits.
-    [[gnu::noinline]] void try_sides(int a_side, int b_side) {
+    ESPALIER_NOINLINE void try_sides(int a_side, int b_side) {
         const Integer3 d = side_from(a_, a_side);
         const Integer3 between = corner_on_grid(b_, b_side, 0) - corner_on_grid(a_, a_side, 0);
         places_.try_side<std::int64_t, Int128>(between, dot<std::int64_t>(between, d), side_from(b_, b_side), d,
@@ -56,7 +56,7 @@ private:
 };
 
 /// Six sides against the other triangle each: places are looked at more than once, but a common point is found.
-[[gnu::noinline]] TriangleDistance distance_of_touching(const LatticeTriangle& a, const LatticeTriangle& b) {
+ESPALIER_NOINLINE TriangleDistance distance_of_touching(const LatticeTriangle& a, const LatticeTriangle& b) {
     TriangleDistance best;
     best.squared = infinity;
     for (int number = 0; number < 6 && best.squared != 0.0f; ++number) {

@@ -45,7 +45,7 @@ bool is_separated_by_side(const IntegerTriangle& p, const IntegerTriangle& q, st
 }
 
 /// For six points of one plane, of which `normal` is a normal, or all of one line: then it is zero.
-[[gnu::noinline]] bool meet_in_plane(const IntegerTriangle& p, const IntegerTriangle& q, const WideVector& normal) {
+ESPALIER_NOINLINE bool meet_in_plane(const IntegerTriangle& p, const IntegerTriangle& q, const WideVector& normal) {
     // Points of one line meet where their boxes do, others also need no side that separates them; seen along an axis
     // that the plane is not parallel to nothing of this changes.
     if (!boxes_meet(p, q)) return false;
@@ -68,7 +68,7 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
 }
 
 /// For two triangles without area.
-[[gnu::noinline]] bool segments_meet(const IntegerTriangle& p, const IntegerTriangle& q) {
+ESPALIER_NOINLINE bool segments_meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     Integer3 s[2], t[2];
     find_ends(p, s);
     find_ends(q, t);
@@ -81,7 +81,7 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
 }
 
 /// For a triangle p without area, and q with some.
-[[gnu::noinline]] bool segment_meets(const IntegerTriangle& p, const IntegerTriangle& q) {
+ESPALIER_NOINLINE bool segment_meets(const IntegerTriangle& p, const IntegerTriangle& q) {
     Integer3 s[2];
     find_ends(p, s);
     const WideVector normal = wide_cross(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
@@ -165,7 +165,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
             volume<Vector>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Vector>(*s.a, *s.c, *t.a, *t.c) >= 0};
 }
 
-[[gnu::noinline]] Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
+ESPALIER_NOINLINE Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
 
 /// Whether all corners lie within 2^19 of the first one, along every axis.
 [[maybe_unused]] bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
@@ -183,7 +183,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
 }
 
 /// For two triangles with area.
-[[gnu::noinline]] bool meet_in_own_plane(const IntegerTriangle& p, const IntegerTriangle& q) {
+ESPALIER_NOINLINE bool meet_in_own_plane(const IntegerTriangle& p, const IntegerTriangle& q) {
     return meet_in_plane(p, q, wide_cross(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]));
 }
 
@@ -198,7 +198,7 @@ bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept
     return meet_in_own_plane(p, q);
 }
 
-[[gnu::noinline]] bool triangles_meet(const LatticeTriangle& p, const LatticeTriangle& q) noexcept {
+ESPALIER_NOINLINE bool triangles_meet(const LatticeTriangle& p, const LatticeTriangle& q) noexcept {
     return triangles_meet(integer_triangle(p), integer_triangle(q));
 }
 

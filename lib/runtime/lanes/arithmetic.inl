@@ -6,14 +6,14 @@
 template <class To, class From>
 inline To load_as(const From* from) {
     To result;
-    __builtin_memcpy(&result, from, sizeof result);
+    ESPALIER_COPY_BYTES(&result, from, sizeof result);
     return result;
 }
 inline Ints load_ints(const std::uint32_t* from) { return load_as<Ints>(from); }
-inline void store(float* to, Floats a) { __builtin_memcpy(to, &a, sizeof a); }
-inline void store(std::uint32_t* to, Ints a) { __builtin_memcpy(to, &a, sizeof a); }
+inline void store(float* to, Floats a) { ESPALIER_COPY_BYTES(to, &a, sizeof a); }
+inline void store(std::uint32_t* to, Ints a) { ESPALIER_COPY_BYTES(to, &a, sizeof a); }
 inline void prefetch(const std::byte* at) {
-    if constexpr (lanes > 1) __builtin_prefetch(at);
+    if constexpr (lanes > 1) ESPALIER_PREFETCH(at);
 }
 
 /// Three axes, and a fourth element that often is of no meaning.
@@ -21,10 +21,10 @@ using Axes = Vector<float, 4>;
 using AxisInts = Vector<std::int32_t, 4>;
 template <class Vector>
 inline void store_axes(void* to, Vector a) {
-    __builtin_memcpy(to, &a, sizeof a);
+    ESPALIER_COPY_BYTES(to, &a, sizeof a);
 }
 
-[[gnu::always_inline]] inline Floats bytes_to_floats(const std::byte* at) { return to_floats(load_bytes(at)); }
+ESPALIER_ALWAYS_INLINE inline Floats bytes_to_floats(const std::byte* at) { return to_floats(load_bytes(at)); }
 
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = lanes > 4;

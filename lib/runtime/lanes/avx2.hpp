@@ -188,7 +188,7 @@ public:
     /// The vertices that the eight entries at hand name.
     [[nodiscard]] std::uint64_t entries() const { return entries_; }
     void advance() { entries_ = next_entries(); }
-    [[gnu::always_inline]] CornerNumbers next() {
+    ESPALIER_ALWAYS_INLINE CornerNumbers next() {
         const std::uint64_t following = next_entries();
         if (kept_ != kept_end_) keep(following);
         const auto marked = static_cast<unsigned>(pivots_ & 255);
@@ -210,7 +210,7 @@ private:
     static constexpr std::uint64_t ones = 0x0101010101010101;
 
     void keep(std::uint64_t entries) {
-        __builtin_memcpy(kept_, &entries, sizeof entries);
+        ESPALIER_COPY_BYTES(kept_, &entries, sizeof entries);
         kept_ += sizeof entries;
     }
     std::uint64_t next_entries() {
@@ -272,7 +272,7 @@ inline PredictedFrom predicted_from(const StripLeaf& leaf) {
         const auto put = [&](std::uint8_t* to, std::uint64_t numbers) {
             const std::uint64_t or_none = (numbers & is_predicted) | (~is_predicted & every_byte * PredictedFrom::none);
             const std::uint64_t of_fresh = _pext_u64(or_none, fresh);
-            __builtin_memcpy(to + used, &of_fresh, sizeof of_fresh);
+            ESPALIER_COPY_BYTES(to + used, &of_fresh, sizeof of_fresh);
         };
         put(from.pivot, pivots << 16 | pivots_before >> 48);
         put(from.before, entries << 8 | entries_before >> 56);

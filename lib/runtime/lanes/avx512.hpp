@@ -8,11 +8,9 @@
 
 #if defined(__x86_64__)
 
-#if defined(__GNUC__) && !defined(__clang__)
-// GCC's own intrinsics start from a register that they leave undefined on purpose (GCC bug 105593).
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
+// GCC's own intrinsics start from a register that they leave undefined on purpose (GCC bug 105593). The warnings come
+// after the file, where they are inlined.
+ESPALIER_BEGIN_MAYBE_UNINITIALIZED
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
@@ -135,7 +133,7 @@ using PairTable = PairTableIn<Table<groups>>;
 /// The windows of a strip, sixteen at a time; all entries are decoded at once, as the bytes of one register.
 class StripCorners {
 public:
-    [[gnu::always_inline]] explicit StripCorners(const StripLeaf& leaf) : pivots_(leaf.pivots) {
+    ESPALIER_ALWAYS_INLINE explicit StripCorners(const StripLeaf& leaf) : pivots_(leaf.pivots) {
         alignas(64) static constexpr std::array<std::uint8_t, 64> counting = [] {
             std::array<std::uint8_t, 64> numbers{};
             for (unsigned i = 0; i < 64; ++i) numbers[i] = static_cast<std::uint8_t>(i);
@@ -163,7 +161,7 @@ public:
     [[nodiscard]] __m512i entries() const { return entries_; }
     [[nodiscard]] __m512i number() const { return number_; }
     void keep_entries(std::uint8_t* to) const { _mm512_storeu_si512(to, entries_); }
-    [[gnu::always_inline]] CornerNumbers next() {
+    ESPALIER_ALWAYS_INLINE CornerNumbers next() {
         // The last marked entry of this group that is not behind the window, or the last one of the groups before.
         const __m512i up_to_lane =
             _mm512_setr_epi32(1, 3, 7, 15, 31, 63, 127, 255, 511, 1023, 2047, 4095, 8191, 16383, 32767, 65535);

@@ -12,5 +12,5 @@
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/blob/vertex_word.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
-#include <runtime/lanes/target.hpp>
+#include <espalier/base/compiler.hpp>
 #include <runtime/lanes/unpack_table.hpp>

@@ -10,7 +10,7 @@ using scalar::load_bytes, scalar::load_numbers, scalar::load_words, scalar::unpa
 
 /// Calls the function for the kind of leaf that the blob has.
 template <class Function>
-[[gnu::always_inline]] inline auto with_leaves_of(const BlobData& blob, Function function) {
+ESPALIER_ALWAYS_INLINE inline auto with_leaves_of(const BlobData& blob, Function function) {
     if constexpr (!reads_strip_leaves) return function.template operator()<PlainLeaf>();
     else if constexpr (!reads_plain_leaves) return function.template operator()<StripLeaf>();
     else if (has_plain_leaves(blob.profile)) return function.template operator()<PlainLeaf>();
@@ -20,7 +20,7 @@ template <class Function>
 #if ESPALIER_PREDICTED_STRIPS
 /// Calls the function with a predicted strip. Apart from its caller, whose frame has no room for vertices.
 template <class Function>
-[[gnu::noinline]] inline auto with_predicted_strip(const BlobData& blob, PackedNode node, unsigned number,
+ESPALIER_NOINLINE inline auto with_predicted_strip(const BlobData& blob, PackedNode node, unsigned number,
                                                    Function& function) {
     StripLeaf leaf;
     PredictedVertices vertices;
@@ -31,7 +31,7 @@ template <class Function>
 
 /// Calls the function with the leaf of a kind that is child `node.node_children() + number` of the node.
 template <class Leaf, class Function>
-[[gnu::always_inline]] inline auto with_leaf(const BlobData& blob, typename Leaf::Node node, unsigned number,
+ESPALIER_ALWAYS_INLINE inline auto with_leaf(const BlobData& blob, typename Leaf::Node node, unsigned number,
                                              Function function) {
 #if ESPALIER_PREDICTED_STRIPS
     if constexpr (std::is_same_v<Leaf, StripLeaf>)
@@ -42,34 +42,34 @@ template <class Leaf, class Function>
 
 /// Has the visitor visit the leaf that is child `node.node_children() + number` of the node.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline Visit visit_leaf(const BlobData& blob, typename Leaf::Node node, unsigned number,
+ESPALIER_ALWAYS_INLINE inline Visit visit_leaf(const BlobData& blob, typename Leaf::Node node, unsigned number,
                                                Visitor& visitor) {
-    return with_leaf<Leaf>(
-        blob, node, number, [&](const Leaf& leaf) __attribute__((always_inline)) { return visitor.visit_leaf(leaf); });
+    return with_leaf<Leaf>(blob, node, number,
+                           [&](const Leaf& leaf) ESPALIER_ALWAYS_INLINE_LAMBDA { return visitor.visit_leaf(leaf); });
 }
 
 /// Coordinates of `lanes` vertices along an axis, counted from the leaf's anchor. `load_width` returns a width as
 /// given.
 template <class LoadWidth>
-[[gnu::always_inline]] inline Ints offsets_of(const StripLeaf& leaf, unsigned axis, unsigned group,
+ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const StripLeaf& leaf, unsigned axis, unsigned group,
                                               LoadWidth load_width) {
     return unpack(leaf.coordinates[axis], load_width(leaf.width[axis]), group * lanes);
 }
 template <class LoadWidth>
-[[gnu::always_inline]] inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth) {
+ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth) {
     const std::size_t place = std::size_t{axis} * leaf.vertex_count + std::size_t{group} * lanes;
     const Ints words = load_words(leaf.words() + 2 * place);
     return leaf.has_high_bytes() ? with_high_bytes(words, load_bytes(leaf.high_bytes() + place)) : words;
 }
 template <class Leaf>
-[[gnu::always_inline]] inline Ints offsets_of(const Leaf& leaf, unsigned axis, unsigned group) {
+ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const Leaf& leaf, unsigned axis, unsigned group) {
     return offsets_of(leaf, axis, group, [](unsigned width) { return width; });
 }
 
 class PlainCorners {
 public:
     explicit PlainCorners(const PlainLeaf& leaf) : row_(leaf.corner_row), row_bytes_(leaf.slot_count) {}
-    [[gnu::always_inline]] CornerNumbers next() {
+    ESPALIER_ALWAYS_INLINE CornerNumbers next() {
         const std::byte* const row = row_;
         row_ += lanes;
         return {load_numbers(row), load_numbers(row + row_bytes_), load_numbers(row + 2 * row_bytes_)};
@@ -99,7 +99,7 @@ inline std::uint32_t owner_index(const Leaf& leaf, unsigned slot) {
 /// Calls the function with the size of a table that has room for so many vertices: this many groups of `lanes`, or
 /// more.
 template <unsigned max_vertices, unsigned groups, class Function>
-[[gnu::always_inline]] constexpr auto with_groups_from(unsigned vertex_count, Function function) {
+ESPALIER_ALWAYS_INLINE constexpr auto with_groups_from(unsigned vertex_count, Function function) {
     constexpr unsigned next = lanes > 4 ? groups + 1 : groups < 8 ? 2 * groups : 14;
     if constexpr (groups * lanes >= max_vertices) return function(std::integral_constant<unsigned, groups>{});
     else if (vertex_count <= groups * lanes) return function(std::integral_constant<unsigned, groups>{});

@@ -26,7 +26,7 @@ using vertex_word::fit_into_words;
 constexpr std::uint64_t every_byte = 0x0101010101010101;
 
 /// The choice of each vertex, eight bytes at a time.
-[[gnu::always_inline]] inline void decode_choices(const StripLeaf& leaf, std::uint8_t* choices) {
+ESPALIER_ALWAYS_INLINE inline void decode_choices(const StripLeaf& leaf, std::uint8_t* choices) {
     const std::uint64_t predicted =
         _pext_u64(format::predicted_strip::predicted_entries(leaf.windows), leaf.first_uses);
     unsigned at = leaf.predicted.choices_at;
@@ -34,13 +34,13 @@ constexpr std::uint64_t every_byte = 0x0101010101010101;
         const std::uint64_t here = _pdep_u64(predicted >> first, every_byte);
         const std::uint64_t eight = _pdep_u64(load_u32(leaf.marks + at / 8) >> (at % 8), 7 * here) |
                                     (every_byte - here) * FieldChoices::not_predicted;
-        __builtin_memcpy(choices + first, &eight, sizeof eight);
+        ESPALIER_COPY_BYTES(choices + first, &eight, sizeof eight);
         at += 3 * static_cast<unsigned>(std::popcount(here));
     }
 }
 
 /// The vertices as words, one after the other.
-[[gnu::always_inline]] inline void decode_words(const StripLeaf& leaf, const PredictedFrom& from,
+ESPALIER_ALWAYS_INLINE inline void decode_words(const StripLeaf& leaf, const PredictedFrom& from,
                                                 std::uint64_t* words) {
     const FieldChoices fields(leaf);
     std::uint8_t choices[format::max_leaf_entries];

@@ -25,8 +25,8 @@ struct CornerNumbers {
 
 inline unsigned bits_of(bool comparison) { return comparison ? 1u : 0u; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
-[[gnu::always_inline]] inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
-[[gnu::always_inline]] inline Ints load_words(const std::byte* at) { return load_u16(at); }
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
+ESPALIER_ALWAYS_INLINE inline Ints load_words(const std::byte* at) { return load_u16(at); }
 
 #include <runtime/lanes/arithmetic.inl>
 

@@ -26,7 +26,7 @@ inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
 }
 /// Of numbers below 2^31.
 inline Floats to_floats(Ints a) {
-    asm("" : "+r"(a));  // else Clang converts what was widened from 16 bits one by one
+    ESPALIER_AS_IF_CHANGED(a, "r");  // else Clang converts what was widened from 16 bits one by one
     return wasm_f32x4_convert_i32x4(a);
 }
 

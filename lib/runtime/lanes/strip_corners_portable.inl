@@ -12,7 +12,7 @@ public:
         before_ = next_entry();
         middle_ = next_entry();
     }
-    [[gnu::always_inline]] CornerNumbers next() {
+    ESPALIER_ALWAYS_INLINE CornerNumbers next() {
         std::uint32_t a[lanes], b[lanes], c[lanes];
         for (unsigned lane = 0; lane < lanes; ++lane) {
             pivot_ = (pivots_ & 1) != 0 ? before_ : pivot_;

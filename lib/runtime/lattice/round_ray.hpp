@@ -180,8 +180,8 @@ ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& worl
 
     float direction[3], origin[3];
     static_assert(sizeof world.direction == sizeof direction);
-    __builtin_memcpy(direction, &world.direction, sizeof direction);
-    __builtin_memcpy(origin, &world.origin, sizeof origin);
+    ESPALIER_COPY_BYTES(direction, &world.direction, sizeof direction);
+    ESPALIER_COPY_BYTES(origin, &world.origin, sizeof origin);
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t magnitude = magnitude_bits(direction[k]);

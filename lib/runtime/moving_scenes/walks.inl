@@ -10,7 +10,7 @@ namespace {
 
 /// Returns planes of children as floats, counted from the origin of the tree. Those of places without a child are of no
 /// meaning.
-[[gnu::always_inline]] inline Floats planes_from(const std::int32_t* planes, std::int32_t origin) {
+ESPALIER_ALWAYS_INLINE inline Floats planes_from(const std::int32_t* planes, std::int32_t origin) {
     return to_floats(load_as<Ints>(planes) - static_cast<std::uint32_t>(origin));
 }
 
@@ -22,7 +22,7 @@ inline unsigned children_of(const BoxNode& node) {
 }
 
 /// Returns the children whose boxes the passage meets up to a limit, and where each begins.
-[[gnu::always_inline]] inline unsigned near_children(const BoxNode& node, const MovingTree& tree,
+ESPALIER_ALWAYS_INLINE inline unsigned near_children(const BoxNode& node, const MovingTree& tree,
                                                      const Passage& passage, float limit, float* keys) {
     unsigned mask = 0;
     for (unsigned first = 0; first < BoxNode::most; first += lanes) {
@@ -42,7 +42,7 @@ inline unsigned children_of(const BoxNode& node) {
 }
 
 /// Returns the children whose boxes are within the squared limit of a point, and the squared distance of each.
-[[gnu::always_inline]] inline unsigned near_children(const BoxNode& node, const MovingTree& tree,
+ESPALIER_ALWAYS_INLINE inline unsigned near_children(const BoxNode& node, const MovingTree& tree,
                                                      const RoundedPoint& point, float limit, float* keys) {
     unsigned mask = 0;
     for (unsigned first = 0; first < BoxNode::most; first += lanes) {

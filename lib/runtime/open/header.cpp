@@ -45,7 +45,7 @@ struct Bytes {
     bool looks_at_padding;
 
     /// So many fields of so many bits, filled up to 4 bytes with zeros.
-    [[gnu::noinline]] const std::byte* take(std::size_t fields, std::size_t field_bits) {
+    ESPALIER_NOINLINE const std::byte* take(std::size_t fields, std::size_t field_bits) {
         const std::uint64_t bits = std::uint64_t{fields} * field_bits;
         const std::uint64_t words = (bits + 31) / 32;
         const std::byte* taken = at;

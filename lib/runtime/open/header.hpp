@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <espalier/base/compiler.hpp>
 #include <espalier/status.hpp>
 
 namespace espalier::detail {
@@ -32,6 +33,6 @@ OpenStatus read_header(BlobData& blob);
 OpenStatus locate_sections(BlobData& blob, bool looks_at_padding);
 
 /// Makes the blob empty and stores why. Out of line, so that small cores have the code once.
-[[gnu::noinline]] void refuse(BlobData& blob, OpenStatus status);
+ESPALIER_NOINLINE void refuse(BlobData& blob, OpenStatus status);
 
 }  // namespace espalier::detail

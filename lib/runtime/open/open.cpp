@@ -159,7 +159,7 @@ bool are_vertex_sources_sound(const BlobData& blob) {
 }
 
 /// Each in its turn, as far as they are there.
-[[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
+ESPALIER_NOINLINE bool are_optional_sections_sound(const BlobData& blob) {
     using namespace format::feature;
     // mutant(without 2, without 8, without 14, without 19) equivalent: the build for mutants reads all sections
     return (!reads(original_ids) || blob.ids == nullptr || are_ids_sound(blob)) &&

@@ -61,7 +61,7 @@ bool is_beside_plane(const Rounded<Box>& box, const OriginRelative& t) {
     const Sum reach = dot<Sum>(magnitude(normal), {box.half[0], box.half[1], box.half[2]});
     return reach < distance || distance < -reach;
 }
-[[gnu::noinline]] bool is_beside_wide_plane(const Rounded<Box>& box, const OriginRelative& t) {
+ESPALIER_NOINLINE bool is_beside_wide_plane(const Rounded<Box>& box, const OriginRelative& t) {
     return is_beside_plane<Int128>(box, t);
 }
 

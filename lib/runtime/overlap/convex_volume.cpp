@@ -69,7 +69,7 @@ struct Constraints {
 
 /// Whether some point of the triangle keeps to all constraints.
 template <class Arithmetic>
-[[gnu::noinline]] bool has_solution(const Constraints& constraints) {
+ESPALIER_NOINLINE bool has_solution(const Constraints& constraints) {
     // A point that keeps to all constraints so far: corner a, and later where line `on` ends at constraint `last`.
     unsigned on = 0;
     unsigned last = 0;

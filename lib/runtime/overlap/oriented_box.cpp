@@ -94,13 +94,13 @@ bool is_separated_along(const Integer3& axis, const Rounded<OrientedBox>& box, c
     return are_apart_along(axis, box, seen);
 }
 /// Called, not copied: rare, and large.
-[[gnu::noinline]] bool is_separated_along(const WideVector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
+ESPALIER_NOINLINE bool is_separated_along(const WideVector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
     return are_apart_along(axis, box, seen);
 }
 
 /// All axes but those of the box's faces. Narrow vectors do for boxes near the asset and short sides.
 template <class Vector>
-[[gnu::noinline]] bool is_separated(const Rounded<OrientedBox>& box, const Seen& seen) {
+ESPALIER_NOINLINE bool is_separated(const Rounded<OrientedBox>& box, const Seen& seen) {
     const auto is_across = [&](const Integer3& a, const Integer3& b) {
         return is_separated_along(cross_in<Vector>(a, b), box, seen);
     };

@@ -63,7 +63,7 @@ struct PromisingLeaves {
 /// Down both trees at once, at each step with no more than the `width` most promising pairs (beam search, Lowerre
 /// 1976). Out of line: what this takes of the stack is not needed beside the leaves.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus find_promising(const PairFrame& frame, const Visitor& visitor, unsigned width,
+ESPALIER_NOINLINE QueryStatus find_promising(const PairFrame& frame, const Visitor& visitor, unsigned width,
                                              std::uint64_t& work, PromisingLeaves& leaves) {
     Beam beam(width);
     beam.offer({});
@@ -92,7 +92,7 @@ template <class Visitor>
 
 /// Visits the leaves that such a way leads to. Visitor and `work` are those of walk_pair.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus visit_promising(const PairFrame& frame, Visitor& visitor, unsigned width,
+ESPALIER_NOINLINE QueryStatus visit_promising(const PairFrame& frame, Visitor& visitor, unsigned width,
                                               std::uint64_t& work) {
     PromisingLeaves leaves;
     if (find_promising(frame, visitor, width, work, leaves) != QueryStatus::ok) return QueryStatus::work_limit;
@@ -107,7 +107,7 @@ template <class Visitor>
 
 /// A first look, then the walk. Out of line: a search for contacts does not need what this takes of the stack.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus search_nearest(const PairFrame& frame, Visitor& visitor, LeastDistance& least,
+ESPALIER_NOINLINE QueryStatus search_nearest(const PairFrame& frame, Visitor& visitor, LeastDistance& least,
                                              std::uint64_t& work) {
     QueryStatus status = QueryStatus::ok;
     const auto goes_on = [&] { return status == QueryStatus::ok && !least.is_done(); };

@@ -9,7 +9,7 @@ inline constexpr float along_slack = 32.0f;
 /// What triangles cover along a direction.
 struct Shadow {
     Floats low, high;
-    [[gnu::always_inline]] Shadow(const PlacedLanes& t, const float* axis) {
+    ESPALIER_ALWAYS_INLINE Shadow(const PlacedLanes& t, const float* axis) {
         const auto along = [&](const Floats* corner) {
             return add(add(multiply(corner[0], splat(axis[0])), multiply(corner[1], splat(axis[1]))),
                        multiply(corner[2], splat(axis[2])));
@@ -43,7 +43,7 @@ struct NearestCorners {
 };
 
 /// How far apart triangles are along the directions, squared.
-[[gnu::always_inline]] inline Floats gap_along_axes(const PlacedLanes& t, const PlacedLanes& other,
+ESPALIER_ALWAYS_INLINE inline Floats gap_along_axes(const PlacedLanes& t, const PlacedLanes& other,
                                                     const PairAxes& axes) {
     Floats along_sum = splat(0.0f);
     for (int i = 0; i < 3; ++i) {
@@ -56,7 +56,7 @@ struct NearestCorners {
 }
 
 /// Of their corners, the nearest two.
-[[gnu::always_inline]] inline Floats squared_of_nearest_corners(const PlacedLanes& t, const PlacedLanes& other) {
+ESPALIER_ALWAYS_INLINE inline Floats squared_of_nearest_corners(const PlacedLanes& t, const PlacedLanes& other) {
     Floats nearest = splat(infinity);
     for (const auto& ours : t.corner)
         for (const auto& their : other.corner) {

@@ -13,7 +13,7 @@ struct PlacedColumns {
     [[nodiscard]] float at(unsigned column, int number, int axis) const {
         float coordinate;
         const auto* lane = reinterpret_cast<const std::byte*>(&corner[column / lanes][number][axis]);
-        __builtin_memcpy(&coordinate, lane + sizeof coordinate * (column % lanes), sizeof coordinate);
+        ESPALIER_COPY_BYTES(&coordinate, lane + sizeof coordinate * (column % lanes), sizeof coordinate);
         return coordinate;
     }
 };
@@ -30,13 +30,13 @@ struct PlacedLanes {
     Floats normal[3];
     Floats size;  ///< the longest side of the box
 
-    [[gnu::always_inline]] void derive_box() {
+    ESPALIER_ALWAYS_INLINE void derive_box() {
         for (int k = 0; k < 3; ++k) {
             low[k] = least(corner[0][k], corner[1][k], corner[2][k]);
             high[k] = most(corner[0][k], corner[1][k], corner[2][k]);
         }
     }
-    [[gnu::always_inline]] void derive_plane() {
+    ESPALIER_ALWAYS_INLINE void derive_plane() {
         size = most(subtract(high[0], low[0]), subtract(high[1], low[1]), subtract(high[2], low[2]));
         Floats ab[3], ac[3];
         for (int k = 0; k < 3; ++k) {
@@ -47,11 +47,11 @@ struct PlacedLanes {
     }
     /// The same triangle in all lanes.
     template <class Triangles>
-    [[gnu::always_inline]] void spread(const Triangles& triangles, unsigned place) {
+    ESPALIER_ALWAYS_INLINE void spread(const Triangles& triangles, unsigned place) {
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) corner[i][k] = splat(triangles.at(place, i, k));
     }
-    [[gnu::always_inline]] static void cross(const Floats* p, const Floats* q, Floats* to) {
+    ESPALIER_ALWAYS_INLINE static void cross(const Floats* p, const Floats* q, Floats* to) {
         for (int k = 0; k < 3; ++k) {
             const int k1 = k == 2 ? 0 : k + 1, k2 = k == 0 ? 2 : k - 1;
             to[k] = subtract(multiply(p[k1], q[k2]), multiply(p[k2], q[k1]));
@@ -76,7 +76,7 @@ struct PlacedBox {
 };
 
 /// How far boxes are apart, squared.
-[[gnu::always_inline]] inline Floats squared_gap(const PlacedLanes& t, const Floats* low, const Floats* high) {
+ESPALIER_ALWAYS_INLINE inline Floats squared_gap(const PlacedLanes& t, const Floats* low, const Floats* high) {
     Floats sum = splat(0.0f);
     for (unsigned k = 0; k < 3; ++k) {
         const Floats gap = larger(larger(subtract(t.low[k], high[k]), subtract(low[k], t.high[k])), splat(0.0f));
@@ -133,13 +133,13 @@ inline void look_up_among(const VertexTable& coordinates, const CornerNumbers& n
 
 /// All of them: a function for each size of leaf, so that their frames do not add up.
 template <unsigned used>
-[[gnu::noinline]] void look_up_all(const VertexTable* coordinates, const CornerNumbers& numbers, Floats (*corner)[3]) {
+ESPALIER_NOINLINE void look_up_all(const VertexTable* coordinates, const CornerNumbers& numbers, Floats (*corner)[3]) {
     for (int k = 0; k < 3; ++k) look_up_among<used>(coordinates[k], numbers, corner, k);
 }
 
 /// One coordinate of all vertices of a leaf of a.
 template <class Leaf>
-[[gnu::always_inline]] inline void place_axis_of_a(const Leaf& leaf, const PairFrame& frame, int axis,
+ESPALIER_ALWAYS_INLINE inline void place_axis_of_a(const Leaf& leaf, const PairFrame& frame, int axis,
                                                    VertexTable& coordinates) {
     const Floats scale = splat(frame.a_scale), round = splat(frame.a_round);
     const auto anchor = static_cast<std::uint32_t>(leaf.anchor(axis));
@@ -152,7 +152,7 @@ template <class Leaf>
 
 /// The next triangles of a leaf of a. One axis at a time: a table of all three would be most of the stack.
 template <class Leaf, class Corners>
-[[gnu::noinline]] void load_lanes(const Leaf& leaf, const PairFrame& frame, Corners& corners, PlacedLanes& t) {
+ESPALIER_NOINLINE void load_lanes(const Leaf& leaf, const PairFrame& frame, Corners& corners, PlacedLanes& t) {
     const CornerNumbers numbers = corners.next();
     with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto used) {
         for (int k = 0; k < 3; ++k) {
@@ -167,7 +167,7 @@ template <class Leaf, class Corners>
 }
 
 /// Returns a bit for each lane whose box is near enough; if `touching`, its plane must also pass through the box.
-[[gnu::always_inline]] inline unsigned lanes_near(PlacedLanes t, const PlacedBox& box, bool touching, float limit) {
+ESPALIER_ALWAYS_INLINE inline unsigned lanes_near(PlacedLanes t, const PlacedBox& box, bool touching, float limit) {
     t.derive_box();
     Floats low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -182,7 +182,7 @@ template <class Leaf, class Corners>
     return near;
 }
 
-[[gnu::noinline]] inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
+ESPALIER_NOINLINE inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
                                              float limit) {
     PlacedLanes t;
     for (int i = 0; i < 3; ++i)
@@ -191,7 +191,7 @@ template <class Leaf, class Corners>
 }
 
 template <class Leaf>
-[[gnu::noinline]] void place_vertices(const Leaf& leaf, const PairFrame& frame, VertexTable* coordinates) {
+ESPALIER_NOINLINE void place_vertices(const Leaf& leaf, const PairFrame& frame, VertexTable* coordinates) {
     for (unsigned group = 0; group * lanes < leaf.vertex_count; ++group) {
         Ints vertex[3];
         for (int k = 0; k < 3; ++k)
@@ -205,7 +205,7 @@ template <class Leaf>
 
 /// The next triangles of a leaf of b as columns.
 template <class Leaf, class Corners>
-[[gnu::noinline]] void load_columns(const Leaf& leaf, const PairFrame& frame, unsigned first, Corners& corners,
+ESPALIER_NOINLINE void load_columns(const Leaf& leaf, const PairFrame& frame, unsigned first, Corners& corners,
                                     PlacedColumns& placed) {
     VertexTable coordinates[3];
     place_vertices(leaf, frame, coordinates);
@@ -232,7 +232,7 @@ inline unsigned place_columns(const Leaf& leaf, const PairFrame& frame, unsigned
 /// Calls match(lanes of a, slot of the first, column of b, which lanes are used) for all triangles of a leaf of a and
 /// the columns.
 template <class Leaf, class Match>
-[[gnu::always_inline]] inline void for_lanes_and_columns(const Leaf& leaf, const PairFrame& frame, unsigned near,
+ESPALIER_ALWAYS_INLINE inline void for_lanes_and_columns(const Leaf& leaf, const PairFrame& frame, unsigned near,
                                                          Match match) {
     auto corners = corners_of(leaf);
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
@@ -250,7 +250,7 @@ class DecodedLeaf {
 public:
     DecodedLeaf() {}
     template <class Leaf>
-    [[gnu::always_inline]] const Leaf& decode(const PairFrame& frame, unsigned side, PairLeaf place) {
+    ESPALIER_ALWAYS_INLINE const Leaf& decode(const PairFrame& frame, unsigned side, PairLeaf place) {
         Leaf& leaf = of<Leaf>();
         if (place_ != place) decode_leaf_of_pair(frame, side, place, leaf);
         place_ = place;

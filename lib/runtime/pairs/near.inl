@@ -5,7 +5,7 @@
 
 /// Which of the triangles may be within the squared distance of the column's. The corners also tell how far apart these
 /// are at most, and the limit comes down to that.
-[[gnu::noinline]] inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
+ESPALIER_NOINLINE inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
                                              unsigned used, const PairAxes& axes, float& limit,
                                              NearestCorners& nearest_corners, unsigned first_pair) {
     PlacedLanes other;
@@ -41,7 +41,7 @@
 
 /// The triangles of a leaf of a that may be within the squared distance of each of the columns.
 template <class Leaf>
-[[gnu::noinline]] void match_near(const Leaf& leaf, const PairFrame& frame, const PlacedColumns& others, unsigned near,
+ESPALIER_NOINLINE void match_near(const Leaf& leaf, const PairFrame& frame, const PlacedColumns& others, unsigned near,
                                   const PairAxes& axes, float& limit, NearestCorners& nearest,
                                   typename Leaf::Slots* slots) {
     for (unsigned rest = near; rest != 0; rest &= rest - 1) slots[std::countr_zero(rest)] = 0;
@@ -53,13 +53,13 @@ template <class Leaf>
 }
 
 template <class Leaves>
-[[gnu::noinline]] Visit take_exactly(const Leaves& leaves, unsigned a_slot, unsigned b_slot, LeastDistance& least) {
+ESPALIER_NOINLINE Visit take_exactly(const Leaves& leaves, unsigned a_slot, unsigned b_slot, LeastDistance& least) {
     return least.take(leaves.triangle_a(a_slot), leaves.triangle_b(b_slot), leaves.at(a_slot, b_slot));
 }
 
 /// Hands on the triangles of two leaves that may be within the limit of each other.
 template <class Leaves>
-[[gnu::noinline]] Visit visit_near(const Leaves& leaves, LeastDistance& least) {
+ESPALIER_NOINLINE Visit visit_near(const Leaves& leaves, LeastDistance& least) {
     using Slots = typename Leaves::A::Slots;
     const auto& b = leaves.b;
     auto corners = corners_of(b);

@@ -80,7 +80,7 @@ struct CrossReach {
     const PairSide& side;
 
     CrossReach(const SeenBox& of, const PairSide& from) : seen(of), side(from) {}
-    [[nodiscard, gnu::always_inline]] float at(int i, int j) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE float at(int i, int j) const {
         const int j1 = j == 2 ? 0 : j + 1, j2 = j == 0 ? 2 : j - 1;
         return seen.half[j1] * side.absolute_at(i, j2) + seen.half[j2] * side.absolute_at(i, j1) + 3.0f * side.slack;
     }
@@ -171,7 +171,7 @@ inline constexpr float share_of_centers = 0x1p-4f;
 /// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
 /// are apart, for distances, which have axes, the gap and a share of that.
 template <class Node>
-[[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
+ESPALIER_NOINLINE unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
                                          const PairSide& side, const PairAxes* axes, float limit, float* keys) {
     const auto all = boxes_of(node, blob);
     const Floats half_scale = splat(0.5f * side.own_scale);

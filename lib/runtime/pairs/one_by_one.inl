@@ -12,7 +12,7 @@ inline PlacedLanes lanes_of(const LatticeTriangle& triangle) {
 
 /// The squared distance of the nearest corners, unless shadows along the directions are farther apart than the limit:
 /// as in near.inl.
-[[gnu::noinline]] inline float squared_between_corners(const LatticeTriangle& a, const LatticeTriangle& b,
+ESPALIER_NOINLINE inline float squared_between_corners(const LatticeTriangle& a, const LatticeTriangle& b,
                                                        const PairAxes& axes, float limit) {
     const PlacedLanes t = lanes_of(a), other = lanes_of(b);
     if (!(gap_along_axes(t, other, axes) <= limit)) return infinity;
@@ -41,7 +41,7 @@ struct SlotPair {
     }
     /// The next whose boxes are within the squared distance, b's also of a box around all of a. False when there is
     /// none.
-    [[gnu::noinline]] bool next(float limit) {
+    ESPALIER_NOINLINE bool next(float limit) {
         for (;;) {
             while (a_slots != 0) {
                 place_a(static_cast<unsigned>(std::countr_zero(a_slots)));
@@ -69,7 +69,7 @@ private:
 };
 
 template <class Leaves>
-[[gnu::noinline]] Visit visit_touching(const Leaves& leaves, const OnTouching& visit) {
+ESPALIER_NOINLINE Visit visit_touching(const Leaves& leaves, const OnTouching& visit) {
     SlotPair pair(leaves, true);
     const auto place_both = [&pair](LatticeTriangle& of_a, LatticeTriangle& of_b) {
         of_a = pair.a;
@@ -83,7 +83,7 @@ template <class Leaves>
 
 /// First what corners tell: how far apart the leaves are at most, and which pair is a good one to begin with.
 template <class Leaves>
-[[gnu::noinline]] Visit visit_near(const Leaves& leaves, LeastDistance& least) {
+ESPALIER_NOINLINE Visit visit_near(const Leaves& leaves, LeastDistance& least) {
     NearestCorners nearest;
     SlotPair pair(leaves, false);
     while (pair.next(least.limit())) {

@@ -27,7 +27,7 @@ struct PlacedPair {
 
 private:
     /// Out of line: its stack is not needed beside the walk.
-    [[gnu::noinline]] QueryStatus place(const PlacedBlob& a, const PlacedBlob& b) {
+    ESPALIER_NOINLINE QueryStatus place(const PlacedBlob& a, const PlacedBlob& b) {
         const BlobData& data_a = data_of(a.blob());
         const BlobData& data_b = data_of(b.blob());
         if (data_a.bytes == nullptr || data_b.bytes == nullptr) return QueryStatus::not_open;
@@ -40,7 +40,7 @@ private:
 
 #if ESPALIER_PREDICTED_STRIPS
 /// Out of line: pairs without predicted strips do not pay for the room.
-[[gnu::noinline]] QueryStatus search_with_vertices(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
+ESPALIER_NOINLINE QueryStatus search_with_vertices(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
     PredictedVertices vertices[2];
     frame.vertices = vertices;
     return ESPALIER_DISPATCH(search_pairs, frame, search, work);
@@ -67,7 +67,7 @@ QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, Pai
 }
 
 /// Where the triangles of a pair touch. What this takes of the stack is not needed beside the walk.
-[[gnu::noinline]] void find_common_point(const PairFrame& frame, FoundTriangles& touching) {
+ESPALIER_NOINLINE void find_common_point(const PairFrame& frame, FoundTriangles& touching) {
     touching.a = frame.place_a(find_triangle(*frame.a, touching.pair.a.index));
     touching.b = frame.place_b(find_triangle(*frame.b, touching.pair.b.index));
     touching.distance = distance_between(touching.a, touching.b);
@@ -78,7 +78,7 @@ QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, Pai
 constexpr float farthest_in_spans = 1024.0f;
 
 /// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
-[[gnu::always_inline]] inline QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, PairWork& work) {
+ESPALIER_ALWAYS_INLINE inline QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, PairWork& work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * least.radius ? QueryStatus::ok : QueryStatus::out_of_range;
     const QueryStatus status = find_touching(frame, least.best.pair, least.found, work);
@@ -118,7 +118,7 @@ struct NearestSearch {
 
 /// Looks for lower references to the triangles of a pair that touch where the walk comes to them: walks again, only
 /// through boxes that both triangles touch. Returns ok if there are none, stopped at the first, or work_limit.
-[[gnu::noinline]] QueryStatus find_lower_references(const PairFrame& on_grid, const TrianglePair& references,
+ESPALIER_NOINLINE QueryStatus find_lower_references(const PairFrame& on_grid, const TrianglePair& references,
                                                     std::uint64_t& work) {
     PairFrame frame = on_grid;  // the walk that waits uses its room for vertices
     const ReferredTriangles only = {owners(frame, references),
@@ -177,7 +177,7 @@ bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
 
 }  // namespace
 
-[[gnu::noinline]] PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
+ESPALIER_NOINLINE PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
                                                          PairWork& work) noexcept {
     PairContact contact;
     PlacedPair placed(a, b);
@@ -278,7 +278,7 @@ QueryStatus detail::place_triangles(const PlacedBlob& a, const PlacedBlob& b, co
 namespace {
 
 /// Part of its callers: a frame of its own takes stack where no counters are given.
-[[gnu::always_inline]] inline BlobDistance find_distance(const PlacedBlob& a, const PlacedBlob& b, float max_distance,
+ESPALIER_ALWAYS_INLINE inline BlobDistance find_distance(const PlacedBlob& a, const PlacedBlob& b, float max_distance,
                                                          PairWork& work) {
     BlobDistance result;
     const NearestSearch search(a, b, max_distance, false, work);

@@ -21,17 +21,17 @@ struct PlacedTriangles {
     }
     void set(unsigned place, int number, int axis, float coordinate) {
         auto* const to = reinterpret_cast<std::byte*>(&corner[number][axis]);
-        __builtin_memcpy(to + sizeof coordinate * place, &coordinate, sizeof coordinate);
+        ESPALIER_COPY_BYTES(to + sizeof coordinate * place, &coordinate, sizeof coordinate);
     }
     /// `lanes` triangles, in order.
-    [[nodiscard, gnu::always_inline]] PlacedLanes group(unsigned number) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE PlacedLanes group(unsigned number) const {
         PlacedLanes t;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) t.corner[i][k] = load_as<Floats>(row(i, k) + sizeof(Floats) * number);
         return t;
     }
     /// Any triangles, by their places.
-    [[nodiscard, gnu::always_inline]] PlacedLanes some(const Numbers& places) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE PlacedLanes some(const Numbers& places) const {
         PlacedLanes t;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) t.corner[i][k] = corner[i][k].look_up(places);
@@ -44,7 +44,7 @@ constexpr unsigned groups_of_slots(unsigned slots) { return (slots + lanes - 1) 
 
 /// Places the next triangles of a leaf of a.
 template <class Leaf, class Corners>
-[[gnu::noinline]] void place_triangles_of_a(const Leaf& leaf, const PairFrame& frame, Corners& corners, unsigned first,
+ESPALIER_NOINLINE void place_triangles_of_a(const Leaf& leaf, const PairFrame& frame, Corners& corners, unsigned first,
                                             PlacedTriangles& placed) {
     const unsigned left = groups_of_slots(leaf.slot_count - first);
     const unsigned groups = left < PlacedTriangles::groups ? left : PlacedTriangles::groups;
@@ -75,7 +75,7 @@ inline void place_in_lanes(const Leaf& leaf, PairLeaf place, const PairFrame& fr
 
 /// Places all triangles of a leaf of b, which has no more than there is room for.
 template <class Leaf, class Corners>
-[[gnu::noinline]] void place_triangles_of_b(const Leaf& leaf, const PairFrame& frame, Corners& corners,
+ESPALIER_NOINLINE void place_triangles_of_b(const Leaf& leaf, const PairFrame& frame, Corners& corners,
                                             PlacedTriangles& placed) {
     VertexTable coordinates[3];
     place_vertices(leaf, frame, coordinates);
@@ -96,7 +96,7 @@ template <class Leaf, class Corners>
 /// Places the triangles of a leaf of b, from slot `first` on, that are near the box, while there is room. Returns how
 /// many they are.
 template <class Leaf, class Corners>
-[[gnu::noinline]] unsigned place_some_of_b(const Leaf& leaf, const PairFrame& frame, const PlacedBox& box,
+ESPALIER_NOINLINE unsigned place_some_of_b(const Leaf& leaf, const PairFrame& frame, const PlacedBox& box,
                                            Corners& corners, unsigned& first, PlacedTriangles& placed) {
     VertexTable coordinates[3];
     place_vertices(leaf, frame, coordinates);

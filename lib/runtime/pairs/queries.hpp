@@ -1,7 +1,7 @@
 // The search through two blobs on their common grid, once for each instruction set.
 #pragma once
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/statistics.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lanes/select.hpp>

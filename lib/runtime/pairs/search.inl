@@ -44,19 +44,17 @@ struct PairVisitor {
         return near & children_within(node, frame.blob(side).bits, search.only->bounds[side]);
     }
     ESPALIER_PART_OF_CALLER Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
-        return with_leaves_of(
-            *frame.a, [&]<class LeafA>() __attribute__((always_inline)) {
-                return with_leaves_of(
-                    *frame.b, [&]<class LeafB>() __attribute__((always_inline)) {
-                        return visit_leaves_of<LeafA, LeafB>(a, b, a_box);
-                    });
+        return with_leaves_of(*frame.a, [&]<class LeafA>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+            return with_leaves_of(*frame.b, [&]<class LeafB>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+                return visit_leaves_of<LeafA, LeafB>(a, b, a_box);
             });
+        });
     }
 
 private:
     /// Apart, so that it takes no room of the frame of a search that counts nothing.
     template <class Leaves>
-    [[gnu::noinline]] void count(const Leaves& leaves) const {
+    ESPALIER_NOINLINE void count(const Leaves& leaves) const {
         search.counters->count_leaves(leaves.a.triangle_count(), leaves.b.triangle_count());
     }
     template <class LeafA, class LeafB>
@@ -83,7 +81,7 @@ private:
 
 #if !ESPALIER_SMALL_CODE
 /// Out of line: a search for the nearest pair has no use for placed leaves.
-[[gnu::noinline]] inline QueryStatus search_touching(const PairFrame& frame, const PairSearch& search,
+ESPALIER_NOINLINE inline QueryStatus search_touching(const PairFrame& frame, const PairSearch& search,
                                                      std::uint64_t& work) {
     PlacedLeaves placed;
     PairVisitor visitor = {frame, search, &placed};

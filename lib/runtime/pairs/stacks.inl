@@ -52,7 +52,7 @@ public:
     void push(const OpenedBox& opened, unsigned child, unsigned waiting, const PairOfBoxes&) {
         steps_[size_++] = packed(opened.side, child, waiting);
     }
-    [[gnu::noinline]] bool take_waiting(const PairFrame& frame, PairOfBoxes& at) {
+    ESPALIER_NOINLINE bool take_waiting(const PairFrame& frame, PairOfBoxes& at) {
         for (; size_ != 0 && waiting_at(size_ - 1) == 0; --size_) {
         }
         if (size_ == 0) return false;

@@ -52,7 +52,7 @@ struct PairsInLanes {
 };
 
 /// The pairs whose triangles may touch; `certain` are those that do. Their boxes meet.
-[[gnu::noinline]] inline unsigned match_pairs(const PlacedTriangles& of_a, const PlacedTriangles& of_b,
+ESPALIER_NOINLINE inline unsigned match_pairs(const PlacedTriangles& of_a, const PlacedTriangles& of_b,
                                               const PairsInLanes& pairs, unsigned& certain) {
     certain = 0;
     PlacedLanes t = of_a.some(load_numbers(reinterpret_cast<const std::byte*>(pairs.a)));
@@ -96,7 +96,7 @@ struct MeetingBoxes {
     explicit MeetingBoxes(unsigned near) : count(0) {
         for (; near != 0; near &= near - 1) place[count++] = static_cast<std::uint8_t>(std::countr_zero(near));
     }
-    [[gnu::noinline]] void find(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b) {
+    ESPALIER_NOINLINE void find(const PlacedTriangles& of_a, unsigned used, const PlacedTriangles& of_b) {
         for (unsigned group = 0; group < PlacedTriangles::groups; ++group) {
             const unsigned used_lanes = used >> group * lanes & ((1u << lanes) - 1u);
             if (used_lanes == 0) continue;  // of a strip, others may follow
@@ -125,7 +125,7 @@ struct TouchingSlots {
 
 /// Adds the triangles of a from slot `first` on, which are placed. Returns a bit for each of b that may touch some.
 template <class Slots>
-[[gnu::noinline]] unsigned match_touching(const PlacedTriangles& of_a, unsigned used, unsigned first,
+ESPALIER_NOINLINE unsigned match_touching(const PlacedTriangles& of_a, unsigned used, unsigned first,
                                           const PlacedTriangles& of_b, unsigned near, TouchingSlots<Slots>& slots) {
     MeetingBoxes meeting(near);
     meeting.find(of_a, used, of_b);
@@ -154,7 +154,7 @@ template <class Slots>
 }
 
 template <class Leaves>
-[[gnu::noinline]] bool touch_exactly(const Leaves& leaves, unsigned a_slot, unsigned b_slot) {
+ESPALIER_NOINLINE bool touch_exactly(const Leaves& leaves, unsigned a_slot, unsigned b_slot) {
     return triangles_meet(leaves.triangle_a(a_slot), leaves.triangle_b(b_slot));
 }
 
@@ -166,7 +166,7 @@ struct PlacedLeaves {
 /// Calls visit with the storage indices of each pair of triangles of the leaves that touches: b's in storage order, for
 /// each of them a's.
 template <class Leaves>
-[[gnu::noinline]] Visit visit_touching(const Leaves& leaves, PlacedLeaves& placed, OnTouching visit) {
+ESPALIER_NOINLINE Visit visit_touching(const Leaves& leaves, PlacedLeaves& placed, OnTouching visit) {
     using Slots = typename Leaves::A::Slots;
     const auto& a = leaves.a;
     const auto& b = leaves.b;

@@ -25,7 +25,7 @@ inline constexpr PairLeaf no_leaf = {~0u, 0};
 
 /// Inlined, so that it is compiled for the instruction set of the search.
 template <class Leaf>
-[[gnu::always_inline]] inline void decode_leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place,
+ESPALIER_ALWAYS_INLINE inline void decode_leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place,
                                                        Leaf& leaf) {
     const BlobData& blob = frame.blob(side);
     const auto node = node_at<typename Leaf::Node>(blob, place.node);
@@ -38,10 +38,10 @@ template <class Leaf>
 }
 /// Calls the function with the node of that index.
 template <class Function>
-[[gnu::always_inline]] inline auto with_node(const BlobData& blob, std::uint32_t index, Function function) {
-    return with_leaves_of(
-        blob, [&]<class Leaf>()
-                  __attribute__((always_inline)) { return function(node_at<typename Leaf::Node>(blob, index)); });
+ESPALIER_ALWAYS_INLINE inline auto with_node(const BlobData& blob, std::uint32_t index, Function function) {
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return function(node_at<typename Leaf::Node>(blob, index));
+    });
 }
 
 /// The box that an item stands for.
@@ -129,13 +129,13 @@ ESPALIER_SHARED_CODE inline OpenedBox open_larger(const PairFrame& frame, const 
 
 /// Two leaves against each other.
 template <class Visitor>
-[[gnu::noinline]] Visit visit_leaf_pair(const PairFrame& frame, Visitor& visitor, const PairOfBoxes& at) {
+ESPALIER_NOINLINE Visit visit_leaf_pair(const PairFrame& frame, Visitor& visitor, const PairOfBoxes& at) {
     count_leaf_step();
     return visitor.visit_leaves(leaf_in(frame, 0, at.items[0]), leaf_in(frame, 1, at.items[1]), at.box(frame, 0));
 }
 
 /// The nearest of a node's children that are worth a visit: it is visited first, the others in storage order.
-[[gnu::always_inline]] inline unsigned nearest_child(unsigned children, const float* keys) {
+ESPALIER_ALWAYS_INLINE inline unsigned nearest_child(unsigned children, const float* keys) {
     auto nearest = static_cast<unsigned>(std::countr_zero(children));
     // mutant(- -> right side dropped 1) equivalent: compares the nearest with itself too
     for (unsigned others = children & (children - 1); others != 0; others &= others - 1) {

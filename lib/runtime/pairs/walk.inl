@@ -21,7 +21,7 @@ ESPALIER_SHARED_CODE inline bool step_down(const PairFrame& frame, const Visitor
 
 /// The way that a walk takes to the two leaves that hold a pair of triangles. invalid_argument if no walk comes there.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus find_leaves_of(const TrianglePair& pair, const PairFrame& frame, const Visitor& visitor,
+ESPALIER_NOINLINE QueryStatus find_leaves_of(const TrianglePair& pair, const PairFrame& frame, const Visitor& visitor,
                                              PairOfBoxes& at, PairStack& stack, std::uint64_t& work) {
     while (!at.are_leaves()) {
         if (work == 0) return QueryStatus::work_limit;
@@ -40,7 +40,7 @@ template <class Visitor>
 /// From the roots on, or from the leaves that hold a pair of triangles. `work` is how many pairs of boxes may be
 /// visited, and then how many are left.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus walk_pair(const PairFrame& frame, Visitor& visitor, const TrianglePair* from,
+ESPALIER_NOINLINE QueryStatus walk_pair(const PairFrame& frame, Visitor& visitor, const TrianglePair* from,
                                         std::uint64_t& work) {
     PairStack stack;
     PairOfBoxes at(frame, {}, {});

@@ -106,7 +106,7 @@ struct NearInStorageOrder {
 };
 
 /// Apart, so that its walk does not lie on the stack together with the other one.
-[[gnu::noinline]] void find_in_storage_order(const BlobData& blob, const NearShape& near, Answer& answer) {
+ESPALIER_NOINLINE void find_in_storage_order(const BlobData& blob, const NearShape& near, Answer& answer) {
     NearInStorageOrder as_they_lie = {near};
     scalar_walk::find_nearest_first(blob, as_they_lie, answer);
 }

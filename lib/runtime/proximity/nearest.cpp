@@ -42,7 +42,7 @@ void find_point_on(const DistantShape& shape, float along, const float* on_surfa
 }
 
 /// Writes a pair that was found. Out of line, so that its variables are not on the stack during the walk.
-[[gnu::noinline]] void finish_pair(const BlobData& blob, const DistantShape& shape, const FoundPair& found,
+ESPALIER_NOINLINE void finish_pair(const BlobData& blob, const DistantShape& shape, const FoundPair& found,
                                    float max_distance, ClosestPoint& pair) {
     const SegmentDistance& distance = found.distance;
     float on_surface[3], on_shape[3];

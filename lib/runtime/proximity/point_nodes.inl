@@ -7,7 +7,7 @@
 /// The planes of a group of children, seen from the point. Planes are exact; the difference to the point, which may be
 /// far away, rounds once.
 template <class Boxes>
-[[gnu::always_inline]] inline void planes_from_point(const Boxes& boxes, const RoundedPoint& point, unsigned first,
+ESPALIER_ALWAYS_INLINE inline void planes_from_point(const Boxes& boxes, const RoundedPoint& point, unsigned first,
                                                      Floats* low, Floats* high) {
     for (int k = 0; k < 3; ++k) {
         const Floats from = splat(point.steps[k]);

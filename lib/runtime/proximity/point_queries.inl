@@ -10,7 +10,7 @@
 
 /// Calls `on_group(first slot, corners)` for a leaf's triangles.
 template <unsigned groups, class Leaf, class OnGroup>
-[[gnu::always_inline]] inline void for_each_group_of(const Leaf& leaf, const RoundedPoint& point, OnGroup on_group) {
+ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const RoundedPoint& point, OnGroup on_group) {
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
         const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
@@ -37,7 +37,7 @@ struct OverlapCandidates {
     Slots inside = 0;
 };
 template <unsigned groups, class Leaf>
-[[gnu::noinline]] inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
+ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
                                                                                        const RoundedPoint& point) {
     using Slots = typename Leaf::Slots;
     OverlapCandidates<Slots> candidates;
@@ -92,7 +92,7 @@ struct LeafDistances {
 
     /// Which triangles these are; the others' places stay as they are.
     template <unsigned groups>
-    [[gnu::noinline]] typename Leaf::Slots fill(const Leaf& leaf, const RoundedPoint& point, float limit) {
+    ESPALIER_NOINLINE typename Leaf::Slots fill(const Leaf& leaf, const RoundedPoint& point, float limit) {
         typename Leaf::Slots near = 0;
         for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
             const BoxesFromPoint boxes(t);
@@ -115,7 +115,7 @@ struct LeafDistances {
 /// Calls `decide(slot)` for the triangles of a leaf that may be within the answer's limit, which the calls may lower;
 /// the one with the nearest side comes first, since it lowers it most.
 template <class Leaf, class Decide>
-[[gnu::always_inline]] inline Visit decide_nearest_first(const Leaf& leaf, const RoundedPoint& point,
+ESPALIER_ALWAYS_INLINE inline Visit decide_nearest_first(const Leaf& leaf, const RoundedPoint& point,
                                                          const Answer& answer, Decide decide) {
     LeafDistances<Leaf> distances;
     auto near = with_table_groups<Leaf::max_vertices>(
@@ -164,7 +164,7 @@ struct PointShape {
     }
     /// Called, not inlined: its variables take no stack of the walk's.
     template <class Leaf>
-    [[gnu::noinline]] Visit scan(const Leaf& leaf, Answer& answer) const {
+    ESPALIER_NOINLINE Visit scan(const Leaf& leaf, Answer& answer) const {
         return decide_nearest_first(leaf, point, answer,
                                     [&](unsigned slot) { return offer(leaf, slot, leaf.triangle(slot), answer); });
     }
@@ -183,7 +183,7 @@ protected:
         return hand_over(answer, distance, found_at(leaf, storage_index(leaf, slot)), triangle);
     }
     /// Apart, and assigned one by one: what is found needs no stack below the kernels, and lists are zeroed first.
-    [[gnu::noinline]] static Visit hand_over(Answer& answer, const PointDistance& distance, const Found& reference,
+    ESPALIER_NOINLINE static Visit hand_over(Answer& answer, const PointDistance& distance, const Found& reference,
                                              const LatticeTriangle& triangle) {
         FoundNearest found;
         static_cast<Found&>(found) = reference;

@@ -17,7 +17,7 @@ QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray) {
     static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && offsetof(Ray, culling) == 32);
     const auto number = [&](unsigned i) {
         float result;
-        __builtin_memcpy(&result, reinterpret_cast<const std::byte*>(&ray) + std::size_t{4} * i, sizeof result);
+        ESPALIER_COPY_BYTES(&result, reinterpret_cast<const std::byte*>(&ray) + std::size_t{4} * i, sizeof result);
         return result;
     };
     // Twice the magnitude's bits: the sign is shifted out.

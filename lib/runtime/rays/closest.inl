@@ -13,11 +13,11 @@ struct RayShape {
     const RayLanesOf<typename Leaf::Node>& lanes_;
 
     template <class Node>
-    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
+    ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, Limit limit, Keys keys) const {
         return slab_test(node, lanes_, limit, keys);
     }
     template <class SomeAnswer>
-    [[gnu::always_inline]] Visit scan(const PlaceOf<Leaf>& place, SomeAnswer& answer, QueryCounters* counters) const {
+    ESPALIER_ALWAYS_INLINE Visit scan(const PlaceOf<Leaf>& place, SomeAnswer& answer, QueryCounters* counters) const {
         RayLeaf<Leaf> leaf;
         auto candidates = ray_candidates(place, ray, leaf);
         if (counters != nullptr) {
@@ -111,7 +111,7 @@ inline NoApproximation approximation(const BlobData&) { return {}; }
 
 /// Prepares the ray. Returns ok, or why there is nothing to walk.
 template <class Caller, class Prepared>
-[[gnu::always_inline]] inline QueryStatus begin(const BlobData& blob, const Caller& world, Prepared& prepared) {
+ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& world, Prepared& prepared) {
     return blob.triangle_count != 0 ? prepare(blob, world, prepared) : status_without_walk(blob, world);
 }
 
@@ -134,11 +134,11 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob,
 }
 
 template <class Caller, class... Counted>
-[[gnu::always_inline]] inline RayHit find_closest_hit(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& world,
                                                       const TriangleFilter* filter, const Counted&... counted) {
-    return with_leaves_of(
-        blob, [&]<class Leaf>()
-                  __attribute__((always_inline)) { return closest_hit_in<Leaf>(blob, world, filter, counted...); });
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return closest_hit_in<Leaf>(blob, world, filter, counted...);
+    });
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ struct EveryHitShape : RayShape<Leaf> {
     const BlobData& blob;
 
     template <class Node>
-    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
+    ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, Limit limit, Keys keys) const {
         const unsigned mask = RayShape<Leaf>::cull(node, limit, keys);
         if constexpr (Leaf::may_have_duplicates && reads_duplicate_references)
             if (blob.copies != nullptr) return children_passed(this->ray, node, blob.bits, mask);
@@ -72,10 +72,10 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, co
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
 template <bool crossings_only, class Caller, class OnHit>
-[[gnu::always_inline]] inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
-    return with_leaves_of(
-        blob, [&]<class Leaf>()
-                  __attribute__((always_inline)) { return every_hit_in<Leaf, crossings_only>(blob, world, on_hit); });
+ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return every_hit_in<Leaf, crossings_only>(blob, world, on_hit);
+    });
 }
 
 /// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
@@ -87,14 +87,14 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, cons
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
 template <class SomeAnswer, class Caller, class... Filter>
-[[gnu::always_inline]] inline YesNo find_any_hit(const BlobData& blob, const Caller& world, Filter... filter) {
-    return with_leaves_of(
-        blob, [&]<class Leaf>()
-                  __attribute__((always_inline)) { return any_hit_in<Leaf, SomeAnswer>(blob, world, filter...); });
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& world, Filter... filter) {
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return any_hit_in<Leaf, SomeAnswer>(blob, world, filter...);
+    });
 }
 
 template <class Caller>
-[[gnu::always_inline]] inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& world,
                                                       const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
         if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
@@ -102,7 +102,7 @@ template <class Caller>
 }
 
 template <bool crossings_only, class Caller>
-[[gnu::always_inline]] inline QueryStatus list_every_hit(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline QueryStatus list_every_hit(const BlobData& blob, const Caller& world,
                                                          const Visitor<const RayHit&>& visit) {
     const YesNo is_stopped =
         visit_every_hit<crossings_only>(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {

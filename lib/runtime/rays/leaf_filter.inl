@@ -13,17 +13,17 @@ template <unsigned groups>
 class FloatVertices {
 public:
     template <class Leaf>
-    [[gnu::always_inline]] FloatVertices(const Leaf& leaf, const LatticeRay& ray) {
+    ESPALIER_ALWAYS_INLINE FloatVertices(const Leaf& leaf, const LatticeRay& ray) {
         const float reach = 2.0f * static_cast<float>(1u << leaf.size_bits) + ray.shear_error;
         error_ = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     }
     static unsigned groups_of(unsigned vertex_count) { return Table<groups>::groups_of(vertex_count); }
-    [[gnu::always_inline]] void set(unsigned group, Floats x, Floats y) {
+    ESPALIER_ALWAYS_INLINE void set(unsigned group, Floats x, Floats y) {
         xs_.set(group, x);
         ys_.set(group, y);
     }
     /// The triangles, a lane each, that are not clearly excluded.
-    [[gnu::always_inline]] unsigned allow(const CornerNumbers& corners) const {
+    ESPALIER_ALWAYS_INLINE unsigned allow(const CornerNumbers& corners) const {
         const Floats ax = xs_.look_up(corners.a), ay = ys_.look_up(corners.a);
         const Floats bx = xs_.look_up(corners.b), by = ys_.look_up(corners.b);
         const Floats cx = xs_.look_up(corners.c), cy = ys_.look_up(corners.c);
@@ -46,7 +46,7 @@ template <unsigned groups>
 class PairVertices {
 public:
     template <class Leaf>
-    [[gnu::always_inline]] PairVertices(const Leaf& leaf, const LatticeRay& ray) {
+    ESPALIER_ALWAYS_INLINE PairVertices(const Leaf& leaf, const LatticeRay& ray) {
         // 2^(13 - w) for a size of 2^w.
         const std::uint32_t size = std::bit_cast<std::uint32_t>(static_cast<float>(1u << leaf.size_bits));
         scale_ = std::bit_cast<float>(((2u * 127u + 13u) << 23) - size);
@@ -59,11 +59,11 @@ public:
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     /// A template, as not every instruction set has the operations on pairs.
     template <class Coordinates>
-    [[gnu::always_inline]] void set(unsigned group, Coordinates x, Coordinates y) {
+    ESPALIER_ALWAYS_INLINE void set(unsigned group, Coordinates x, Coordinates y) {
         const Floats scale = splat(scale_), rounder = splat(0x1.8p23f);  // the integers are in the low bits then
         vertices_.set(group, pair_of(multiply_add(x, scale, rounder), multiply_add(y, scale, rounder)));
     }
-    [[gnu::always_inline]] unsigned allow(const CornerNumbers& corners) const {
+    ESPALIER_ALWAYS_INLINE unsigned allow(const CornerNumbers& corners) const {
         const auto a = vertices_.look_up(corners.a), b = vertices_.look_up(corners.b), c = vertices_.look_up(corners.c);
         const SignedInts u = cross_pairs(b, c), v = cross_pairs(c, a), w = negate(cross_pairs(b, a));
         const SignedInts least = smaller(u, smaller(v, w)), most = larger(u, larger(v, w));
@@ -95,13 +95,13 @@ template <class Leaf>
 struct PackedLeaf : KeptLeaf<Leaf> {
     PackedLeaf() {}  // NOLINT(modernize-use-equals-default): no member has a value yet
 
-    [[gnu::always_inline]] void unpack_vertices(unsigned) const {}
+    ESPALIER_ALWAYS_INLINE void unpack_vertices(unsigned) const {}
     /// What is looked up for the width stays out of the registers.
-    [[nodiscard, gnu::always_inline]] Ints vertices(unsigned axis, unsigned group) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Ints vertices(unsigned axis, unsigned group) const {
         return offsets_of(static_cast<const Leaf&>(*this), axis, group,
                           [](unsigned own_width) { return as_if_changed(own_width); });
     }
-    [[nodiscard, gnu::always_inline]] auto corners_in_lanes() const { return corners_of(*this); }
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE auto corners_in_lanes() const { return corners_of(*this); }
 };
 
 /// A leaf whose vertices are unpacked once and then looked up by the exact kernel. So are the entries of a strip, where
@@ -111,7 +111,7 @@ class UnpackedLeaf : public Leaf {
 public:
     UnpackedLeaf() {}  // NOLINT(modernize-use-equals-default): no member has a value yet
 
-    [[gnu::always_inline]] void unpack_vertices(unsigned groups) {
+    ESPALIER_ALWAYS_INLINE void unpack_vertices(unsigned groups) {
         if (has_vertices()) return;
         for (unsigned k = 0; k < 3; ++k)
             // mutant(< -> <=) equivalent: with one lane or four it fills room that is replaced or not read, from bytes
@@ -120,10 +120,10 @@ public:
                 store(steps_[k] + group * lanes, offsets_of(static_cast<const Leaf&>(*this), k, group));
     }
     /// In lattice steps from the anchor.
-    [[nodiscard, gnu::always_inline]] Ints vertices(unsigned axis, unsigned group) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Ints vertices(unsigned axis, unsigned group) const {
         return load_ints(steps_[axis] + group * lanes);
     }
-    [[nodiscard, gnu::always_inline]] auto corners_in_lanes() {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE auto corners_in_lanes() {
         auto corners = corners_of(*this);
         if constexpr (keeps_entries) corners.keep_entries(entries_);
         return corners;
@@ -141,7 +141,7 @@ public:
     }
 
     /// Those of a predicted strip are unpacked with the leaf.
-    [[nodiscard, gnu::always_inline]] bool has_vertices() const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE bool has_vertices() const {
 #if ESPALIER_PREDICTED_STRIPS
         if constexpr (std::is_same_v<Leaf, StripLeaf>) return this->is_predicted();
 #endif
@@ -171,13 +171,13 @@ private:
 
 #if ESPALIER_PREDICTED_STRIPS
 /// Apart from what decodes other strips.
-[[gnu::noinline]] inline void unpack_predicted_strip(const BlobData& blob, PackedNode node, unsigned number,
+ESPALIER_NOINLINE inline void unpack_predicted_strip(const BlobData& blob, PackedNode node, unsigned number,
                                                      UnpackedLeaf<StripLeaf>& leaf) {
     decode_predicted_marks(blob, node, number, leaf);
     decode_points(leaf, leaf.steps(0), leaf.steps(1), leaf.steps(2));
 }
 /// Unpacks the vertices too, of a predicted strip.
-[[gnu::always_inline]] inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
+ESPALIER_ALWAYS_INLINE inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
                                                UnpackedLeaf<StripLeaf>& leaf) {
     if (has_predicted_leaves(blob.profile)) return unpack_predicted_strip(blob, node, number, leaf);
     decode_leaf(blob, node, number, static_cast<StripLeaf&>(leaf));
@@ -190,14 +190,14 @@ using RayLeaf = std::conditional_t<keeps_unpacked, UnpackedLeaf<Leaf>, PackedLea
 /// What a leaf's coordinates count from on an axis, seen from the ray's origin, given lattice point 0 0 0 from there:
 /// exactly, as it is a lattice point of the asset.
 template <class Leaf>
-[[gnu::always_inline]] inline float anchor_from_origin(const Leaf& leaf, const float* zero, unsigned axis) {
+ESPALIER_ALWAYS_INLINE inline float anchor_from_origin(const Leaf& leaf, const float* zero, unsigned axis) {
     if constexpr (Leaf::counts_from_zero) return zero[axis];
     else return static_cast<float>(leaf.anchor(static_cast<int>(axis))) + zero[axis];
 }
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
 template <unsigned groups, class SomeLeaf>
-[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
+ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
     const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
     leaf.unpack_vertices(used);
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
@@ -225,16 +225,16 @@ template <unsigned groups, class SomeLeaf>
 /// The same, from where the leaf is. Apart from the walk, which then keeps its own numbers in registers. Decoded in
 /// place: a leaf that is copied is read in wider pieces than it was written in, and waits for them.
 template <class SomeLeaf>
-[[gnu::noinline]] inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, typename SomeLeaf::Node node,
+ESPALIER_NOINLINE inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, typename SomeLeaf::Node node,
                                                                     unsigned number, const LatticeRay& ray,
                                                                     SomeLeaf& leaf) {
     decode_leaf(blob, node, number, leaf);
-    return with_table_groups<SomeLeaf::max_vertices>(
-        leaf.vertex_count, [&](auto groups)
-                               __attribute__((always_inline)) { return ray_candidates_of<groups>(leaf, ray); });
+    return with_table_groups<SomeLeaf::max_vertices>(leaf.vertex_count, [&](auto groups) ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return ray_candidates_of<groups>(leaf, ray);
+    });
 }
 template <class SomeLeaf>
-[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates(const PlaceOf<SomeLeaf>& place,
+ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates(const PlaceOf<SomeLeaf>& place,
                                                                       const LatticeRay& ray, SomeLeaf& leaf) {
     return decode_candidates(*place.blob, place.node, place.number, ray, leaf);
 }
@@ -243,12 +243,12 @@ template <class SomeLeaf>
 /// else at any tau from 0 on. Apart from the walk, and the kernels for long edges apart from the one for short ones,
 /// which jumps to them: on the stack there is never more than one's need.
 template <class Leaf, class... Hit>
-[[gnu::noinline]] inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
+ESPALIER_NOINLINE inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
                                                      Hit&... hit) {
     return ray_triangle::hits<Int128, Int128>(ray, relative_to(ray, leaf.triangle(slot)), hit...);
 }
 template <class Leaf, class... Hit>
-[[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
+ESPALIER_NOINLINE inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
                                                       Hit&... hit) {
     using namespace ray_triangle;
     // mutant(> -> >=) work: wider numbers give the same answer
@@ -259,7 +259,7 @@ template <class Leaf, class... Hit>
     return hits<std::int64_t, Int128>(ray, t, hit...);
 }
 template <class Leaf, class... Hit>
-[[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, Hit&... hit) {
+ESPALIER_NOINLINE inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, Hit&... hit) {
     using namespace ray_triangle;
     count_decision();
     if constexpr (has_native_int128) {

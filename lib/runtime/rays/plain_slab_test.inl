@@ -5,19 +5,19 @@
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Neither end of the window is negative or -0, so that floats may be compared as integers.
-[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& lanes_,
-                                                               float limit, float* near) {
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& lanes_,
+                                                                  float limit, float* near) {
     const PlainRayLanes& ray = *as_if_changed(&lanes_);
     unsigned mask = 0;
     for (unsigned first = 0; first < PlainNode::max_children; first += lanes) {
-        const auto tau = [&](unsigned at, int k, const float* offset) __attribute__((always_inline)) {
+        const auto tau = [&](unsigned at, int k, const float* offset) ESPALIER_ALWAYS_INLINE_LAMBDA {
             const Floats plane = to_floats(load_words(node.bytes + at + 2 * std::size_t{first}));
             return to_compared(multiply_add(plane, splat(ray.base_inverse[k]), splat(offset[k])));
         };
-        const auto near_plane = [&](int k) __attribute__((always_inline)) {
+        const auto near_plane = [&](int k) ESPALIER_ALWAYS_INLINE_LAMBDA {
             return tau(ray.planes.near_at[k], k, ray.near_offset);
         };
-        const auto far_plane = [&](int k) __attribute__((always_inline)) {
+        const auto far_plane = [&](int k) ESPALIER_ALWAYS_INLINE_LAMBDA {
             return tau(ray.planes.far_at[k], k, ray.far_offset);
         };
         const auto enter = larger(larger(near_plane(0), near_plane(1)),  //

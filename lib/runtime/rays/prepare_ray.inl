@@ -30,7 +30,7 @@ inline Axes spread_in_lanes(const BlobData& blob, Axes minus_origin, Axes invers
 
 /// meets_asset, for a window from 0 on.
 template <class Lanes>
-[[gnu::always_inline]] inline bool meets_asset_in_lanes(const BlobData& blob, Axes inverse, Axes low,
+ESPALIER_ALWAYS_INLINE inline bool meets_asset_in_lanes(const BlobData& blob, Axes inverse, Axes low,
                                                         const Lanes& lanes_) {
     const Axes high = load_as<Axes>(blob.extent_steps) * inverse + low;
     const Axes enter = smaller(low, high) + load_as<Axes>(lanes_.near_offset);
@@ -45,22 +45,22 @@ inline constexpr QueryStatus not_ordinary = QueryStatus::invalid_argument;
 
 /// round_ray, spread_ray and meets_asset. What only leaves need comes last: many rays pass the box by.
 template <class Lanes>
-[[gnu::always_inline]] inline QueryStatus prepare_ordinary(const BlobData& blob, const Ray& world, LatticeRay& ray,
+ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob, const Ray& world, LatticeRay& ray,
                                                            Lanes& lanes_) {
     // For each axis: what follows is of no meaning. GCC loads such a constant, where it would build one of equal
     // elements.
-    const auto each = [](std::int32_t x) __attribute__((always_inline)) { return AxisInts{x, x, x, 0}; };
+    const auto each = [](std::int32_t x) ESPALIER_ALWAYS_INLINE_LAMBDA { return AxisInts{x, x, x, 0}; };
     const AxisInts magnitudes = each(0x7FFFFFFF), xyz = each(-1);
     // What follows in the structure is masked off.
-    const auto three = [](const float* at) __attribute__((always_inline)) { return load_as<AxisInts>(at); };
-    const auto floats = [](AxisInts bits) __attribute__((always_inline)) { return __builtin_bit_cast(Axes, bits); };
-    const auto bits = [](Axes numbers) __attribute__((always_inline)) { return __builtin_bit_cast(AxisInts, numbers); };
-    const auto largest_of = [](AxisInts a) __attribute__((always_inline)) {  // in every element
-        const AxisInts two = larger(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
-        return larger(two, __builtin_shufflevector(two, two, 1, 0, 3, 2));
+    const auto three = [](const float* at) ESPALIER_ALWAYS_INLINE_LAMBDA { return load_as<AxisInts>(at); };
+    const auto floats = [](AxisInts bits) ESPALIER_ALWAYS_INLINE_LAMBDA { return __builtin_bit_cast(Axes, bits); };
+    const auto bits = [](Axes numbers) ESPALIER_ALWAYS_INLINE_LAMBDA { return __builtin_bit_cast(AxisInts, numbers); };
+    const auto largest_of = [](AxisInts a) ESPALIER_ALWAYS_INLINE_LAMBDA {  // in every element
+        const AxisInts two = larger(a, ESPALIER_SHUFFLE_VECTOR(a, a, 2, 3, 0, 1));
+        return larger(two, ESPALIER_SHUFFLE_VECTOR(two, two, 1, 0, 3, 2));
     };
     // 2^(23 - e) for numbers in [2^e, 2^(e+1)): integers of 24 bits are left. The sum needs all 32 bits.
-    const auto to_24_bits = [](AxisInts numbers) __attribute__((always_inline)) {
+    const auto to_24_bits = [](AxisInts numbers) ESPALIER_ALWAYS_INLINE_LAMBDA {
         using Words = Vector<std::uint32_t, 4>;
         constexpr std::uint32_t sum = (23u + 2u * 127u) << 23, exponent = 0x7F800000u;
         const Words exponents = __builtin_bit_cast(Words, numbers) & Words{exponent, exponent, exponent, 0};
@@ -72,7 +72,7 @@ template <class Lanes>
     const AxisInts longest = largest_of(lengths);
     AxisInts integers = round_to_integers(floats(direction) * floats(to_24_bits(longest))) & xyz;
     const AxisInts at_rest = (integers == 0) & std::bit_cast<std::int32_t>(1.0f / still);  // see or_if_zero
-    const Axes inverse = 1.0f / floats(bits(__builtin_convertvector(integers, Axes)) | at_rest);
+    const Axes inverse = 1.0f / floats(bits(ESPALIER_CONVERT_VECTOR(integers, Axes)) | at_rest);
 
     const AxisInts eye = three(&world.origin.x);
     const AxisInts normal = eye & ((eye & magnitudes) > each(0x007FFFFF));
@@ -101,7 +101,7 @@ template <class Lanes>
 
     const float reach_steps = floats(reach)[0];
     const Axes one_unit = floats(each(2 * 127 << 23) - fraction_scale);
-    const Axes minus_origin = -(__builtin_convertvector(fine, Axes) * one_unit);
+    const Axes minus_origin = -(ESPALIER_CONVERT_VECTOR(fine, Axes) * one_unit);
     const Axes low =
         spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
     if (!meets_asset_in_lanes(blob, inverse, low, lanes_)) return QueryStatus::not_found;
@@ -125,7 +125,7 @@ template <class Lanes>
 
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
-[[gnu::noinline]] QueryStatus prepare(const BlobData& blob, const Caller& world, PreparedRayIn<Lanes>& prepared) {
+ESPALIER_NOINLINE QueryStatus prepare(const BlobData& blob, const Caller& world, PreparedRayIn<Lanes>& prepared) {
     if constexpr (std::is_same_v<Caller, Ray>) {
         const QueryStatus status = prepare_ordinary(blob, world, prepared.ray, prepared.in_lanes);
         if (status != not_ordinary) return status;

@@ -5,7 +5,7 @@
 
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
-[[gnu::always_inline]] inline QueryStatus prepare(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline QueryStatus prepare(const BlobData& blob, const Caller& world,
                                                   PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, world, prepared) ? QueryStatus::ok : status_without_walk(blob, world);
 }

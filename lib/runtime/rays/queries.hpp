@@ -2,7 +2,7 @@
 // the blob or the ray.
 #pragma once
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/ray.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>

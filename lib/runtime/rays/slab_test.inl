@@ -5,8 +5,8 @@
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Neither end of the window is negative or -0, so that floats may be compared as integers.
-[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const RayLanes& lanes_,
-                                                               float limit, float* near) {
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node, const RayLanes& lanes_,
+                                                                  float limit, float* near) {
     const RayLanes& ray = *as_if_changed(&lanes_);
     const SlabFrame frame = load_slab_frame(node, ray);
     unsigned mask = 0;

@@ -17,7 +17,7 @@ inline Axes set_inverse(const BlobData& blob, Axes of_step, PlacedRayLanes& lane
 /// A word of the blob in all lanes; as a float it is loaded and spread by one instruction.
 inline __m256i splat_word_at(const std::byte* at) {
     float bits;
-    __builtin_memcpy(&bits, at, sizeof bits);
+    ESPALIER_COPY_BYTES(&bits, at, sizeof bits);
     return _mm256_castps_si256(_mm256_set1_ps(bits));
 }
 
@@ -47,17 +47,17 @@ inline __m256i load_lanes(const Number* from) {
 /// Eight bytes of the blob in all halves of a register, loaded like a word.
 inline __m256i splat_bytes_at(const std::byte* at) {
     long long bits;
-    __builtin_memcpy(&bits, at, sizeof bits);
+    ESPALIER_COPY_BYTES(&bits, at, sizeof bits);
     return _mm256_set1_epi64x(bits);
 }
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Floats are compared by their bits, as integers: neither end of the window is negative.
-[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_,
-                                                               float limit, float* near) {
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_,
+                                                                  float limit, float* near) {
     const PlacedRayLanes& ray = *as_if_changed(&lanes_);
     const SlabConstants& all = *as_if_changed(&slab_constants);
-    __asm__ volatile("" : "+x"(limit));  // as if it could change: spread ahead of a loop it would need 32 bytes
+    ESPALIER_AS_IF_CHANGED(limit, "x");  // as if it could change: spread ahead of a loop it would need 32 bytes
     const __m256i shifts = splat_word_at(node.bytes + format::packed_node::shifts_at);
     const __m256i plane_shift = _mm256_set1_epi32(static_cast<int>(ray.plane_shift));
     const __m256i base_shift = _mm256_set1_epi32(static_cast<int>(ray.base_shift));
@@ -73,7 +73,7 @@ inline __m256i splat_bytes_at(const std::byte* at) {
             _mm256_sllv_epi32(_mm256_and_si256(splat_word_at(base_at), load_lanes(all.base_mask)), base_shift);
         const __m256i base = _mm256_add_epi32(steps, load_lanes(all.one));
         const __m256 inverse = _mm256_set1_ps(ray.inverse[k]);
-        const auto tau = [&](unsigned at, float offset) __attribute__((always_inline)) {
+        const auto tau = [&](unsigned at, float offset) ESPALIER_ALWAYS_INLINE_LAMBDA {
             const __m256i plane = _mm256_add_epi32(
                 _mm256_srlv_epi32(_mm256_shuffle_epi8(splat_bytes_at(node.bytes + at), load_lanes(all.on_top)), shift),
                 base);

@@ -30,7 +30,7 @@ bool crosses_in(const WholeSegment& segment, const OriginRelative& t, Crossing& 
             return true;
         });
 }
-[[gnu::noinline]] bool crosses_widely(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
+ESPALIER_NOINLINE bool crosses_widely(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
     return crosses_in<Int128>(segment, t, crossing);
 }
 

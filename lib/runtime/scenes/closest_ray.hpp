@@ -23,11 +23,10 @@ public:
 
     /// Searches an instance and lowers the limit of the walk.
     template <ClosestHitQuery closest_hit>
-    [[gnu::always_inline]] Visit search(const VisitedInstance& instance, float& limit) {
+    ESPALIER_ALWAYS_INLINE Visit search(const VisitedInstance& instance, float& limit) {
         const FilterOfInstance keep = {filter_, instance};
-        const auto query = [&](const auto& part, const auto&... local) __attribute__((always_inline)) {
-            return hit_of<closest_hit>(keep, part, local...);
-        };
+        const auto query = [&](const auto& part, const auto&... local)
+                               ESPALIER_ALWAYS_INLINE_LAMBDA { return hit_of<closest_hit>(keep, part, local...); };
         const InScene<RayHit> hit = ray_.query(instance, best_ ? limit_above(best_->t) : ray_.world().t_max, query);
         if (!best_.is_better(*hit, instance.id_of(hit.instance), &RayHit::t)) return Visit::next;
         best_.set(*hit, instance.id_of(hit.instance));
@@ -46,7 +45,7 @@ public:
 
 private:
     template <ClosestHitQuery closest_hit>
-    [[gnu::always_inline]] static InScene<RayHit> hit_of(const FilterOfInstance& keep, const Blob& mesh,
+    ESPALIER_ALWAYS_INLINE static InScene<RayHit> hit_of(const FilterOfInstance& keep, const Blob& mesh,
                                                          const Ray& local) {
         const TriangleFilter filter = keep.of(mesh);
         return {closest_hit(data_of(mesh), local, filter ? &filter : nullptr), {}};
@@ -72,7 +71,7 @@ template <ClosestHitQuery closest_hit>
 struct ClosestRayVisitor {
     ClosestRay& closest;
 
-    [[gnu::always_inline]] Visit operator()(const VisitedInstance& instance, float& limit) const {
+    ESPALIER_ALWAYS_INLINE Visit operator()(const VisitedInstance& instance, float& limit) const {
         return closest.search<closest_hit>(instance, limit);
     }
 };

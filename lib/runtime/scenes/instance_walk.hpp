@@ -1,7 +1,7 @@
 // The walks over the instances of a scene, and what a query does at each of them.
 #pragma once
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/scene.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>
@@ -34,7 +34,7 @@ struct InstanceAnswer {
     const Visitor& visit;
     const BoxInSteps* meeting = nullptr;
 
-    [[gnu::always_inline]] Visit take(const InstancePlace& place) {
+    ESPALIER_ALWAYS_INLINE Visit take(const InstancePlace& place) {
         if (meeting != nullptr && !meeting->meets_box_of(place)) return Visit::next;
         const InstanceId id = instance_of(place);
         const std::byte* const record = record_of(scene, id);

@@ -24,12 +24,12 @@ struct InstanceWalk {
         else return distance_test(node, region, answer.scene.tree, answer.limit, keys);
     }
     [[nodiscard]] float limit() const { return answer.limit; }
-    [[gnu::always_inline]] Visit visit_leaf(const InstancePlace& place) { return answer.take(place); }
+    ESPALIER_ALWAYS_INLINE Visit visit_leaf(const InstancePlace& place) { return answer.take(place); }
 };
 
 /// Visits the instances whose boxes a passage meets, the nearest first.
 template <class Answer>
-[[gnu::always_inline]] inline void walk_nearest_first(const Passage& passage, Answer& answer) {
+ESPALIER_ALWAYS_INLINE inline void walk_nearest_first(const Passage& passage, Answer& answer) {
     const BlobData& tree = answer.scene.tree;
     const auto lanes_ = passage.lanes<PassageLanes>(tree);
     InstanceWalk<PassageLanes, Answer> walk = {lanes_, answer};

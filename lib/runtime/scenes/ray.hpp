@@ -50,7 +50,7 @@ public:
     /// Returns what a query of the instance returns for the ray in local space, up to t_max. The query takes a Blob and
     /// a Ray or a RoundedRay, or a BakedScene and a Ray with or without a RoundedRay.
     template <class Query>
-    [[gnu::always_inline]] auto query(const VisitedInstance& instance, float t_max, Query query) const {
+    ESPALIER_ALWAYS_INLINE auto query(const VisitedInstance& instance, float t_max, Query query) const {
         if (instance.mesh == nullptr) return query_tile(instance, t_max, query);
         if (region_ != nullptr && lies_in(*region_, *instance.mesh, instance.transform))
             return query_on_lattice(instance, t_max, query);
@@ -58,20 +58,20 @@ public:
     }
 
 private:
-    [[nodiscard, gnu::always_inline]] Ray local(const VisitedInstance& instance, float t_max) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Ray local(const VisitedInstance& instance, float t_max) const {
         Ray ray = local_ray(instance.transform, world_);
         ray.t_max = minimum(t_max, ray.t_max);
         return ray;
     }
     // Each kind of instance has a frame of its own: the stack is that of one of them.
     template <class Query>
-    [[gnu::noinline]] auto query_on_lattice(const VisitedInstance& instance, float t_max, Query query) const {
+    ESPALIER_NOINLINE auto query_on_lattice(const VisitedInstance& instance, float t_max, Query query) const {
         RoundedRay local = to_local(instance.transform, *rounded_);
         shorten(local, t_max);
         return query(*instance.mesh, local);
     }
     template <class Query>
-    [[gnu::noinline]] auto query_tile(const VisitedInstance& instance, float t_max, Query query) const {
+    ESPALIER_NOINLINE auto query_tile(const VisitedInstance& instance, float t_max, Query query) const {
         const Ray local = this->local(instance, t_max);
         if (region_ == nullptr || !lies_in(*region_, *instance.tile, instance.transform))
             return query(*instance.tile, local);
@@ -85,7 +85,7 @@ private:
 
 /// Returns what a query returns for a ray that is rounded for the common lattice of a scene.
 template <class Query>
-[[gnu::noinline]] auto with_ray_on_common_lattice(const SceneData& scene, const Ray& world, Query query) {
+ESPALIER_NOINLINE auto with_ray_on_common_lattice(const SceneData& scene, const Ray& world, Query query) {
     const RoundedRay rounded = round_ray(scene.common, world);
     return query(SceneRay(world, rounded, scene.common));
 }

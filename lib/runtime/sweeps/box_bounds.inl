@@ -12,7 +12,7 @@ public:
         : way_(splat_each(box.way)), half_(splat_each(box.half)), size_(add(length_bound(way_), length_bound(half_))) {}
 
     /// Returns a bound for each triangle, whose three corners are seen from the middle of the box.
-    [[nodiscard, gnu::noinline]] Floats operator()(const Floats3* corners) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats operator()(const Floats3* corners) const {
         const Floats3 &a = corners[0], &b = corners[1], &c = corners[2];
         const Floats3 sides[3] = {subtract(b, a), subtract(c, b), subtract(a, c)};
         const Floats reach = largest_of(length_bound(a), length_bound(b), length_bound(c));
@@ -39,7 +39,7 @@ private:
         CommonTime() : enter_(splat(0.0f)), leave_(splat(time_bounds::never)) {}
 
         /// The triangle lies between two of its corners along the axis.
-        [[gnu::always_inline]] void narrow(const BoxBounds& box, const Floats3& axis, const Floats3& one,
+        ESPALIER_ALWAYS_INLINE void narrow(const BoxBounds& box, const Floats3& axis, const Floats3& one,
                                            const Floats3& other, Floats error) {
             const Floats reach = dot({absolute_of(axis.x), absolute_of(axis.y), absolute_of(axis.z)}, box.half_);
             const Floats at_one = dot(axis, one), at_other = dot(axis, other);

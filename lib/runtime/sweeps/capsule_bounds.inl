@@ -41,7 +41,7 @@ private:
               product(multiply(length_bound(sides[0]), length_bound(sides[1]))) {}
     };
 
-    [[nodiscard, gnu::noinline]] Floats of_triangle(const Triangle& triangle, const Floats3* corners) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats of_triangle(const Triangle& triangle, const Floats3* corners) const {
         Floats first = face(triangle, corners);
         for (int i = 0; i < 3; ++i) {
             first = smaller(first, edge(corners[i], triangle.sides[i]));
@@ -50,7 +50,7 @@ private:
         return first;
     }
     /// The rest of the prism: the triangle at the axis' other end, and what connects the two.
-    [[nodiscard, gnu::noinline]] Floats of_prism(const Triangle& triangle) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats of_prism(const Triangle& triangle) const {
         const Floats3 back = negate(axis_);
         Floats3 moved[3];
         for (int i = 0; i < 3; ++i) moved[i] = subtract(triangle.corners[i], axis_);
@@ -72,7 +72,7 @@ private:
     }
     /// Of the cylinder around a side that begins at p, where the centre is beside it. A side without length is a
     /// vertex.
-    [[nodiscard, gnu::noinline]] Floats edge(const Floats3& p, const Floats3& side) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats edge(const Floats3& p, const Floats3& side) const {
         using namespace time_bounds;
         const Floats squared = dot(side, side), length = length_bound(side), reach = length_bound(p);
         const Floats3 u = cross(p, side), v = cross(way_, side);
@@ -88,7 +88,7 @@ private:
         return where_at_most(squared, splat(0.0f), splat(never), larger(when, beside.is_left_at(when)));
     }
     /// Where the centre is over the face. A face without area is a side.
-    [[nodiscard, gnu::noinline]] Floats face(const Triangle& triangle, const Floats3* corners) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats face(const Triangle& triangle, const Floats3* corners) const {
         using namespace time_bounds;
         const Floats reach = largest_of(length_bound(corners[0]), length_bound(corners[1]), length_bound(corners[2]));
         const Floats far = multiply(add(add(reach, way_length_), radius_), splat(rounding));
@@ -108,8 +108,8 @@ private:
                              larger(when, left));
     }
     /// Where the centre is over the face from p along a side and along the axis backwards.
-    [[nodiscard, gnu::noinline]] Floats parallelogram(const Floats3& p, const Floats3& side,
-                                                      const Floats3& back) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats parallelogram(const Floats3& p, const Floats3& side,
+                                                         const Floats3& back) const {
         using namespace time_bounds;
         const Floats3 normal = cross(side, back);
         const Floats of_side = length_bound(side), of_back = length_bound(back);
@@ -127,7 +127,7 @@ private:
         return where_at_most(squared, flat_below(side, back), splat(never), larger(when, left));
     }
     /// Returns 0 where the axis may cross the triangle at the start, and `never` elsewhere: the centre is in the prism.
-    [[nodiscard, gnu::noinline]] Floats crossing(const Triangle& triangle) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats crossing(const Triangle& triangle) const {
         using namespace time_bounds;
         const Floats3* const p = triangle.corners;
         const Floats reach = largest_of(length_bound(p[0]), length_bound(p[1]), length_bound(p[2]));

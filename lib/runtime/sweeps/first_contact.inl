@@ -30,7 +30,7 @@ inline SweepStep step_before(float time) {
 /// Calls `decide(slot)` for the slots that are set, the earliest first; `decide` returns the time from which on others
 /// do not matter.
 template <class Slots, class Decide>
-[[gnu::always_inline]] inline void decide_earliest_first(const float* times, Slots slots, float limit, Decide decide) {
+ESPALIER_ALWAYS_INLINE inline void decide_earliest_first(const float* times, Slots slots, float limit, Decide decide) {
     while (slots != 0) {
         auto first = static_cast<unsigned>(std::countr_zero(slots));
         for (Slots others = slots & (slots - 1); others != 0; others &= others - 1) {
@@ -104,7 +104,7 @@ private:
         float first[room];
 
         /// Returns the faces that it may touch up to the limit, and not before `begin`.
-        [[gnu::noinline]] unsigned fill(const CapsuleInLanes& capsule, const LatticeTriangle& triangle, float begin,
+        ESPALIER_NOINLINE unsigned fill(const CapsuleInLanes& capsule, const LatticeTriangle& triangle, float begin,
                                         float limit) {
             float corners[3][3][room];
             for (unsigned face = 0; face < room; ++face)
@@ -134,7 +134,7 @@ private:
         }
     };
     /// For a capsule that does not touch at the start.
-    [[gnu::noinline]] static SweepStep contact_of_prism(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes,
+    ESPALIER_NOINLINE static SweepStep contact_of_prism(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes,
                                                         const LatticeTriangle& triangle, SweepStep least,
                                                         SweepStep most) {
         FaceTimes times;
@@ -167,7 +167,7 @@ struct MovingShape {
     const typename Mover::Frame& frame;
     const SweepOptions& options;
 
-    [[gnu::always_inline]] unsigned cull(const Node& node, float limit, Keys keys) const {
+    ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, float limit, Keys keys) const {
         return slab_test(node, lanes_, limit, keys);
     }
     template <class Leaf>
@@ -213,7 +213,7 @@ struct MovingShape {
 
 private:
     /// Returns a bound for one triangle, apart from the kernels' frames.
-    [[nodiscard, gnu::noinline]] float time_of(const LatticeTriangle& triangle, float limit) const {
+    [[nodiscard]] ESPALIER_NOINLINE float time_of(const LatticeTriangle& triangle, float limit) const {
         float enter = lanes_.tau_min, leave = limit;
         for (unsigned k = 0; k < 3; ++k) {
             const auto at = [&](unsigned i) { return static_cast<float>(triangle.corner[i][k]) * lanes_.inverse[k]; };

@@ -15,7 +15,7 @@ public:
     }
 
     /// Returns a bound for each triangle, whose three corners are seen from the middle of the box around the hull.
-    [[nodiscard, gnu::noinline]] Floats operator()(const Floats3* corners) const {
+    [[nodiscard]] ESPALIER_NOINLINE Floats operator()(const Floats3* corners) const {
         const Floats3 &a = corners[0], &b = corners[1], &c = corners[2];
         const Floats3 sides[3] = {subtract(b, a), subtract(c, b), subtract(a, c)};
         const Floats reach = largest_of(length_bound(a), length_bound(b), length_bound(c));
@@ -53,7 +53,7 @@ private:
         // An initializer of a member would be compiled without the instruction set.
         CommonTime() : enter_(splat(0.0f)), leave_(splat(time_bounds::never)) {}
 
-        [[gnu::always_inline]] void narrow(Floats way, const Ends& hull, const Ends& triangle, Floats error) {
+        ESPALIER_ALWAYS_INLINE void narrow(Floats way, const Ends& hull, const Ends& triangle, Floats error) {
             const time_bounds::Interval interval = {splat(0.0f), way, subtract(triangle.low, hull.high),
                                                     subtract(triangle.high, hull.low), error};
             enter_ = larger(enter_, interval.entry());
@@ -66,7 +66,7 @@ private:
     };
 
     /// The triangle lies between two of its corners along the axis.
-    [[gnu::always_inline]] void narrow(CommonTime& common, const Floats3& axis, const Floats3& one,
+    ESPALIER_ALWAYS_INLINE void narrow(CommonTime& common, const Floats3& axis, const Floats3& one,
                                        const Floats3& other, Floats error) const {
         const Floats at_one = dot(axis, one), at_other = dot(axis, other);
         common.narrow(dot(axis, way_), ends_along(axis), {smaller(at_one, at_other), larger(at_one, at_other)}, error);

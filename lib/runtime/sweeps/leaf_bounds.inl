@@ -20,7 +20,7 @@ struct LeafTimes {
 
     /// Returns the triangles that the shape may touch up to the limit.
     template <unsigned groups, class Bounds, class Sweep>
-    [[gnu::noinline]] typename Leaf::Slots fill(const Leaf& leaf, const Sweep& sweep, float limit) {
+    ESPALIER_NOINLINE typename Leaf::Slots fill(const Leaf& leaf, const Sweep& sweep, float limit) {
         using Slots = typename Leaf::Slots;
         Table<groups> coordinates[3];
         for (unsigned k = 0; k < 3; ++k) {

@@ -40,7 +40,7 @@ ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SWEEPS)
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
 
 /// Out of line: what it needs must not lie on the stack below the kernel of the start.
-[[gnu::noinline]] inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
+ESPALIER_NOINLINE inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
                                                              SweepStep most) noexcept {
     return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
 }

@@ -53,7 +53,7 @@ struct HullSweep : LatticeSweep {
 
 /// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
 /// kernel.
-[[gnu::noinline]] inline bool boxes_meet_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) {
+ESPALIER_NOINLINE inline bool boxes_meet_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) {
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = span_of(triangle, k);
         if (sweep.high[k] < std::int64_t{low} << sweep.fraction_bits ||
@@ -101,7 +101,7 @@ inline QueryStatus round_ends(const BlobData& blob, const Capsule& world, const 
 // Where the status is not ok, the sweep is not usable. These are out of line, so that their variables are not on the
 // stack during the walk.
 
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
                                                  CapsuleSweep& sweep) {
     RoundedEnds ends;
     const QueryStatus status = round_ends(blob, world, displacement, sweep, ends);
@@ -123,7 +123,7 @@ inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const 
     return round_sweep(blob, Capsule{world.center, world.center, world.radius}, displacement, sweep);
 }
 
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement,
                                                  BoxSweep& sweep) {
     RoundedEnds ends;
     const QueryStatus status = round_ends(blob, {world.min, world.max, 0.0f}, displacement, sweep, ends);
@@ -151,7 +151,7 @@ inline void set_hull(HullSweep& sweep, const float* way, int bits) {
 }
 
 /// Rounds the vertices one by one.
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const ConvexHull& world,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const ConvexHull& world,
                                                  const Vec3& displacement, HullSweep& sweep) {
     if (world.vertices.size() > max_hull_vertices || !is_finite(displacement)) return QueryStatus::invalid_argument;
     float at[3], way[3];
@@ -176,7 +176,7 @@ inline void set_hull(HullSweep& sweep, const float* way, int bits) {
 }
 
 /// Rounds the center and the half axes: the corners are exact sums of those.
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& world,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& world,
                                                  const Vec3& displacement, HullSweep& sweep) {
     if (!is_finite(world.center) || !is_finite(displacement)) return QueryStatus::invalid_argument;
     float center[3], half[3][3], way[3], spread[3] = {};

@@ -16,7 +16,7 @@ public:
         }
     }
     /// Stores the times, and returns the lanes whose boxes are met up to the limit.
-    [[gnu::always_inline]] unsigned meet(const CornersFromPoint& t, float limit, float* times) const {
+    ESPALIER_ALWAYS_INLINE unsigned meet(const CornersFromPoint& t, float limit, float* times) const {
         const BoxesFromPoint boxes(t);
         Floats enter = splat(0.0f), leave = splat(limit);
         for (int k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ namespace espalier::detail {
 /// A hull with its vertices, of which it has at most max_hull_vertices.
 class LocalHull {
 public:
-    [[gnu::noinline]] LocalHull(const Transform& transform, const ConvexHull& world) : count_(world.vertices.size()) {
+    ESPALIER_NOINLINE LocalHull(const Transform& transform, const ConvexHull& world) : count_(world.vertices.size()) {
         if (is_identity(transform)) {
             for (std::size_t i = 0; i < count_; ++i) vertices_[i] = world.vertices[i];
             return;

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t least_coordinate_bits = bits_of_power(-100);
 inline constexpr float greatest_scale = 0x1p100f;
 
 /// Returns x, or zero if |x| is below 2^-100.
-[[gnu::always_inline]] inline float without_tiny(float x) {
+ESPALIER_ALWAYS_INLINE inline float without_tiny(float x) {
     return magnitude_bits(x) < least_coordinate_bits ? 0.0f : x;
 }
 
@@ -37,7 +37,7 @@ inline Vec3 sum(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.
 /// Returns whether a transform with that scale is applied.
 inline bool is_in_range(float scale) { return scale >= least_coordinate && scale <= greatest_scale; }
 
-inline constexpr float not_a_number = __builtin_nanf("");
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Returns whether the numbers are finite, the rotation has a length and the scale is above 0.
 bool is_valid(const Transform& transform) noexcept;
@@ -86,7 +86,7 @@ private:
 
 #else
 
-[[gnu::always_inline]] inline Coordinates without_tiny(const Coordinates& v) {
+ESPALIER_ALWAYS_INLINE inline Coordinates without_tiny(const Coordinates& v) {
     return without_below(v, least_coordinate_bits);
 }
 
@@ -96,7 +96,7 @@ struct ScaledRotation {
     float w;
 };
 /// Returns such a quaternion; NaN if the quaternion is zero or not finite.
-[[gnu::always_inline]] inline ScaledRotation scaled_rotation(const Quaternion& rotation) {
+ESPALIER_ALWAYS_INLINE inline ScaledRotation scaled_rotation(const Quaternion& rotation) {
     const std::uint32_t bits[4] = {magnitude_bits(rotation.x), magnitude_bits(rotation.y), magnitude_bits(rotation.z),
                                    magnitude_bits(rotation.w)};
     const std::uint32_t a = bits[0] > bits[1] ? bits[0] : bits[1], b = bits[2] > bits[3] ? bits[2] : bits[3];
@@ -116,7 +116,7 @@ struct ScaledRotation {
 /// The same, with the coordinates of a vector side by side.
 class PreparedTransform {
 public:
-    [[gnu::always_inline]] explicit PreparedTransform(const Transform& transform)
+    ESPALIER_ALWAYS_INLINE explicit PreparedTransform(const Transform& transform)
         : translation_(without_tiny(Coordinates(transform.translation))),
           scale_(is_in_range(transform.scale) ? transform.scale : not_a_number) {
         const ScaledRotation rotation = scaled_rotation(transform.rotation);
@@ -130,46 +130,46 @@ public:
     }
 
     /// Rotate only.
-    [[nodiscard, gnu::always_inline]] Vec3 rotated_back(const Vec3& v) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 rotated_back(const Vec3& v) const {
         return turned_back(Coordinates(v)).vector();
     }
-    [[nodiscard, gnu::always_inline]] Vec3 rotated(const Vec3& v) const { return turned(Coordinates(v)).vector(); }
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 rotated(const Vec3& v) const { return turned(Coordinates(v)).vector(); }
 
     [[nodiscard]] float length_to_local(float length) const { return without_tiny(without_tiny(length) / scale_); }
     [[nodiscard]] float length_to_world(float length) const { return without_tiny(without_tiny(length) * scale_); }
-    [[nodiscard, gnu::always_inline]] Vec3 direction_to_local(const Vec3& v) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 direction_to_local(const Vec3& v) const {
         return local(Coordinates(v)).vector();
     }
-    [[nodiscard, gnu::always_inline]] Vec3 direction_to_world(const Vec3& v) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 direction_to_world(const Vec3& v) const {
         return world(Coordinates(v)).vector();
     }
-    [[nodiscard, gnu::always_inline]] Vec3 point_to_local(const Vec3& p) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 point_to_local(const Vec3& p) const {
         return local(without_tiny(Coordinates(p)) - translation_).vector();
     }
-    [[nodiscard, gnu::always_inline]] Vec3 point_to_world(const Vec3& p) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Vec3 point_to_world(const Vec3& p) const {
         return (world(Coordinates(p)) + translation_).vector();
     }
     [[nodiscard]] Vec3 translation() const { return translation_.vector(); }
 
 private:
-    [[nodiscard, gnu::always_inline]] Coordinates local(const Coordinates& way) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Coordinates local(const Coordinates& way) const {
         return without_tiny(without_tiny(turned_back(without_tiny(way))) / Coordinates(scale_));
     }
-    [[nodiscard, gnu::always_inline]] Coordinates world(const Coordinates& way) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Coordinates world(const Coordinates& way) const {
         return turned(without_tiny(without_tiny(way) * Coordinates(scale_)));
     }
-    [[nodiscard, gnu::always_inline]] Coordinates turned_back(const Coordinates& v) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Coordinates turned_back(const Coordinates& v) const {
         return combined(Coordinates::picked<0, 0, 2>(diagonal_, above_, below_),
                         Coordinates::picked<0, 1, 1>(below_, diagonal_, above_),
                         Coordinates::picked<2, 1, 2>(above_, below_, diagonal_), v);
     }
-    [[nodiscard, gnu::always_inline]] Coordinates turned(const Coordinates& v) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Coordinates turned(const Coordinates& v) const {
         return combined(Coordinates::picked<0, 0, 2>(diagonal_, below_, above_),
                         Coordinates::picked<0, 1, 1>(above_, diagonal_, below_),
                         Coordinates::picked<2, 1, 2>(below_, above_, diagonal_), v);
     }
     /// Returns the sum of three vectors, each times a coordinate of v.
-    [[gnu::always_inline]] static Coordinates combined(const Coordinates& first, const Coordinates& second,
+    ESPALIER_ALWAYS_INLINE static Coordinates combined(const Coordinates& first, const Coordinates& second,
                                                        const Coordinates& third, const Coordinates& v) {
         return without_tiny(first * v.in_order<0, 0, 0>()) + without_tiny(second * v.in_order<1, 1, 1>()) +
                without_tiny(third * v.in_order<2, 2, 2>());

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/status.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lattice/triangle.hpp>

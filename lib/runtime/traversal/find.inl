@@ -3,12 +3,12 @@
 
 /// Calls the function with a query, of no accuracy or of the one that is given.
 template <class Function, class Shape, class SomeAnswer>
-[[gnu::always_inline]] inline auto with_query(Function function, const BlobData&, Shape& shape, SomeAnswer& answer) {
+ESPALIER_ALWAYS_INLINE inline auto with_query(Function function, const BlobData&, Shape& shape, SomeAnswer& answer) {
     Query<Shape&, SomeAnswer&, true> query = {shape, answer};
     return function(query);
 }
 template <class Function, class Shape, class SomeAnswer>
-[[gnu::always_inline]] inline auto with_query(Function function, const BlobData& blob, Shape& shape, SomeAnswer& answer,
+ESPALIER_ALWAYS_INLINE inline auto with_query(Function function, const BlobData& blob, Shape& shape, SomeAnswer& answer,
                                               const WalkAccuracy& accuracy) {
     if (takes_shortcut(accuracy.is_exact())) return with_query(function, blob, shape, answer);
     Query<Shape&, SomeAnswer&, false> query = {shape, answer, {blob, accuracy}};

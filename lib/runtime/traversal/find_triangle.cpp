@@ -1,6 +1,6 @@
 #include <bit>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 #include <runtime/traversal/scalar_walk.hpp>

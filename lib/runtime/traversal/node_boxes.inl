@@ -8,14 +8,14 @@ struct PackedBoxes {
     PackedNode node;
     Frame frame;
 
-    [[nodiscard, gnu::always_inline]] Floats low(int k, unsigned first) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Floats low(int k, unsigned first) const {
         return multiply_add(bytes_to_floats(node.low_planes(k) + first), frame.scale[k], frame.base[k]);
     }
-    [[nodiscard, gnu::always_inline]] Floats high(int k, unsigned first) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Floats high(int k, unsigned first) const {
         return multiply_add(bytes_to_floats(node.high_planes(k) + first), frame.scale[k], frame.base[k]);
     }
 };
-[[gnu::always_inline]] inline PackedBoxes boxes_of(const PackedNode& node, const BlobData& blob) {
+ESPALIER_ALWAYS_INLINE inline PackedBoxes boxes_of(const PackedNode& node, const BlobData& blob) {
     return {node, load_frame(node, blob)};
 }
 
@@ -26,11 +26,11 @@ struct PlainBoxes {
     float unit;
     unsigned bits;
 
-    [[nodiscard, gnu::always_inline]] Floats low(int k, unsigned first) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Floats low(int k, unsigned first) const {
         if constexpr (!has_square_root) return whole(node.low(k, first, bits));
         else return multiply(to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first})), splat(unit));
     }
-    [[nodiscard, gnu::always_inline]] Floats high(int k, unsigned first) const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Floats high(int k, unsigned first) const {
         if constexpr (!has_square_root) return whole(node.high(k, first, bits));
         else
             return multiply_add(to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first})), splat(unit),
@@ -39,10 +39,10 @@ struct PlainBoxes {
 
 private:
     /// Of no sign: the conversion takes fewer instructions.
-    [[gnu::always_inline]] static Floats whole(std::int32_t coordinate) {
+    ESPALIER_ALWAYS_INLINE static Floats whole(std::int32_t coordinate) {
         return splat(static_cast<float>(static_cast<std::uint32_t>(coordinate)));
     }
 };
-[[gnu::always_inline]] inline PlainBoxes boxes_of(const PlainNode& node, const BlobData& blob) {
+ESPALIER_ALWAYS_INLINE inline PlainBoxes boxes_of(const PlainNode& node, const BlobData& blob) {
     return {node, blob.base_unit, blob.bits};
 }

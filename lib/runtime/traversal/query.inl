@@ -38,7 +38,7 @@ struct Query {
         else return approximation.is_over;
     }
     template <class Node>
-    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
+    ESPALIER_ALWAYS_INLINE unsigned children(const Node& node, Keys keys) {
         if constexpr (is_exact) return shape.cull(node, answer.limit, keys);
         else return children_not_small(node, keys);
     }

@@ -34,7 +34,7 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
 
 /// Whether the ray passes through a box of whole lattice steps within its window, exactly: what lanes say depends on
 /// the machine.
-[[gnu::noinline]] inline bool passes_through(const IntegerRay& ray, const std::int32_t* low, const std::int32_t* high) {
+ESPALIER_NOINLINE inline bool passes_through(const IntegerRay& ray, const std::int32_t* low, const std::int32_t* high) {
     // Where the ray enters and leaves along each axis, as fractions: numerators in units of 2^-fraction_bits steps,
     // below 2^33, over the direction's magnitude, which is not 0 and below 2^25.
     std::int64_t enter[3], leave[3], length[3];
@@ -93,7 +93,7 @@ inline unsigned children_passed(const IntegerRay& ray, const Node& node, unsigne
 /// The same of the asset's box and of every one on the way to a node. Boxes may stick out of those above them, and
 /// whether a ray just beside one of those was let through to here depends on the machine.
 template <class Node>
-[[gnu::noinline]] bool passes_down_to(const IntegerRay& ray, const BlobData& blob, const Node& target) {
+ESPALIER_NOINLINE bool passes_down_to(const IntegerRay& ray, const BlobData& blob, const Node& target) {
     constexpr std::int32_t low[3] = {0, 0, 0};
     if (!passes_through(ray, low, blob.extent)) return false;
     // mutant(- -> +) equivalent: pointers cannot be added, so the mutant is the original

@@ -30,7 +30,7 @@ struct WaitingChildren {
     [[no_unique_address]] std::conditional_t<Node::max_children <= 8, Nothing, std::uint32_t> more;
 
     WaitingChildren() = default;
-    [[gnu::always_inline]] WaitingChildren(std::uint32_t second, unsigned others, std::uint32_t node)
+    ESPALIER_ALWAYS_INLINE WaitingChildren(std::uint32_t second, unsigned others, std::uint32_t node)
         : second_and_node(std::uint64_t{second} << 32 | node) {
         set_others(others);
     }
@@ -88,19 +88,19 @@ struct NearestFirst {
     }
 
     /// First half: which children are worth a visit.
-    [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
+    ESPALIER_ALWAYS_INLINE unsigned test(const BlobData& blob, Visitor& visitor) {
         count_node_step();
         return visitor.children(node_at<Node>(blob, index), keys) & among;
     }
 
     /// Second half: visits leaves until it is a node's turn. False when the walk is over.
-    [[gnu::always_inline]] bool advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
+    ESPALIER_ALWAYS_INLINE bool advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
         unsigned leaves = 0;
         return descend(blob, mask, leaves) || visit_leaves(blob, visitor, leaves);
     }
     /// True when a node below is next, else the leaves of this one are. Apart from those: from node to node a walk then
     /// keeps its numbers in registers.
-    [[gnu::always_inline]] bool descend(const BlobData& blob, unsigned mask, unsigned& leaves) {
+    ESPALIER_ALWAYS_INLINE bool descend(const BlobData& blob, unsigned mask, unsigned& leaves) {
         const NodeChildren children(node_at<Node>(blob, index));
         const unsigned node_children = children.nodes();
         leaves = mask >> node_children;
@@ -118,7 +118,7 @@ struct NearestFirst {
         return false;
     }
     /// Visits leaves until it is a node's turn. False when the walk is over.
-    [[gnu::always_inline]] bool visit_leaves(const BlobData& blob, Visitor& visitor, unsigned leaves) {
+    ESPALIER_ALWAYS_INLINE bool visit_leaves(const BlobData& blob, Visitor& visitor, unsigned leaves) {
         std::uint32_t parent = index;  // of the leaves
         for (;;) {
             while (leaves != 0) {
@@ -174,7 +174,7 @@ private:
     }
     /// The nearest of several children of the node at hand; the others are left waiting. Compared and chosen as plain
     /// words: no processor could foresee branches here.
-    [[gnu::always_inline]] unsigned nearest_of(unsigned mask) {
+    ESPALIER_ALWAYS_INLINE unsigned nearest_of(unsigned mask) {
         auto child = static_cast<unsigned>(std::countr_zero(mask));
         std::uint32_t nearest = Waiting::entry(keys[child], child);
         std::uint32_t second = ~0u;
@@ -197,7 +197,7 @@ private:
 
 /// All of a walk, from the root or from the node of that index on.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor,
+ESPALIER_ALWAYS_INLINE inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor,
                                                           std::uint32_t index = 0) {
     NearestFirst<Leaf, Visitor> walk;
     walk.begin(index);
@@ -232,13 +232,13 @@ struct StorageOrder {
     }
 
     /// First half: which children are worth a visit.
-    [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
+    ESPALIER_ALWAYS_INLINE unsigned test(const BlobData& blob, Visitor& visitor) {
         alignas(register_alignment) float keys[Node::max_children];
         count_node_step();
         return visitor.children(node_at<Node>(blob, index), keys);
     }
     /// Second half: visits the leaves among them and goes on to a node. Stopped when the visitor returned that.
-    [[gnu::always_inline]] Step advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
+    ESPALIER_ALWAYS_INLINE Step advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
         const Node node = node_at<Node>(blob, index);
         const NodeChildren children(node);
         const unsigned node_children = children.nodes();
@@ -260,7 +260,7 @@ struct StorageOrder {
 
 /// All of a walk. `stop` when the visitor returned that. In the caller's frame.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+ESPALIER_ALWAYS_INLINE inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
     StorageOrder<Leaf, Visitor> walk;
     for (;;) {
         const Step step = walk.advance(blob, visitor, walk.test(blob, visitor));
@@ -270,6 +270,6 @@ template <class Leaf, class Visitor>
 
 /// The same, in a frame of its own.
 template <class Leaf, class Visitor>
-[[gnu::noinline]] Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
+ESPALIER_NOINLINE Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
     return (walk_in_storage_order<Leaf>)(blob, visitor);
 }

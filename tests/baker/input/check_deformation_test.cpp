@@ -16,7 +16,6 @@ using namespace espalier::tests;
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 BakeOptions deforming() {
     BakeOptions options = with_profile(Profile::fast);

@@ -15,7 +15,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 Mesh named_cube() {

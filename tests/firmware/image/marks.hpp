@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 
 namespace espalier::firmware {
 

@@ -194,10 +194,10 @@ TEST_SUITE("hostile") {
                         const ClosestPoint nearest = closest_point(blob, sphere.center, sphere.radius);
                         const bool found{nearest};
                         CHECK(overlaps(blob, sphere).yes() == found);
-                        if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff()))
+                        if (value != value || value == -infinity || (slot < 3 && value == infinity))
                             CHECK(is_refused(nearest.status));
                         if (slot == 3 && value < 0.0f) CHECK(is_refused(nearest.status));
-                        if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
+                        if (slot == 3 && value == infinity) CHECK(found == (blob.triangle_count() != 0));
                         if (found) CHECK(nearest.distance <= sphere.radius);
                     }
                 }

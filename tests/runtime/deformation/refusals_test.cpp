@@ -37,7 +37,6 @@ void check_refusal(DeformedMesh& moving, const std::vector<Vec3>& positions, Que
 
 TEST_SUITE("refusals") {
     TEST_CASE("deformation: a position that is not finite is refused by its number and changes nothing") {
-        constexpr float infinity = std::numeric_limits<float>::infinity();
         const Mesh mesh = make_plane_grid(6);
         const auto count = static_cast<std::uint32_t>(mesh.positions.size());
         for (const unsigned bits : {16u, 24u}) {

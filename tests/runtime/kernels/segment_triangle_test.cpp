@@ -227,7 +227,6 @@ TEST_SUITE("segment triangle") {
         const detail::BlobData asset = tests::lattice_asset(16);
         RoundedSegment segment;
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        const float infinity = std::numeric_limits<float>::infinity();
         const Vec3 near{1.0f, 2.0f, 3.0f};
         CHECK(detail::round_segment(asset, {near, {0.0f, nan, 0.0f}}, segment) == QueryStatus::invalid_argument);
         CHECK(detail::round_segment(asset, {{0.0f, 0.0f, infinity}, near}, segment) == QueryStatus::invalid_argument);

@@ -51,7 +51,6 @@ TEST_SUITE("round point") {
     TEST_CASE("rounding: invalid points and radii are refused") {
         const detail::BlobData data = tests::lattice_asset(16);
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        const float infinity = std::numeric_limits<float>::infinity();
         RoundedPoint point;
         const Vec3 good{1.0f, 2.0f, 3.0f};
         CHECK(detail::round_point(data, good, 0.0f, point) == QueryStatus::ok);

@@ -158,7 +158,6 @@ TEST_SUITE("round ray") {
     TEST_CASE("rounding: invalid rays and empty windows are refused") {
         const detail::BlobData data = tests::lattice_asset(16);
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        const float infinity = std::numeric_limits<float>::infinity();
         const Ray good{{1.0f, 2.0f, -3.0f}, {0.0f, 0.0f, 1.0f}};
         LatticeRay ray;
         REQUIRE(detail::round_ray(data, good, ray));

@@ -27,7 +27,6 @@ using oracle::Rational;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 using Exact = std::array<Rational, 3>;

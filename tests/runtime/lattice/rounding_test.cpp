@@ -55,7 +55,7 @@ TEST_SUITE("rounding") {
                 add(sum, ray, slope);
                 for (const float tau : {0.0f, 1.0f, 0x1p-20f, 12345.678f, ray.tau_min, ray.tau_max}) {
                     sum.add(detail::to_t(ray, tau, world));
-                    if (tau < detail::infinity) sum.add(detail::hit_limit(ray, tau));
+                    if (tau < infinity) sum.add(detail::hit_limit(ray, tau));
                 }
             }
         }

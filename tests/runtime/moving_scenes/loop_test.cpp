@@ -119,7 +119,7 @@ TEST_SUITE("loop") {
     TEST_CASE("scene: closest points of moving instances equal the loop over all instances") {
         const auto compare = [](const MovingScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
             const Vec3 point = maker.point();
-            const float most = i % 2 == 0 ? __builtin_inff() : maker.sphere().radius;
+            const float most = i % 2 == 0 ? infinity : maker.sphere().radius;
             const std::uint32_t mask = i % 3 == 0 ? maker.random().below(16) : 0xFFFFFFFF;
             return checked(compare_closest_points(scene, point, most, mask));
         };

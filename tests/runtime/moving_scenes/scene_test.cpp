@@ -24,7 +24,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Two meshes, an empty one, and two tiles of which one is empty.

@@ -29,7 +29,6 @@ constexpr std::int32_t step_exponent = -12;
 /// Makes one number of a place awkward: tiny, huge, zero, infinite or NaN.
 Transform awkward_place(Random& random) {
     Transform place = random_place(random);
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const float number = std::array{0.0f,  -0.0f,     std::ldexp(random.signed_unit(), random.between(-149, 127)),
                                     1e30f, -infinity, std::numeric_limits<float>::quiet_NaN()}[random.below(6)];
     float* const numbers[8] = {&place.rotation.x,    &place.rotation.y,    &place.rotation.z,    &place.rotation.w,

@@ -83,7 +83,6 @@ TEST_SUITE("overlap") {
 
     TEST_CASE("overlap: radius 0 is a point and infinity is everything and a negative one or NaN nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const float infinity = std::numeric_limits<float>::infinity();
         const float nan = std::numeric_limits<float>::quiet_NaN();
         CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, 0.0f}).yes());
         CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, -0.0f}).yes());

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -21,7 +20,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr WorkLimit unlimited = WorkLimit::unlimited();
 
 using Counts = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;

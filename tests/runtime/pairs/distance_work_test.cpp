@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <limits>
 
 #include <espalier/pair.hpp>
 
@@ -18,7 +17,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t no_limit = std::uint64_t{1} << 40;
 
 struct Outcome {

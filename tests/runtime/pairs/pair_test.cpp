@@ -131,7 +131,6 @@ TEST_SUITE("pair") {
     TEST_CASE("pair: invalid calls are refused and a refusal is not a no") {
         const OpenedBlob cube(make_cube(0.0f, 1.0f));
         const Blob& blob = cube.blob;
-        const float infinity = std::numeric_limits<float>::infinity();
         const float nan = std::numeric_limits<float>::quiet_NaN();
         // The same for either blob, since the other one stands at the origin.
         const auto status = [&](const Transform& placement) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -141,7 +140,6 @@ Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& tri
 /// At the least distance, and within some ulp around it, by turns: the paths and the public functions.
 void check_distance(const Blob& a, const PlacedBlob& b, const detail::PairFrame& frame, const PairLoop& loop,
                     Paths paths, std::uint64_t turn) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const std::vector<detail::FoundTriangles> nearest_pairs = loop.nearest_pairs();
     REQUIRE_FALSE(nearest_pairs.empty());
     const detail::FoundTriangles& least = nearest_pairs.front();

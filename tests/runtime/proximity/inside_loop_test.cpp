@@ -1,7 +1,6 @@
 // Inside and outside: winding numbers and signed distances equal the loop over all triangles.
 #include <doctest/doctest.h>
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,8 +27,6 @@ using detail::Winding;
 using detail::WindingRay;
 
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 constexpr AxisDirection all_directions[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
 

@@ -24,8 +24,6 @@ using oracle::Rational;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// |a - sqrt(square)| <= allowed, without a square root.
 bool near_square_root(const Rational& a, const Rational& square, const Rational& allowed) {
     const Rational low = a - allowed;

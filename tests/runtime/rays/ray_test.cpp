@@ -26,11 +26,7 @@ using namespace espalier;
 using namespace espalier::tests;
 using oracle::Rational;
 
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_SUITE("ray") {
     TEST_CASE("ray: closest hit on a cube matches hand-computed values") {

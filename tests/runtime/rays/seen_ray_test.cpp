@@ -127,7 +127,7 @@ TEST_SUITE("seen ray") {
                         rounded.fraction_bits = 6;
                         rounded.direction[ahead] = sign * (1 << 23);
                         rounded.origin[ahead] = -sign * 1000;
-                        rounded.tau_max = detail::infinity;
+                        rounded.tau_max = infinity;
                         for (const std::int32_t side : {-away, away}) {
                             rounded.origin[axis] = side;
                             const detail::SeenRay ray = look_along(rounded, asset);
@@ -158,7 +158,7 @@ TEST_SUITE("seen ray") {
                             detail::set_longest_axis(rounded, ahead);
                             rounded.direction[ahead] = sign * (1 << 23);
                             rounded.direction[axis] = side_sign;
-                            rounded.tau_max = detail::infinity;
+                            rounded.tau_max = infinity;
                             // Through the middle of the one plane of a child, and so many planes beside it.
                             for (int k = 0; k < 3; ++k)
                                 rounded.origin[k] = static_cast<std::int32_t>((2 * middle + 1) << unit) / 2;
@@ -189,7 +189,7 @@ TEST_SUITE("seen ray") {
                 rounded.direction[ahead] = sign * (1 << 23);
                 for (int k = 0; k < 3; ++k) rounded.origin[k] = 150;
                 rounded.origin[ahead] = sign > 0 ? -10 : 20'000;
-                rounded.tau_max = detail::infinity;
+                rounded.tau_max = infinity;
                 detail::SeenPlainRay ray;
                 static_cast<detail::IntegerRay&>(ray) = rounded;
                 REQUIRE(ray.prepare(asset));
@@ -225,7 +225,7 @@ TEST_SUITE("seen ray") {
                         rounded.direction[axis] = down ? -(1 << 22) : 1 << 22;
                         rounded.origin[ahead] = down_ahead ? most : 0;
                         rounded.origin[axis] = down ? most : 0;
-                        rounded.tau_max = detail::infinity;
+                        rounded.tau_max = infinity;
                         detail::SeenPlainRay ray;
                         static_cast<detail::IntegerRay&>(ray) = rounded;
                         REQUIRE(ray.prepare(asset));
@@ -260,7 +260,7 @@ TEST_SUITE("seen ray") {
             detail::IntegerRay rounded{};
             detail::set_longest_axis(rounded, 2);
             rounded.direction[2] = sign * (1 << 23);
-            rounded.tau_max = detail::infinity;
+            rounded.tau_max = infinity;
             for (int k = 0; k < 2; ++k) rounded.origin[k] = 1500;
             for (const std::int32_t beyond : {0, 4, 5, 100}) {
                 rounded.origin[2] = sign > 0 ? 2000 + beyond : 1000 - beyond;

@@ -223,7 +223,7 @@ Ray SceneQueryMaker::ray() {
     }
     const Vec3 to = random_.below(4) == 0 ? anywhere() : on_surface();
     Ray ray = Ray::between(from, to);
-    ray.t_max = __builtin_inff();
+    ray.t_max = infinity;
     if (random_.below(4) == 0) ray.direction = {random_.signed_unit(), 0.0f, 0.0f};
     if (random_.below(4) == 0) ray.origin = on_surface();
     if (ray.direction == Vec3{}) ray.direction.y = 1.0f;

@@ -88,7 +88,7 @@ Ray aimed_at_border(Random& random, int side, const Vec3& from) {
     const Vec3 eye = {to.x + slope * height * random.signed_unit(), to.y + height,
                       to.z + slope * height * random.signed_unit()};
     Ray ray = Ray::between(eye, to);
-    ray.t_max = __builtin_inff();
+    ray.t_max = infinity;
     return ray;
 }
 
@@ -167,9 +167,9 @@ TEST_SUITE("tiles") {
         // A step beside 2^24, in either order.
         CHECK(status_of(moved(0x1p-8f), 0x1p24f) == QueryStatus::out_of_range);
         CHECK(status_of(moved(0x1p24f), 0x1p-8f) == QueryStatus::out_of_range);
-        for (const float bad : {__builtin_inff(), -__builtin_inff(), __builtin_nanf("")})
+        for (const float bad : {infinity, -infinity, __builtin_nanf("")})
             CHECK(status_of(moved(bad)) == QueryStatus::invalid_argument);
-        for (const float w : {0.0f, -0.0f, __builtin_inff(), __builtin_nanf("")}) {
+        for (const float w : {0.0f, -0.0f, infinity, __builtin_nanf("")}) {
             transform = {};
             transform.rotation.w = w;
             CHECK(status_of(transform) == QueryStatus::invalid_argument);

@@ -148,7 +148,6 @@ struct Cube {
 };
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 

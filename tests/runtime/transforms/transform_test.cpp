@@ -21,7 +21,6 @@ using namespace espalier::tests;
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Doubles have 29 bits more than the floats that are judged.
 struct Real3 {

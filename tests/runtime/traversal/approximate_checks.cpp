@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <espalier/approximate.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
@@ -23,7 +22,6 @@ namespace espalier::tests {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr double root_of_3 = 1.7320508075688774;
 
 /// From below a step to all of the asset.

@@ -31,8 +31,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 struct StepBox {
     std::int32_t low[3], high[3];
     [[nodiscard]] std::int32_t longest_side() const {

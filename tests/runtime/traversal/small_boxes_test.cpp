@@ -21,8 +21,6 @@ using namespace espalier::tests;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// Turns the ray so that it meets corners, sides and borders of its window at whole fractions of steps: along an axis
 /// or a diagonal, from or to a corner of the child's box, ulps beside it or none.
 template <class Boxes>

@@ -86,9 +86,9 @@ Difference inside(const Blob& blob, const TriangleLoop& loop, Vec3 point) {
     detail::WindingRay ray;
     const YesNo is_inside = contains(blob, point);
     if (is_refused(is_inside.status())) return std::nullopt;
-    const bool expected =
-        detail::round_point(detail::data_of(blob), point, __builtin_inff(), rounded) == QueryStatus::ok &&
-        detail::shortest_way_out(detail::data_of(blob), rounded, ray) && loop.winding(ray).is_inside();
+    const bool expected = detail::round_point(detail::data_of(blob), point, infinity, rounded) == QueryStatus::ok &&
+                          detail::shortest_way_out(detail::data_of(blob), rounded, ray) &&
+                          loop.winding(ray).is_inside();
     return is_inside == YesNo::of(expected) ? Difference()
                                             : "whether a point is inside, " + describe(Sphere{point, 0.0f});
 }

@@ -74,7 +74,7 @@ Questions draw_questions(const Blob& blob, Random& random) {
         questions.is_apart = scalar.touching_pairs(questions.frame, touch, work) == QueryStatus::ok && !touches;
     }
     questions.steps = static_cast<std::int32_t>(random.below(random.coin() ? 4 : 1u << 20));
-    questions.radius = random.coin() ? __builtin_inff() : questions.frame.span * random.unit();
+    questions.radius = random.coin() ? infinity : questions.frame.span * random.unit();
     return questions;
 }
 
@@ -167,7 +167,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             std::array<ClosestPoint, 5> nearest;
             const std::size_t count = path.closest_triangles(data, point, nearest);
             for (std::size_t i = 0; i < count; ++i) {
-                detail::finish(data, point, {}, __builtin_inff(), nearest[i]);
+                detail::finish(data, point, {}, infinity, nearest[i]);
                 hash.add(nearest[i].triangle.index);
                 hash.add(nearest[i].distance);
                 hash.add(nearest[i].point);

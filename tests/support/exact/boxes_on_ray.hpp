@@ -127,7 +127,7 @@ bool make_ray(const detail::BlobData& asset, const Boxes& boxes, Random& random,
 inline bool passes_exactly(const detail::IntegerRay& ray, const std::int32_t* low, const std::int32_t* high,
                            const std::int32_t* last_ahead = nullptr) {
     Rational first = Rational::of(ray.tau_min);
-    bool is_endless = ray.tau_max == detail::infinity;
+    bool is_endless = ray.tau_max == infinity;
     Rational last = is_endless ? Rational(0) : Rational::of(ray.tau_max);
     const auto no_later_than = [&](const Rational& tau) {
         if (is_endless || tau < last) last = tau;

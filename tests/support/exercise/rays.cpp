@@ -43,7 +43,7 @@ void check_hit(Exercise& run, const RayHit& hit) {
 void check_result(Exercise& run, const RayHit& hit) {
     if (hit) return check_hit(run, hit);
     run.verdict.require(hit.status == QueryStatus::not_found || is_refused(hit.status), "a query without a hit is ok");
-    run.verdict.require(hit.triangle == no_triangle && hit.t == __builtin_inff(), "what is no hit looks like one");
+    run.verdict.require(hit.triangle == no_triangle && hit.t == infinity, "what is no hit looks like one");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
     verdict.require(hits[0] || !hits[1], "a sweep under a filter hits more than without");
     verdict.require(is_refused(hits[0].status) == is_refused(hits[1].status), "a filter changes what is refused");
     verdict.require(hits[0] || !hits[2], "a sweep under options hits more than without");
-    verdict.require(is_refused(hits[2].status) == (is_refused(hits[0].status) || !(skin < __builtin_inff())),
+    verdict.require(is_refused(hits[2].status) == (is_refused(hits[0].status) || !(skin < infinity)),
                     "options change what is refused, or a skin is not refused");
     for (const SweepHit& hit : hits) {
         run.hash.add(static_cast<std::uint32_t>(hit.status));

@@ -47,7 +47,7 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline BoxEnds<Vector> ends_around(const Part&
 /// Writes a box in whole steps, rounded outward, the upper end with the other sign. Returns false, and writes nothing,
 /// if it leaves the world or is NaN.
 template <class Vector>
-[[gnu::always_inline]] inline bool to_steps(const BoxEnds<Vector>& ends, std::int32_t step_exponent, std::int32_t* low,
+ESPALIER_ALWAYS_INLINE inline bool to_steps(const BoxEnds<Vector>& ends, std::int32_t step_exponent, std::int32_t* low,
                                             std::int32_t* negative_high) {
     const Vector per_unit(power_of_two(-step_exponent));
     const Vector lower = ends.low * per_unit, above = ends.high * per_unit;

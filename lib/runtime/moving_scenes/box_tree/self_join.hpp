@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include <espalier/function_ref.hpp>
+#include <espalier/base/function_ref.hpp>
 #include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
 #include <runtime/lanes/select.hpp>

@@ -23,7 +23,7 @@ struct Counted {
 };
 
 /// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
-[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
+ESPALIER_ALWAYS_INLINE inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
     if constexpr (lanes == 1) {  // only those, and only as far as it is needed
         for (; among != 0; among &= among - 1) {
@@ -56,7 +56,7 @@ public:
           top_((both_descend ? 2u : 1u) * (block.head->levels - 1u)) {}
 
     /// Compares a child of some node with the whole tree, at once or later.
-    [[gnu::always_inline]] void add(std::uint32_t place) {
+    ESPALIER_ALWAYS_INLINE void add(std::uint32_t place) {
         waiting_[top_][count_[top_]++] = {place, block_.head->root};
         if (count_[top_] >= chunk) carry_out(top_);
     }
@@ -71,7 +71,7 @@ private:
     static constexpr unsigned most_steps = (both_descend ? 2u : 1u) * (most_tree_levels - 1u) + 1u;
 
     /// Carries out all that waits at a step, and as much of what that adds to the steps below as needs the room.
-    [[gnu::noinline]] void carry_out(unsigned top) {
+    ESPALIER_NOINLINE void carry_out(unsigned top) {
         for (unsigned step = top;;) {
             if (step == 0) {
                 visit_touching();
@@ -86,7 +86,7 @@ private:
     }
 
     /// Carries out comparisons of a step until none waits, or the step below is full.
-    [[gnu::always_inline]] void descend(unsigned step) {
+    ESPALIER_ALWAYS_INLINE void descend(unsigned step) {
         unsigned waiting = count_[step], below = count_[step - 1];
         Comparison* const out = waiting_[step - 1];
         while (waiting != 0 && below < chunk) {
@@ -102,17 +102,17 @@ private:
     }
     /// Returns which children of the second node count: of a node against itself each pair once, and each child
     /// against itself.
-    [[gnu::always_inline]] static unsigned children_below(std::uint32_t place, std::uint32_t second) {
+    ESPALIER_ALWAYS_INLINE static unsigned children_below(std::uint32_t place, std::uint32_t second) {
         return both_descend && place / 8 == second ? all_children & ~0u << place % 8 : all_children;
     }
     /// Returns which children of the second leaf node count: of a node against itself no child against itself.
-    [[gnu::always_inline]] static unsigned others(std::uint32_t place, std::uint32_t second) {
+    ESPALIER_ALWAYS_INLINE static unsigned others(std::uint32_t place, std::uint32_t second) {
         const unsigned own = 1u << place % 8;
         return place / 8 != second ? all_children : all_children & (both_descend ? 0u - 2 * own : ~own);
     }
 
     /// Visits the pairs that the comparisons with leaf nodes find.
-    [[gnu::always_inline]] void visit_touching() {
+    ESPALIER_ALWAYS_INLINE void visit_touching() {
         unsigned found[chunk + BoxNode::most], size = 0;
         for (unsigned i = 0; i < count_[0]; ++i) {
             const auto [place, second] = waiting_[0][i];
@@ -149,7 +149,7 @@ private:
 
 /// Compares the box of a slot with the tree.
 template <class Counting>
-[[gnu::always_inline]] inline void join_one(const SceneBlock& block, std::uint32_t slot, const OnTouchingBoxes& visit,
+ESPALIER_ALWAYS_INLINE inline void join_one(const SceneBlock& block, std::uint32_t slot, const OnTouchingBoxes& visit,
                                             Counting counting) {
     const StepsBox& box = block.slots[slot].box;
     std::uint32_t waiting[most_tree_levels * (BoxNode::most - 1) + 1];  // 16 * node + level
@@ -173,7 +173,7 @@ template <class Counting>
 }
 
 template <class Counting>
-[[gnu::always_inline]] inline void join_counting(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
+ESPALIER_ALWAYS_INLINE inline void join_counting(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
                                                  const OnTouchingBoxes& visit, Counting counting) {
     const BlockHead& head = *block.head;
     if (head.levels == 0) return;

@@ -13,23 +13,23 @@ namespace {
 
 /// Returns the same numbers in another type, cut off towards zero.
 template <class To, class From>
-[[gnu::always_inline]] inline To converted(From a) {
+ESPALIER_ALWAYS_INLINE inline To converted(From a) {
     if constexpr (std::is_arithmetic_v<From>) return static_cast<To>(a);
-    else return __builtin_convertvector(a, To);
+    else return ESPALIER_CONVERT_VECTOR(a, To);
 }
 
 /// A number of each instance.
 struct LaneNumbers {
     Floats values;
 
-    [[gnu::always_inline]] friend LaneNumbers operator+(LaneNumbers a, LaneNumbers b) { return {a.values + b.values}; }
-    [[gnu::always_inline]] friend LaneNumbers operator+(LaneNumbers a, float b) { return {a.values + splat(b)}; }
-    [[gnu::always_inline]] friend LaneNumbers operator-(LaneNumbers a, LaneNumbers b) { return {a.values - b.values}; }
-    [[gnu::always_inline]] friend LaneNumbers operator*(LaneNumbers a, LaneNumbers b) { return {a.values * b.values}; }
-    [[gnu::always_inline]] friend LaneNumbers operator*(LaneNumbers a, float b) { return {a.values * splat(b)}; }
-    [[gnu::always_inline]] friend LaneNumbers operator/(float a, LaneNumbers b) { return {splat(a) / b.values}; }
-    [[gnu::always_inline]] friend LaneNumbers absolute(LaneNumbers a) { return {(magnitude)(a.values)}; }
-    [[gnu::always_inline]] friend LaneNumbers without_below(LaneNumbers a, std::uint32_t least) {
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator+(LaneNumbers a, LaneNumbers b) { return {a.values + b.values}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator+(LaneNumbers a, float b) { return {a.values + splat(b)}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator-(LaneNumbers a, LaneNumbers b) { return {a.values - b.values}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator*(LaneNumbers a, LaneNumbers b) { return {a.values * b.values}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator*(LaneNumbers a, float b) { return {a.values * splat(b)}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers operator/(float a, LaneNumbers b) { return {splat(a) / b.values}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers absolute(LaneNumbers a) { return {(magnitude)(a.values)}; }
+    ESPALIER_ALWAYS_INLINE friend LaneNumbers without_below(LaneNumbers a, std::uint32_t least) {
         const auto bits = __builtin_bit_cast(SignedInts, a.values);
         const SignedInts is_below = (bits & 0x7FFFFFFF) < static_cast<std::int32_t>(least);
         return {__builtin_bit_cast(Floats, bits & ~is_below)};
@@ -46,57 +46,57 @@ class LaneCoordinates {
     LaneNumbers values_[3];
 
     template <class Compute>
-    [[gnu::always_inline]] static LaneCoordinates of_each(Compute compute) {
+    ESPALIER_ALWAYS_INLINE static LaneCoordinates of_each(Compute compute) {
         return {compute(0), compute(1), compute(2)};
     }
 
 public:
-    [[gnu::always_inline]] LaneCoordinates(LaneNumbers x, LaneNumbers y, LaneNumbers z) : values_{x, y, z} {}
-    [[gnu::always_inline]] explicit LaneCoordinates(LaneNumbers all) : values_{all, all, all} {}
-    [[gnu::always_inline]] explicit LaneCoordinates(float all) : LaneCoordinates(LaneNumbers{splat(all)}) {}
-    [[gnu::always_inline]] explicit LaneCoordinates(const LaneVec3& v) : values_{v.x, v.y, v.z} {}
+    ESPALIER_ALWAYS_INLINE LaneCoordinates(LaneNumbers x, LaneNumbers y, LaneNumbers z) : values_{x, y, z} {}
+    ESPALIER_ALWAYS_INLINE explicit LaneCoordinates(LaneNumbers all) : values_{all, all, all} {}
+    ESPALIER_ALWAYS_INLINE explicit LaneCoordinates(float all) : LaneCoordinates(LaneNumbers{splat(all)}) {}
+    ESPALIER_ALWAYS_INLINE explicit LaneCoordinates(const LaneVec3& v) : values_{v.x, v.y, v.z} {}
 
     using Self = LaneCoordinates;
-    [[gnu::always_inline]] friend Self operator+(const Self& a, const Self& b) {
+    ESPALIER_ALWAYS_INLINE friend Self operator+(const Self& a, const Self& b) {
         return of_each([&](int k) { return a[k] + b[k]; });
     }
-    [[gnu::always_inline]] friend Self operator-(const Self& a, const Self& b) {
+    ESPALIER_ALWAYS_INLINE friend Self operator-(const Self& a, const Self& b) {
         return of_each([&](int k) { return a[k] - b[k]; });
     }
-    [[gnu::always_inline]] friend Self operator*(const Self& a, const Self& b) {
+    ESPALIER_ALWAYS_INLINE friend Self operator*(const Self& a, const Self& b) {
         return of_each([&](int k) { return a[k] * b[k]; });
     }
-    [[gnu::always_inline]] friend Self without_tiny(const Self& a) {
+    ESPALIER_ALWAYS_INLINE friend Self without_tiny(const Self& a) {
         return of_each([&](int k) { return without_below(a[k], least_coordinate_bits); });
     }
-    [[gnu::always_inline]] friend Self magnitude(const Self& a) {
+    ESPALIER_ALWAYS_INLINE friend Self magnitude(const Self& a) {
         return of_each([&](int k) { return absolute(a[k]); });
     }
-    [[gnu::always_inline]] friend bool are_at_least(const Self& a, const Self& b, float least) {
+    ESPALIER_ALWAYS_INLINE friend bool are_at_least(const Self& a, const Self& b, float least) {
         SignedInts are = (a[0].values >= splat(least)) & (b[0].values >= splat(least));
         for (int k = 1; k < 3; ++k) are &= (a[k].values >= splat(least)) & (b[k].values >= splat(least));
         return bits_of(are) == (1u << lanes) - 1;
     }
     template <int x, int y, int z>
-    [[gnu::always_inline]] static Self picked(const Self& a, const Self& b, const Self& c) {
+    ESPALIER_ALWAYS_INLINE static Self picked(const Self& a, const Self& b, const Self& c) {
         return {a[x], b[y], c[z]};
     }
     template <int x, int y, int z>
-    [[nodiscard, gnu::always_inline]] Self in_order() const {
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE Self in_order() const {
         return {values_[x], values_[y], values_[z]};
     }
     /// Writes a row of eight for each coordinate.
-    [[gnu::always_inline]] void store_whole_below(std::int32_t* to) const {
+    ESPALIER_ALWAYS_INLINE void store_whole_below(std::int32_t* to) const {
         for (int k = 0; k < 3; ++k) {
             const Floats all = values_[k].values;
             const auto whole = (converted<SignedInts>)(all);
             const SignedInts is_above =
                 ((converted<Floats>)(whole) > all) | ((__builtin_bit_cast(SignedInts, all) < 0) & (whole == 0));
             const SignedInts below = whole + is_above;
-            __builtin_memcpy(to + EightStepsBoxes::count * static_cast<unsigned>(k), &below, sizeof below);
+            ESPALIER_COPY_BYTES(to + EightStepsBoxes::count * static_cast<unsigned>(k), &below, sizeof below);
         }
     }
-    [[gnu::always_inline]] LaneNumbers operator[](int k) const { return values_[k]; }
+    ESPALIER_ALWAYS_INLINE LaneNumbers operator[](int k) const { return values_[k]; }
 };
 
 struct LaneRotation {
@@ -117,18 +117,18 @@ struct LaneScaledRotation {
 };
 
 /// Returns the greatest of the numbers of a rotation, as the bits of a magnitude.
-[[gnu::always_inline]] inline SignedInts greatest_bits(const LaneRotation& q) {
+ESPALIER_ALWAYS_INLINE inline SignedInts greatest_bits(const LaneRotation& q) {
     const auto bits = [](LaneNumbers a) { return __builtin_bit_cast(SignedInts, a.values) & 0x7FFFFFFF; };
     return (larger)((larger)(bits(q.x), bits(q.y)), (larger)(bits(q.z), bits(q.w)));
 }
 /// Returns whether numbers are powers of two at least and at most.
-[[gnu::always_inline]] inline bool are_between(SignedInts bits, int least_exponent, int most_exponent) {
+ESPALIER_ALWAYS_INLINE inline bool are_between(SignedInts bits, int least_exponent, int most_exponent) {
     const auto least = static_cast<std::int32_t>(bits_of_power(least_exponent));
     const auto most = static_cast<std::int32_t>(bits_of_power(most_exponent));
     return bits_of((bits >= least) & (bits < most)) == (1u << lanes) - 1;
 }
 /// As scaled_rotation() of numbers whose greatest is between 2^-60 and 2^60.
-[[gnu::always_inline]] inline LaneScaledRotation scaled_rotation(const LaneRotation& q) {
+ESPALIER_ALWAYS_INLINE inline LaneScaledRotation scaled_rotation(const LaneRotation& q) {
     const SignedInts power = greatest_bits(q) & static_cast<std::int32_t>(infinity_bits);
     const LaneNumbers factor = {__builtin_bit_cast(Floats, static_cast<std::int32_t>(2 * bits_of_power(0)) - power)};
     const auto scaled = [&](LaneNumbers a) { return without_below(a * factor, bits_of_power(-40)); };
@@ -137,31 +137,31 @@ struct LaneScaledRotation {
 
 /// Loads the first eight numbers of structures, one for each lane, and returns number k of all in numbers[k].
 template <unsigned width, class Structure>
-[[gnu::always_inline]] inline void load_eight(const Structure* const* from, LaneNumbers* numbers) {
+ESPALIER_ALWAYS_INLINE inline void load_eight(const Structure* const* from, LaneNumbers* numbers) {
     static_assert(sizeof(Structure) >= 8 * sizeof(float));
     if constexpr (width == 8) {
         Vector<float, width> row[8], pair[8];
-        for (unsigned i = 0; i < 8; ++i) __builtin_memcpy(&row[i], from[i], sizeof row[i]);
+        for (unsigned i = 0; i < 8; ++i) ESPALIER_COPY_BYTES(&row[i], from[i], sizeof row[i]);
         for (unsigned i = 0; i < 8; i += 2) {
-            pair[i] = __builtin_shufflevector(row[i], row[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
-            pair[i + 1] = __builtin_shufflevector(row[i], row[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+            pair[i] = ESPALIER_SHUFFLE_VECTOR(row[i], row[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+            pair[i + 1] = ESPALIER_SHUFFLE_VECTOR(row[i], row[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
         }
         for (unsigned i = 0; i < 8; i += 4)
             for (unsigned k = 0; k < 2; ++k) {
-                row[i + 2 * k] = __builtin_shufflevector(pair[i + k], pair[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-                row[i + 2 * k + 1] = __builtin_shufflevector(pair[i + k], pair[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+                row[i + 2 * k] = ESPALIER_SHUFFLE_VECTOR(pair[i + k], pair[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+                row[i + 2 * k + 1] = ESPALIER_SHUFFLE_VECTOR(pair[i + k], pair[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
             }
         for (unsigned k = 0; k < 4; ++k) {
-            numbers[k].values = __builtin_shufflevector(row[k], row[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-            numbers[k + 4].values = __builtin_shufflevector(row[k], row[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+            numbers[k].values = ESPALIER_SHUFFLE_VECTOR(row[k], row[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+            numbers[k + 4].values = ESPALIER_SHUFFLE_VECTOR(row[k], row[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
         }
     } else {
         for (unsigned k = 0; k < 8; ++k) {
             float of_lanes[width];
             for (unsigned i = 0; i < width; ++i)
-                __builtin_memcpy(&of_lanes[i], reinterpret_cast<const std::byte*>(from[i]) + k * sizeof(float),
-                                 sizeof(float));
-            __builtin_memcpy(&numbers[k].values, of_lanes, sizeof of_lanes);
+                ESPALIER_COPY_BYTES(&of_lanes[i], reinterpret_cast<const std::byte*>(from[i]) + k * sizeof(float),
+                                    sizeof(float));
+            ESPALIER_COPY_BYTES(&numbers[k].values, of_lanes, sizeof of_lanes);
         }
     }
 }

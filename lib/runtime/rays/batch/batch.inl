@@ -7,7 +7,7 @@
 /// processor does side by side, then each decides where to go on, which is where branches are mispredicted, and while
 /// the others do that, its next node comes from memory.
 template <class InTurns>
-[[gnu::noinline]] inline void answer_in_turns(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
+ESPALIER_NOINLINE inline void answer_in_turns(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
                                               std::size_t count) {
     constexpr unsigned most_under_way = 8;
     struct UnderWay : InTurns {

@@ -156,7 +156,7 @@ private:
 
 /// For whole groups of rays.
 template <class Leaf>
-[[gnu::noinline]] inline void answer_in_groups(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
+ESPALIER_NOINLINE inline void answer_in_groups(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
                                                std::size_t count) {
     RayGroup<Leaf> group;
     for (std::size_t first = 0; first < count; first += rays_in_group)

@@ -82,7 +82,7 @@ struct ClosestInTurns : RayInBatch<Leaf> {
         walk.begin(0);
         return RayInBatch<Leaf>::begin(blob, world, best);
     }
-    [[gnu::always_inline]] bool advance(const BlobData& blob, unsigned mask) {
+    ESPALIER_ALWAYS_INLINE bool advance(const BlobData& blob, unsigned mask) {
         return walk.advance(blob, this->query, mask);
     }
 };
@@ -103,7 +103,7 @@ struct AnyInTurns {
         if (status == QueryStatus::ok) query.answer.limit = window_limit(prepared.ray);
         return status;
     }
-    [[gnu::always_inline]] bool advance(const BlobData& blob, unsigned mask) {
+    ESPALIER_ALWAYS_INLINE bool advance(const BlobData& blob, unsigned mask) {
         const Step step = walk.advance(blob, query, mask);
         found = step == Step::was_stopped;
         return step == Step::goes_on;

@@ -24,23 +24,23 @@ struct PreparedRayIn {
     [[nodiscard]] const Lanes& lanes() const { return ray; }
 };
 template <class Lanes>
-[[gnu::noinline]] bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     float reach = 0.0f;
     return round_ray(blob, world, prepared.ray, reach) && prepared.ray.prepare(blob);
 }
 template <class Lanes>
-[[gnu::noinline]] bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
+ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     return prepared.ray.prepare(blob);
 }
 #include <runtime/rays/prepare_ray_portable.inl>
 /// Limits of walks are places ahead.
 using Limit = std::int32_t;
-[[gnu::noinline]] inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
+ESPALIER_NOINLINE inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
     return ray.last_ahead(detail::hit_limit(ray, whole_tau));
 }
 /// As for a hit at the window's end.
-[[gnu::always_inline]] inline Limit window_limit(const SeenRay& ray) {
+ESPALIER_ALWAYS_INLINE inline Limit window_limit(const SeenRay& ray) {
     return hit_limit(ray, ray.tau_offset + ray.tau_max);
 }
 
@@ -49,7 +49,7 @@ using scalar::with_leaves_of;
 #include <runtime/rays/small_code/walk.inl>
 
 template <class Node>
-[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanesOf<Node>& lanes, Limit limit,
+ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const Node& node, const RayLanesOf<Node>& lanes, Limit limit,
                                                  Keys keys) {
     return seen_children(lanes, node, limit, keys.among & all_children(node));
 }
@@ -57,7 +57,7 @@ template <class Node>
 /// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
 /// one is ever on the stack.
 template <class Leaf>
-[[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
+ESPALIER_NOINLINE typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
     const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
     // A vertex is placed where it and the next two will be.
     std::int32_t room[Leaf::max_vertices + 2];
@@ -80,7 +80,7 @@ template <class Leaf>
     return mask & leaf.used_slots();
 }
 template <class Leaf>
-[[gnu::noinline]] bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay& ray, TriangleHit& hit) {
+ESPALIER_NOINLINE bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay& ray, TriangleHit& hit) {
     count_decision();
     LatticeTriangle from_origin;
     for (unsigned i = 0; i < 3; ++i) place_vertex(leaf, leaf.corner(slot, i), ray, from_origin.corner[i]);
@@ -90,7 +90,7 @@ template <class Leaf>
 template <class Leaf>
 using RayLeaf = KeptLeaf<Leaf>;
 template <class Leaf>
-[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
+ESPALIER_ALWAYS_INLINE inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
                                                                   Leaf& leaf) {
     // A node of its own: GCC keeps a copied one on the stack for as long as the walk takes.
     decode_leaf(*place.blob, typename Leaf::Node{place.node.bytes}, place.number, leaf);

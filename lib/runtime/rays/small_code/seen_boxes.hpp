@@ -18,13 +18,10 @@ struct SeenPlanes {
     std::int32_t to_near, to_far;  ///< plane 0, and more than all of what is seen can round
 };
 
-#if !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // what is ahead comes first, which GCC does not see
-#endif
+ESPALIER_BEGIN_MAYBE_UNINITIALIZED  // what is ahead comes first
 /// Children of `among` whose boxes the ray may meet no farther than `last_ahead`. Apart from the walk: its room on the
 /// stack is free again when a leaf is visited.
-[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const PackedNode& packed, std::int32_t last_ahead,
+ESPALIER_NOINLINE inline unsigned seen_children(const SeenRay& ray, const PackedNode& packed, std::int32_t last_ahead,
                                                 unsigned among) {
     using namespace format::packed_node;
     const std::byte* const node = packed.bytes;
@@ -108,8 +105,6 @@ struct SeenPlanes {
     }
     return SeenChildren<PackedNode>::pack(met, nearest & 7u);
 }
-#if !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
+ESPALIER_END_MAYBE_UNINITIALIZED
 
 }  // namespace espalier::detail

@@ -75,7 +75,7 @@ struct SeenPlainRay : SeenRay {
 };
 
 /// Returns the children of `among` whose boxes the ray may meet no farther than `last_ahead`, as for a packed node.
-[[gnu::noinline]] inline unsigned seen_children(const SeenPlainRay& ray, const PlainNode& node, std::int32_t last_ahead,
+ESPALIER_NOINLINE inline unsigned seen_children(const SeenPlainRay& ray, const PlainNode& node, std::int32_t last_ahead,
                                                 unsigned among) {
     const std::int32_t first = (ray.first_ahead + ray.origin_ahead) >> ray.base_shift;
     const std::int32_t last = (last_ahead + ray.origin_ahead) >> ray.base_shift;

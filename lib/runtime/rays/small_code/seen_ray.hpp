@@ -61,7 +61,7 @@ struct SeenRay : IntegerRay {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(place) - away);
     }
     /// How far ahead the ray is at tau, give or take `off`. Nothing on the lattice is 2^26 ahead.
-    [[nodiscard, gnu::noinline]] std::int32_t ahead_at(float tau) const {
+    [[nodiscard]] ESPALIER_NOINLINE std::int32_t ahead_at(float tau) const {
         const float ahead = tau * ahead_per_tau;
         // mutant(< -> <=) equivalent: both sides are equal then
         return ahead < 0x1p26f ? static_cast<std::int32_t>(ahead) : 1 << 26;

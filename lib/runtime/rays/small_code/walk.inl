@@ -17,14 +17,14 @@ class WaitingNodes {
     static constexpr bool is_wide = Node::max_children > 8;
 
 public:
-    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) {
+    ESPALIER_ALWAYS_INLINE void push(std::uint32_t node, unsigned children) {
         // mutant(<< -> one less) huge: the bit for nodes beyond the first eight million
         nodes_[size_] = children << 24 | node;
         if constexpr (is_wide) others_[size_] = static_cast<std::uint8_t>(children >> 8);
         ++size_;
     }
     /// False when there are none.
-    [[gnu::always_inline]] bool pop(std::uint32_t& node, unsigned& children) {
+    ESPALIER_ALWAYS_INLINE bool pop(std::uint32_t& node, unsigned& children) {
         if (size_ == 0) return false;
         --size_;
         node = nodes_[size_] & ((1u << 24) - 1u);
@@ -44,7 +44,7 @@ private:
 /// A walk to the children with the smallest keys first. Once it has gone down to one of them, or a leaf has been
 /// visited, the others are tested again: that is more exact by then, and no keys need to wait.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
+ESPALIER_ALWAYS_INLINE inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     using Node = typename Leaf::Node;
     WaitingNodes<Node> waiting;
     std::uint32_t index = 0;
@@ -71,7 +71,7 @@ template <class Leaf, class Visitor>
 
 /// Visits children in storage order. Returns stop if the visitor does.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+ESPALIER_ALWAYS_INLINE inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
     using Node = typename Leaf::Node;
     WaitingNodes<Node> waiting;
     std::uint32_t index = 0;

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <espalier/base/compiler.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
@@ -141,7 +142,7 @@ public:
 
 private:
     /// Has a frame of its own: queries need no room for the corners.
-    [[gnu::noinline]] constexpr Visit look_up_corners(TriangleId triangle, const detail::BlobData& blob,
+    ESPALIER_NOINLINE constexpr Visit look_up_corners(TriangleId triangle, const detail::BlobData& blob,
                                                       std::uint32_t reference,
                                                       const detail::LatticeTriangle* at_hand) const {
         return with_corners_(triangle, corners_at_(blob, reference, at_hand));
