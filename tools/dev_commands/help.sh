@@ -24,7 +24,7 @@ Every day
 
 Before a release
   platforms   Bakes and queries on every machine, compiler and instruction set, and compares the bits with
-              tests/platform/golden.txt (an hour).
+              tests/platform/golden.txt. Then it tests the command on Windows, under Wine (an hour).
   coverage    Counts which branches of lib/runtime the tests take (5 minutes). Fails below 95 %, or below 100 % for open.
   fuzz        Fuzzes open, tree, bake, scene and import for 60 seconds each: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
               fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;

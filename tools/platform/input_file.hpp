@@ -24,7 +24,8 @@ public:
 
     /// Returns how many bytes the file states to have; 0 for what is no regular file.
     [[nodiscard]] std::uint64_t size() const;
-    /// Reads the next bytes and returns their number: fewer than asked for at the end of the file and at an error.
+    /// Reads the next bytes and returns their number: fewer than there is room for at the end of the file and at an
+    /// error.
     std::size_t read(std::span<std::byte> bytes);
     /// Returns 0, or the error of opening or reading.
     [[nodiscard]] int error() const { return error_; }

@@ -93,7 +93,7 @@ ProcessorTimeLimit::~ProcessorTimeLimit() {
 
 int ProcessorTimeLimit::error() const { return state_ ? state_->error : 0; }
 
-/// Linux tells how large the address space of a process is.
+/// Linux states how large the address space of a process is.
 bool can_limit_memory() {
 #ifdef __linux__
     return true;

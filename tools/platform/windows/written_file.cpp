@@ -77,7 +77,7 @@ BOOL WINAPI wait_for_writing(DWORD) {
 
 }  // namespace
 
-/// A link to a file that does not exist is refused, because nothing tells the name of that.
+/// A link to a file that does not exist is refused, because its name cannot be found.
 int follow_links(const std::filesystem::path& path, std::filesystem::path& target) {
     target = path;
     const DWORD attributes = ::GetFileAttributesW(path.c_str());
