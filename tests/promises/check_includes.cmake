@@ -106,7 +106,7 @@ check_layers(runtime "<espalier/((base|scenes|batches)/)?[a-z_]+\\.h(pp)?>|${pla
   "deformation: base lattice blob"
   "asset: base lattice blob traversal"
   "contacts: ${walks} transforms pairs asset"
-  "instruction_sets: ${walks} rays rays/batch proximity sweeps pairs scenes moving_scenes moving_scenes/box_tree"
+  "instruction_sets: ${walks} rays rays/batch proximity overlap sweeps pairs scenes moving_scenes moving_scenes/box_tree"
   "batches: base"
   "c: moving_scenes")
 

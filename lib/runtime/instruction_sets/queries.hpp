@@ -1,10 +1,11 @@
-// What each instruction set defines: the queries of rays, batches of rays, distances and two blobs.
+// What each instruction set defines: the queries of rays, batches of rays, distances, overlaps, sweeps and two blobs.
 #pragma once
 
 #include <runtime/moving_scenes/queries.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/overlap/volume.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/rays/batch/batch.hpp>

@@ -30,12 +30,26 @@ ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const Rou
     }
 }
 
-/// The triangles of a leaf that may be within the point's radius, and those with a corner that clearly is.
+/// The triangles of a leaf that a shape may overlap, and those with a corner that is clearly inside of it.
 template <class Slots>
 struct OverlapCandidates {
     Slots near = 0;
     Slots inside = 0;
 };
+/// Hands the answer those that overlap; `overlaps(slot)` decides on one.
+template <class Leaf, class SomeAnswer, class Overlaps>
+ESPALIER_ALWAYS_INLINE inline Visit take_candidates(const Leaf& leaf,
+                                                    OverlapCandidates<typename Leaf::Slots> candidates,
+                                                    SomeAnswer& answer, Overlaps overlaps) {
+    for (; candidates.near != 0; candidates.near &= candidates.near - 1) {
+        const auto slot = static_cast<unsigned>(std::countr_zero(candidates.near));
+        const std::uint32_t reference = storage_index(leaf, slot);
+        if (reference < answer.first) continue;
+        if ((candidates.inside >> slot & 1u) == 0 && !overlaps(slot)) continue;
+        if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
+    }
+    return Visit::next;
+}
 template <unsigned groups, class Leaf>
 ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
                                                                                        const RoundedPoint& point) {
@@ -69,16 +83,9 @@ struct SphereShape {
         if ((inside >> leaf.child() & 1u) == 0)
             candidates = with_table_groups<Leaf::max_vertices>(
                 leaf.vertex_count, [&](auto groups) { return overlap_candidates_of<groups>(leaf, sphere); });
-        for (; candidates.near != 0; candidates.near &= candidates.near - 1) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(candidates.near));
-            const std::uint32_t reference = storage_index(leaf, slot);
-            if (reference < answer.first) continue;
-            if ((candidates.inside >> slot & 1u) == 0 &&
-                !is_within_radius(sphere, distance_to(sphere, leaf.triangle(slot)), sphere.radius))
-                continue;
-            if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
-        }
-        return Visit::next;
+        return take_candidates(leaf, candidates, answer, [&](unsigned slot) {
+            return is_within_radius(sphere, distance_to(sphere, leaf.triangle(slot)), sphere.radius);
+        });
     }
 };
 
