@@ -10,11 +10,12 @@ version=$(sed -nE 's/^project\(espalier VERSION ([0-9.]+) .*/\1/p' "$here/../../
 package=$folder/espalier
 rm -rf "$package"
 mkdir -p "$package"
-cp "$here"/package/*.js "$here"/package/*.d.ts "$here/package/README.md" "$here/../../LICENSE" "$package"
+cp -r "$here"/package/. "$here/../../LICENSE" "$package"
+rm "$package/package.json.in"
 sed "s/@VERSION@/$version/" "$here/package/package.json.in" >"$package/package.json"
 cp "$simd128" "$package/espalier.wasm"
 cp "$scalar" "$package/espalier_scalar.wasm"
-chmod 644 "$package"/*
+find "$package" -type f -exec chmod 644 {} +
 # npm's tarballs have one folder, package, and this time, so that equal files give equal bytes.
-(cd "$folder" && tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime='1985-10-26 08:15:00Z' --format=ustar \
-    --transform 's,^espalier,package,' espalier/*) | gzip --no-name --best >"$folder/espalier-$version.tgz"
+(cd "$folder" && find espalier -type f -print0 | LC_ALL=C sort -z | tar --create --null --files-from=- --owner=0 --group=0 \
+    --numeric-owner --mtime='1985-10-26 08:15:00Z' --format=ustar --transform 's,^espalier,package,') | gzip --no-name --best >"$folder/espalier-$version.tgz"

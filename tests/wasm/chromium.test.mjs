@@ -21,7 +21,7 @@ const browser = ['chromium', 'chromium-browser'].find((name) => spawnSync(name, 
 /// Serves the page and its files; resolves `result` with what the page posts.
 function serve(resolve) {
     return createServer(async (request, response) => {
-        const [, name, file] = request.url.match(/^\/(\w+)\/([\w.]+)$/) ?? [];
+        const [, name, file] = request.url.match(/^\/(\w+)\/((?:\w+\/)?[\w.]+)$/) ?? [];
         if (request.url === '/') {
             response.writeHead(200, { 'content-type': 'text/html' });
             response.end('<!doctype html><script type="module" src="/support/page.mjs"></script>');

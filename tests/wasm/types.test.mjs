@@ -40,7 +40,7 @@ test('mistakes do not compile', { skip }, async () => {
 test('every name of the package has a type and every type a value', async () => {
     const typesOf = (file) => readFile(`${folder}/node_modules/espalier/${file}.d.ts`, 'utf8');
     const declaredIn = (text) => [...text.matchAll(/^export (?:class|const|function|\* as) (\w+)/gm)].map(([, name]) => name).sort();
-    const types = (await Promise.all(['index', 'results', 'scene'].map(typesOf))).join('');
+    const types = (await Promise.all(['index', 'arguments', 'bake', 'results', 'scenes/scene'].map(typesOf))).join('');
     assert.deepStrictEqual(declaredIn(types), Object.keys(espalier).sort());
     const typesOfPairs = await typesOf('pairs');
     assert.deepStrictEqual(declaredIn(typesOfPairs), Object.keys(espalier.pairs).sort());

@@ -1,6 +1,6 @@
 // Blobs: facts and lookups by triangle.
 import { integers } from './arguments.js';
-import { fieldsOf } from './batch.js';
+import { fieldsOf } from './memory/batch.js';
 import { ShapeQueries } from './shapes.js';
 
 export const PROFILES = ['fast', 'balanced', 'small', 'tiny'];

@@ -1,74 +1,18 @@
 // Types of espalier: baked collision meshes, queried straight from their bytes.
 
+import type { Box, Capsule, Numbers, OrientedBox, RayOptions, Segment, Sphere, SweepOptions, Triangles, Vectors, Volume } from './arguments.js';
+import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
     ClosestPoints, Contacts, Corners, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, SweepHits, WindingNumbers, YesNo,
 } from './results.js';
-import type { InstancesToBake, Scene } from './scene.js';
+import type { InstancesToBake, Scene } from './scenes/scene.js';
 
+export * from './arguments.js';
+export * from './bake.js';
 export * from './results.js';
-export * from './scene.js';
+export * from './scenes/scene.js';
 /** Queries of two blobs. */
 export * as pairs from './pairs.js';
-
-export type NumberArray = Float32Array | Float64Array | Int8Array | Uint8Array | Uint8ClampedArray | Int16Array
-    | Uint16Array | Int32Array | Uint32Array | readonly number[];
-
-/** Elements that lie apart, as those of interleaved vertices. `stride` and `offset` are counted in numbers. */
-export interface StridedArray {
-    array: NumberArray;
-    stride?: number;
-    offset?: number;
-}
-
-/** Three numbers for each query, or three that serve all. Other numbers than float32 are rounded to the nearest. */
-export type Vectors = NumberArray | StridedArray;
-/** A number for each query, or one that serves all. */
-export type Numbers = number | NumberArray | StridedArray;
-/** Numbers of triangles, as results have them. Those that no blob can have become NO_TRIANGLE. */
-export type Triangles = number | Uint32Array | Uint16Array | Int32Array | readonly number[];
-
-/**
- * Places in the world, of one blob for each query: rotations as quaternions x, y, z, w of any length but zero, translations,
- * and scales above 0. What is not given is that of the origin.
- */
-export interface Places {
-    /** Four numbers for each place. */
-    rotation?: Vectors;
-    translation?: Vectors;
-    scale?: Numbers;
-}
-
-/** Selects the triangles that a query ignores: those that show their back, or their front. */
-export type Culling = 'none' | 'back' | 'front';
-
-export interface RayOptions {
-    /** 0 unless given. */
-    tMin?: Numbers;
-    /** Infinite unless given. */
-    tMax?: Numbers;
-    culling?: Culling;
-}
-
-export interface SweepOptions {
-    culling?: Culling;
-    /** Ignores triangles that a shape touches at the start and leaves. */
-    ignoreLeaving?: boolean;
-    /** How far the shape stops in front of the contact. */
-    skin?: number;
-}
-
-export interface Segment { kind: 'segment'; from: Vectors; to: Vectors }
-export interface Sphere { kind: 'sphere'; center: Vectors; radius: Numbers }
-/** All points within a radius of a segment. */
-export interface Capsule { kind: 'capsule'; from: Vectors; to: Vectors; radius: Numbers }
-/** Empty where a coordinate of `min` is above that of `max`. */
-export interface Box { kind: 'box'; min: Vectors; max: Vectors }
-/** halfAxes has nine numbers for each box: each half axis leads from the center to the middle of a face. */
-export interface OrientedBox { kind: 'orientedBox'; center: Vectors; halfAxes: Vectors }
-/** The convex hull of a point and of a disc around apex + axis, perpendicular to the axis. */
-export interface Cone { kind: 'cone'; apex: Vectors; axis: Vectors; radius: Numbers }
-export interface Triangle { kind: 'triangle'; a: Vectors; b: Vectors; c: Vectors }
-export type Volume = Sphere | Capsule | Box | OrientedBox | Cone | Triangle;
 
 /** Facts about a blob. */
 export interface BlobInfo {
@@ -160,90 +104,6 @@ export class Blob {
     originalTriangles(triangles: Triangles): OriginalTriangles;
     /** Returns the sources of hits that a query of rays of this blob returned. Without ids the status is NO_DATA. */
     originalHits(hits: RayHits): OriginalHits;
-}
-
-export type Profile = 'fast' | 'balanced' | 'small' | 'tiny';
-
-/** A mesh to bake. float32 is baked as it is; other positions are rounded to it after `origin` was subtracted. */
-export interface Mesh {
-    positions: Vectors;
-    /** Three numbers of positions for each triangle, counter-clockwise when seen from the front. */
-    triangles: Uint32Array | Uint16Array | Int32Array | readonly number[];
-    /** One for each triangle, 0 to 65535. */
-    materials?: Uint32Array | Uint16Array | Uint8Array | readonly number[];
-    /** For messages. */
-    name?: string;
-    /** For the sources of triangles; 0 unless given. */
-    file?: number;
-    /** For the sources of triangles; the position among the meshes unless given. */
-    mesh?: number;
-}
-
-export interface BakeOptions {
-    /** Of the largest extent, 1 to 24; 16 unless one of the next two is given. */
-    bits?: number;
-    /** The largest distance between source and baked surface, in the unit of the mesh. */
-    tolerance?: number;
-    /** Of the lattice's step, a power of two. */
-    stepExponent?: number;
-    /** 'balanced' unless given. */
-    profile?: Profile;
-    /** 'normal' unless given. */
-    effort?: 'fast' | 'normal' | 'best';
-    builder?: 'binned_sah' | 'sweep_sah' | 'spatial_splits' | 'agglomerative' | 'linear' | 'insertion';
-    /** Stores the source of each triangle in the blob. */
-    originalIds?: boolean;
-    /** Drops triangles with NaN or wrong indices, which else refuse the bake. */
-    dropBadTriangles?: boolean;
-    /** In degrees; stores how the surface bends at edges. */
-    flatAngle?: number | null;
-    /** Stores tighter bounds of the asset. */
-    bounds?: boolean;
-    /** Three numbers, which are subtracted from all positions; queries then take coordinates relative to it. */
-    origin?: NumberArray;
-    duplicateBudget?: number;
-    bytePrice?: number;
-    maxLeafTriangles?: number;
-}
-
-/** Triangles that were dropped for one reason. */
-export interface Finding {
-    count: number;
-    /** "level.obj, mesh 3 (walls), triangle 17"; empty if the count is 0. */
-    first: string;
-}
-
-/** The figures of a bake. Lengths are in the blob's units. */
-export interface BakeReport {
-    sourceTriangles: number;
-    sourceVertices: number;
-    notFinite: Finding;
-    indexOutOfRange: Finding;
-    zeroArea: Finding;
-    collapsed: Finding;
-    duplicate: Finding;
-    boundsMin: number[];
-    boundsMax: number[];
-    extent: number;
-    boxVolume: number;
-    orientedBoxVolume: number;
-    sphereVolume: number;
-    kDopVolume: number;
-    step: number;
-    maxError: number;
-    conversionError: number;
-    bits: number;
-    triangles: number;
-    duplicateReferences: number;
-    vertices: number;
-    nodes: number;
-    leaves: number;
-    depth: number;
-    bitsThatKeepClosed: number;
-    bytes: number;
-    seconds: number;
-    isClosed: boolean;
-    warnings: string[];
 }
 
 /** The library, loaded. */

@@ -1,19 +1,19 @@
 // Espalier: baked collision meshes, queried straight from their bytes.
 import { preparedBake, resultOf } from './bake.js';
-import { preparedScene } from './bake_scene.js';
 import { Blob } from './blob.js';
 import { VerifyError } from './errors.js';
-import { Instance } from './instance.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
-import { Opened } from './opened.js';
-import { Scene } from './scene.js';
+import { Instance } from './memory/instance.js';
+import { Opened } from './memory/opened.js';
+import { preparedScene } from './scenes/baking.js';
+import { Scene } from './scenes/scene.js';
 
 export { Blob } from './blob.js';
 export { BakeError, EspalierError, MemoryError, OpenError, QueryError, VerifyError } from './errors.js';
 export { hasSimd } from './load.js';
 export * as pairs from './pairs.js';
 export { Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
-export { Scene } from './scene.js';
+export { Scene } from './scenes/scene.js';
 
 const OK = 0;
 

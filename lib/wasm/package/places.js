@@ -1,5 +1,5 @@
 // Places in the world: rotations, translations and uniform scales, each for one query or for all.
-import { fieldsOf } from './batch.js';
+import { fieldsOf } from './memory/batch.js';
 
 const COMPONENTS = { rotation: 4, translation: 3, scale: 1 };
 const ORIGIN = { rotation: [0, 0, 0, 1], translation: [0, 0, 0], scale: 1 };

@@ -1,6 +1,6 @@
 // Points against one blob: closest points and triangles, inside, and how often the surface winds around.
 import { integer, Strided } from './arguments.js';
-import { fieldsOf } from './batch.js';
+import { fieldsOf } from './memory/batch.js';
 import { RayQueries } from './rays.js';
 import { YesNo } from './results.js';
 

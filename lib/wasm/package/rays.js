@@ -1,6 +1,6 @@
 // Rays against one blob: the points origin + t * direction with tMin <= t <= tMax.
 import { cullingNumber, integer, Strided } from './arguments.js';
-import { Opened } from './opened.js';
+import { Opened } from './memory/opened.js';
 import { YesNo } from './results.js';
 
 export class RayQueries extends Opened {

@@ -1,6 +1,6 @@
 // Volumes, bodies and moving shapes against one blob.
 import { cullingNumber, integer, Strided } from './arguments.js';
-import { fieldsOf } from './batch.js';
+import { fieldsOf } from './memory/batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
 

@@ -1,4 +1,4 @@
-// Uses every declaration of index.d.ts.
+// Uses every declaration of index.d.ts and of the files that it names.
 import {
     BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
     VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Contacts, type Corners, type Espalier,

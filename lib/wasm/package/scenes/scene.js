@@ -1,8 +1,8 @@
 // Scenes: many instances of blobs, each with a place in the world.
-import { cullingNumber, integer, Strided } from './arguments.js';
-import { Opened } from './opened.js';
-import { YesNo } from './results.js';
-import { fieldsOfShape, MOVING, nameInC, VOLUMES } from './shapes.js';
+import { cullingNumber, integer, Strided } from '../arguments.js';
+import { Opened } from '../memory/opened.js';
+import { YesNo } from '../results.js';
+import { fieldsOfShape, MOVING, nameInC, VOLUMES } from '../shapes.js';
 
 /// Shares a bit with the mask of every instance but 0.
 const ALL = 0xFFFFFFFF;

@@ -1,6 +1,6 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
-import type { Box, Capsule, OrientedBox, Places, RayOptions, Sphere, SweepOptions, Vectors, Volume } from './index.js';
-import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from './results.js';
+import type { Box, Capsule, OrientedBox, Places, RayOptions, Sphere, SweepOptions, Vectors, Volume } from '../arguments.js';
+import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from '../results.js';
 
 export interface SceneOptions {
     /** Instances whose mask shares no bit with it are passed over. All bits unless given. */

@@ -1,11 +1,11 @@
 // One call of a batch: its memory, its arguments and its results.
-import { commonCount, Strided } from './arguments.js';
-import { QueryError } from './errors.js';
-import { Lists } from './results.js';
+import { commonCount, Strided } from '../arguments.js';
+import { QueryError } from '../errors.js';
+import { Lists } from '../results.js';
 
 const REFUSED = 16, OUTPUT_FULL = 3;
 
-/// A call of some queries of a blob or another view. Its memory is released by release(), which Opened.batch() calls.
+/// A call of some queries of a blob or another view. Its memory is released by release(), which Held.batch() calls.
 export class Batch {
     #memory = [];
 

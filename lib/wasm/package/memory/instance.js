@@ -1,5 +1,5 @@
 // One instance of a module: its functions, its memory, and the layouts of its structures.
-import { MemoryError } from './errors.js';
+import { MemoryError } from '../errors.js';
 import { importsOf } from './imports.js';
 
 const NO_MEMORY = 17;

@@ -1,6 +1,6 @@
 // Bytes that were opened, in the memory of the module.
 import { Batch } from './batch.js';
-import { OpenError, QueryError } from './errors.js';
+import { OpenError, QueryError } from '../errors.js';
 
 const OK = 0, NOT_OPEN = 16;
 

@@ -1,8 +1,8 @@
 // Baking scenes: blobs and instances in the memory of an instance of the module that bakes once.
-import { integer } from './arguments.js';
-import { errorOf, resultOf } from './bake.js';
-import { Batch } from './batch.js';
-import { fieldsOfPlaces } from './places.js';
+import { integer } from '../arguments.js';
+import { errorOf, resultOf } from '../bake.js';
+import { Batch } from '../memory/batch.js';
+import { fieldsOfPlaces } from '../places.js';
 
 const OK = 0, ALL = 0xFFFFFFFF;
 
