@@ -9,7 +9,7 @@ import { folder } from './support/setup.mjs';
 test('the code of wasm.md runs', async () => {
     const document = await readFile(new URL('../../docs/wasm.md', import.meta.url), 'utf8');
     const blocks = [...document.matchAll(/^```js\n([^]*?)^```$/gm)].map(([, code]) => code);
-    assert.ok(blocks.length >= 6);
+    assert.ok(blocks.length >= 8);
     const questions = new URL('support/questions.mjs', import.meta.url), bytes = `${folder}/node_modules/espalier/espalier.wasm`;
     const start = `import { readFile } from 'node:fs/promises';
 import { lumpyBody, questions } from '${questions}';
@@ -18,11 +18,11 @@ const origins = asked.origins.subarray(0, 60), directions = asked.directions.sub
 const interleaved = new Float32Array(80), compiledModule = await WebAssembly.compile(await readFile('${bytes}'));
 const printed = [], console = { log: (...values) => printed.push(values) };
 `;
-    const end = '\nexport { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, touches };\n';
+    const end = '\nexport { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, tetrahedron, touches };\n';
     await writeFile(`${folder}/documented.mjs`, start + blocks.join('\n') + end);
-    const { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, touches } = await import(pathToFileURL(`${folder}/documented.mjs`));
+    const { apart, blob, collides, down, hits, nearest, printed, scene, seen, swept, tetrahedron, touches } = await import(pathToFileURL(`${folder}/documented.mjs`));
     assert.ok(hits.status.includes(0) && down.t.length === 20 && nearest.distance.length === 10 && touches.length === 20);
-    assert.deepStrictEqual([...swept.status], [0]);
+    assert.deepStrictEqual([...swept.status, ...tetrahedron.status], [0, 0]);
     assert.ok(collides.length === 20 && apart.status.includes(0) && scene.instanceCount === 3 && seen.instance.includes(0));
     assert.ok(blob.maxError <= 0.0005);
     const [message, triangle] = printed.at(-2);

@@ -26,10 +26,13 @@ test('mistakes do not compile', { skip }, async () => {
         'library.bake(mesh, { profile: "huge" });', 'const t: Uint32Array = blob.raycast(origins, origins).t;',
         'blob.contacts({ kind: "box", min: origins, max: origins }, 4);', 'blob.contacts({ kind: "sphere", center: origins, radius: 1 });',
         'library.bakeScene(blob);', 'library.bakeScene([blob], { place: origins });', 'scene.raycast(origins, origins, { mask: [1] });',
+        'blob.overlaps(hull);', 'blob.sweep({ kind: "convexHull", vertices: origins, offsets: 4 }, origins);',
+        'blob.sweep({ kind: "convexVolume", planes: origins }, origins);', 'scene.overlaps({ kind: "convexVolume", planes: origins });',
         'pairs.overlaps(blob);', 'pairs.distance(blob, { translation: origins });', 'pairs.contacts(blob, blob, { workLimit: 5n });',
     ];
-    const start = 'import { load, Blob, pairs } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
-        'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\nconst scene = await library.bakeScene([blob]);\n';
+    const start = 'import { load, Blob, pairs, type ConvexHull } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
+        'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\nconst scene = await library.bakeScene([blob]);\n' +
+        'const hull: ConvexHull = { kind: "convexHull", vertices: origins };\n';
     await writeFile(`${folder}/mistakes.mts`, start + mistakes.join('\n'));
     const { stdout } = compile('mistakes.mts');
     const lines = new Set([...stdout.matchAll(/^mistakes\.mts\((\d+),/gm)].map(([, line]) => Number(line)));

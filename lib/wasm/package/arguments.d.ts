@@ -58,4 +58,26 @@ export interface OrientedBox { kind: 'orientedBox'; center: Vectors; halfAxes: V
 /** The convex hull of a point and of a disc around apex + axis, perpendicular to the axis. */
 export interface Cone { kind: 'cone'; apex: Vectors; axis: Vectors; radius: Numbers }
 export interface Triangle { kind: 'triangle'; a: Vectors; b: Vectors; c: Vectors }
+/** The convex hulls of at most 64 vertices each, in any order. */
+export interface ConvexHull {
+    kind: 'convexHull';
+    /** Three numbers for each vertex: of one hull, which serves all queries, or of those that `offsets` divide. */
+    vertices: Vectors;
+    /** One more than there are hulls: hull i has the vertices from offsets[i] to offsets[i + 1], counted in vertices. */
+    offsets?: Offsets;
+}
+/** All points with dot(normal, x) <= offset for each of at most 32 planes. */
+export interface ConvexVolume {
+    kind: 'convexVolume';
+    /** Four numbers for each plane: its normal, of any length but zero, and its offset. */
+    planes: Vectors;
+    /** As those of ConvexHull, counted in planes. */
+    offsets?: Offsets;
+}
+export type Offsets = Uint32Array | Uint16Array | Int32Array | readonly number[];
+/** What overlaps() takes, of a blob ConvexVolume too. */
 export type Volume = Sphere | Capsule | Box | OrientedBox | Cone | Triangle;
+/** What sweep() takes. */
+export type Moving = Sphere | Capsule | Box | OrientedBox | ConvexHull;
+/** What contacts() takes. */
+export type Body = Sphere | Capsule | OrientedBox | ConvexHull;

@@ -1,6 +1,8 @@
 // Types of espalier: baked collision meshes, queried straight from their bytes.
 
-import type { Box, Capsule, Numbers, OrientedBox, RayOptions, Segment, Sphere, SweepOptions, Triangles, Vectors, Volume } from './arguments.js';
+import type {
+    Body, Box, ConvexVolume, Moving, Numbers, RayOptions, Segment, SweepOptions, Triangles, Vectors, Volume,
+} from './arguments.js';
 import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
     ClosestPoints, Contacts, Corners, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, SweepHits, WindingNumbers, YesNo,
@@ -85,16 +87,16 @@ export class Blob {
     windingNumber(points: Vectors, directions?: number): WindingNumbers;
 
     /** Returns whether any triangle touches each shape. */
-    overlaps(shape: Volume): YesNo;
+    overlaps(shape: Volume | ConvexVolume): YesNo;
     /** Returns the triangles that touch each shape, ascending. */
-    overlappingTriangles(shape: Volume): Lists<Uint32Array>;
+    overlappingTriangles(shape: Volume | ConvexVolume): Lists<Uint32Array>;
     /**
      * Returns the contacts of each body with the triangles within a margin, 0 unless given, the deepest first. Of more than
      * `most` the deepest are kept, and the status is OUTPUT_FULL.
      */
-    contacts(shape: Sphere | Capsule | OrientedBox, most: number, margin?: Numbers): Lists<Contacts>;
+    contacts(shape: Body, most: number, margin?: Numbers): Lists<Contacts>;
     /** Returns the first contact of each shape as it moves by a displacement. */
-    sweep(shape: Sphere | Capsule | Box | OrientedBox, displacements: Vectors, options?: SweepOptions): SweepHits;
+    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions): SweepHits;
 
     /** Returns the baked corners of triangles. */
     corners(triangles: Triangles): Corners;

@@ -1,11 +1,11 @@
 // Volumes, bodies and moving shapes against one blob.
-import { cullingNumber, integer, Strided } from './arguments.js';
+import { cullingNumber, integer, integers, Strided } from './arguments.js';
 import { fieldsOf } from './memory/batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
 
 /// The fields of each shape, and how many numbers each of them has.
-export const VOLUMES = {
+const FIELDS = {
     sphere: { center: 3, radius: 1 },
     capsule: { from: 3, to: 3, radius: 1 },
     box: { min: 3, max: 3 },
@@ -13,20 +13,47 @@ export const VOLUMES = {
     cone: { apex: 3, axis: 3, radius: 1 },
     triangle: { a: 3, b: 3, c: 3 },
 };
-export const MOVING = ['sphere', 'capsule', 'box', 'orientedBox'];
-const BODIES = ['sphere', 'capsule', 'orientedBox'];
+export const VOLUMES = Object.keys(FIELDS);
+export const MOVING = ['sphere', 'capsule', 'box', 'orientedBox', 'convexHull'];
+const BODIES = ['sphere', 'capsule', 'orientedBox', 'convexHull'];
+
+/// Shapes of any number of parts, and how many numbers each of those has.
+const OF_PARTS = { convexHull: { field: 'vertices', components: 3 }, convexVolume: { field: 'planes', components: 4 } };
 
 /// orientedBox: oriented_box
-export const nameInC = (kind) => kind.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+const nameInC = (kind) => kind.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
-export function fieldsOfShape(shape, kinds) {
-    if (!kinds.includes(shape?.kind)) throw new RangeError(`the kind of a shape must be one of ${kinds.join(', ')}, not ${shape?.kind}`);
-    return fieldsOf(shape, VOLUMES[shape.kind], shape.kind);
+/// Checks shapes of one kind. Returns its name in C, the arguments, and place(batch), which writes a structure for each
+/// query and returns their address.
+export function shapesOf(given, kinds) {
+    if (!kinds.includes(given?.kind)) throw new RangeError(`the kind of a shape must be one of ${kinds.join(', ')}, not ${given?.kind}`);
+    const name = nameInC(given.kind);
+    if (Object.hasOwn(OF_PARTS, given.kind)) return shapesOfParts(given, name, OF_PARTS[given.kind]);
+    const fields = fieldsOf(given, FIELDS[given.kind], given.kind);
+    return { name, arguments: Object.values(fields), place: (batch) => batch.placeRecords(name, fields) };
+}
+
+function shapesOfParts(given, name, { field, components }) {
+    const parts = new Strided(given[field], components, `${given.kind}.${field}`);
+    const offsets = given.offsets == null ? Uint32Array.of(0, parts.count) : integers(given.offsets, `${given.kind}.offsets`);
+    const isOrdered = offsets.every((offset, i) => i === 0 || offset >= offsets[i - 1]);
+    if (offsets.length === 0 || !isOrdered || offsets.at(-1) > parts.count)
+        throw new RangeError(`${given.kind}.offsets must ascend from where the first shape begins to where the last one ends, at most ${parts.count}`);
+    const shapes = { name: given.kind, count: offsets.length - 1 };
+    return {
+        name, arguments: [shapes],
+        place(batch) {
+            const records = batch.allocateRecords(name), at = batch.allocate(4 * offsets.length);
+            batch.instance.array(Uint32Array, at, offsets.length).set(offsets);
+            batch.functions[`wasm_place_${name}`](records, batch.count, batch.placeAll(parts, components), at, shapes.count);
+            return records;
+        },
+    };
 }
 
 export class ShapeQueries extends PointQueries {
     overlaps(shape) {
-        return this.#ofShapes(shape, Object.keys(VOLUMES), [], (batch, name, shapes) => {
+        return this.#ofShapes(shape, [...VOLUMES, 'convexVolume'], [], (batch, name, shapes) => {
             const answers = batch.allocate(batch.count);
             batch.functions[`wasm_overlaps_${name}`](answers, batch.view, shapes, batch.count);
             return new YesNo(batch.copy(Uint8Array, answers));
@@ -34,7 +61,7 @@ export class ShapeQueries extends PointQueries {
     }
 
     overlappingTriangles(shape) {
-        return this.#ofShapes(shape, Object.keys(VOLUMES), [], (batch, name, shapes) => {
+        return this.#ofShapes(shape, [...VOLUMES, 'convexVolume'], [], (batch, name, shapes) => {
             const { bytes } = batch.instance.records[name];
             return batch.collect(4, (filled, done, to) => batch.functions[`wasm_collect_overlaps_${name}`](
                 filled, batch.view, shapes + done * bytes, to.statuses, to.offsets, to.count, to.items, to.capacity),
@@ -63,11 +90,8 @@ export class ShapeQueries extends PointQueries {
         });
     }
 
-    #ofShapes(shape, kinds, others, use) {
-        const fields = fieldsOfShape(shape, kinds);
-        return this.batch([...Object.values(fields), ...others], (batch) => {
-            const name = nameInC(shape.kind);
-            return use(batch, name, batch.placeRecords(name, fields));
-        });
+    #ofShapes(given, kinds, others, use) {
+        const shapes = shapesOf(given, kinds);
+        return this.batch([...shapes.arguments, ...others], (batch) => use(batch, shapes.name, shapes.place(batch)));
     }
 }

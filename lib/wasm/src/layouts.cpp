@@ -114,6 +114,8 @@ RECORD(capsule, FIELD(from), FIELD(to), FIELD(radius))
 RECORD(box, FIELD(min), FIELD(max))
 RECORD(oriented_box, FIELD(center), FIELD(half_axes))
 RECORD(cone, FIELD(apex), FIELD(axis), FIELD(radius))
+RECORD(convex_hull, FIELD(vertices), FIELD(vertex_count))
+RECORD(convex_volume, FIELD(planes), FIELD(plane_count))
 RECORD(triangle, FIELD(a), FIELD(b), FIELD(c))
 RECORD(segment, FIELD(from), FIELD(to))
 RECORD(contact, FIELD(point), FIELD(normal), FIELD(distance), FIELD(triangle), FIELD(feature), FIELD(side))
@@ -163,11 +165,12 @@ using AllRecords =
     Records<blob_table, filled_table, filled_lists_table, strided_vec3_table, ray_arrays_table, ray_hit_table,
             closest_point_result_table, float_result_table, sweep_hit_table, sweep_options_table,
             original_triangle_table, original_triangle_result_table, original_hit_table, triangle_result_table,
-            sphere_table, capsule_table, box_table, oriented_box_table, cone_table, triangle_table, segment_table,
-            contact_table, transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table,
-            instance_table, ray_table, scene_ray_hit_table, scene_closest_point_result_table, scene_sweep_hit_table,
-            scene_sweep_options_table, scene_triangle_table, bytes_table, lattice_table, mesh_view_table,
-            bake_options_table, bake_report_table, bake_warning_table, bake_result_table>;
+            sphere_table, capsule_table, box_table, oriented_box_table, cone_table, convex_hull_table,
+            convex_volume_table, triangle_table, segment_table, contact_table, transform_table, pair_contact_table,
+            pair_touch_table, blob_distance_table, scene_table, instance_table, ray_table, scene_ray_hit_table,
+            scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
+            bytes_table, lattice_table, mesh_view_table, bake_options_table, bake_report_table, bake_warning_table,
+            bake_result_table>;
 
 }  // namespace
 

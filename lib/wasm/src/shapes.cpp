@@ -41,6 +41,7 @@ ESPALIER_WASM_OVERLAPS(box)
 ESPALIER_WASM_OVERLAPS(oriented_box)
 ESPALIER_WASM_OVERLAPS(cone)
 ESPALIER_WASM_OVERLAPS(triangle)
+ESPALIER_WASM_OVERLAPS(convex_volume)
 
 #define ESPALIER_WASM_SWEEP(shape)                                                                        \
     extern "C" [[clang::export_name("wasm_sweep_" #shape)]] void wasm_sweep_##shape(                      \
@@ -54,6 +55,7 @@ ESPALIER_WASM_SWEEP(sphere)
 ESPALIER_WASM_SWEEP(capsule)
 ESPALIER_WASM_SWEEP(box)
 ESPALIER_WASM_SWEEP(oriented_box)
+ESPALIER_WASM_SWEEP(convex_hull)
 
 #define ESPALIER_WASM_CLOSEST(shape)                                                                       \
     extern "C" [[clang::export_name("wasm_closest_point_" #shape)]] void wasm_closest_point_##shape(       \

@@ -76,10 +76,12 @@ void answer_sweep(const espalier::Blob& blob, Words& words, const Shape& shape, 
 void answer_shapes(const espalier::Blob& blob, const Questions& questions) {
     Words segments("closest_to_segments");
     Words boxes("closest_to_boxes");
-    Words touching[] = {Words("sphere"),       Words("capsule"), Words("box"),
-                        Words("oriented_box"), Words("cone"),    Words("triangle")};
-    Words contacts[] = {Words("contacts_sphere"), Words("contacts_capsule"), Words("contacts_oriented_box")};
-    Words sweeps[] = {Words("sweep_sphere"), Words("sweep_capsule"), Words("sweep_box"), Words("sweep_oriented_box")};
+    Words touching[] = {Words("sphere"), Words("capsule"),  Words("box"),          Words("oriented_box"),
+                        Words("cone"),   Words("triangle"), Words("convex_volume")};
+    Words contacts[] = {Words("contacts_sphere"), Words("contacts_capsule"), Words("contacts_oriented_box"),
+                        Words("contacts_convex_hull")};
+    Words sweeps[] = {Words("sweep_sphere"), Words("sweep_capsule"), Words("sweep_box"), Words("sweep_oriented_box"),
+                      Words("sweep_convex_hull")};
     for (std::size_t i = 0; i < questions.origins.size(); ++i) {
         const auto [sphere, capsule, box, oriented_box, cone, triangle] = questions.shapes(i);
         const espalier::Vec3 displacement = questions.directions[i];
@@ -91,13 +93,16 @@ void answer_shapes(const espalier::Blob& blob, const Questions& questions) {
         answer_volume(blob, touching[3], oriented_box);
         answer_volume(blob, touching[4], cone);
         answer_volume(blob, touching[5], triangle);
+        answer_volume(blob, touching[6], questions.volume(i));
         answer_contacts(blob, contacts[0], sphere, questions.limits[i]);
         answer_contacts(blob, contacts[1], capsule, questions.limits[i]);
         answer_contacts(blob, contacts[2], oriented_box, questions.limits[i]);
+        answer_contacts(blob, contacts[3], questions.hull(i), questions.limits[i]);
         answer_sweep(blob, sweeps[0], sphere, displacement);
         answer_sweep(blob, sweeps[1], capsule, displacement);
         answer_sweep(blob, sweeps[2], box, displacement);
         answer_sweep(blob, sweeps[3], oriented_box, displacement);
+        answer_sweep(blob, sweeps[4], questions.hull(i), displacement);
     }
 }
 

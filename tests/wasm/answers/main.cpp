@@ -1,7 +1,7 @@
 // answers FOLDER: bakes FOLDER/positions and FOLDER/triangles twice, writes FOLDER/blob, FOLDER/coarse_blob and
-// FOLDER/scene, and queries them with the arrays of float32 FOLDER/origins, directions, limits and radii. Writes the
-// answers of each query to a file of its name, as words in the order of the fields. Each comes from one call of C++ for
-// each question.
+// FOLDER/scene, and queries them with the arrays of float32 FOLDER/origins, directions, limits, radii, vertices and
+// planes, and those of uint32 FOLDER/vertexOffsets and planeOffsets. Writes the answers of each query to a file of its
+// name, as words in the order of the fields. Each comes from one call of C++ for each question.
 #include <cstdio>
 #include <cstdlib>
 #include <span>
@@ -70,8 +70,14 @@ int main(int argument_count, char** arguments) {
     const espalier::BakeResult coarse = bake(mesh, options, "coarse_blob");
     const espalier::Blob blob = espalier::open(baked.bytes);
     const espalier::Blob coarse_blob = espalier::open(coarse.bytes);
-    const Questions questions = {read<espalier::Vec3>("origins"), read<espalier::Vec3>("directions"),
-                                 read<float>("limits"), read<float>("radii")};
+    const Questions questions = {read<espalier::Vec3>("origins"),
+                                 read<espalier::Vec3>("directions"),
+                                 read<float>("limits"),
+                                 read<float>("radii"),
+                                 read<espalier::Vec3>("vertices"),
+                                 read<std::uint32_t>("vertexOffsets"),
+                                 read<espalier::Plane>("planes"),
+                                 read<std::uint32_t>("planeOffsets")};
     answer_blob(blob, questions);
     answer_pairs(blob, coarse_blob, questions);
     const std::span<const std::byte> blobs[] = {baked.bytes, coarse.bytes};

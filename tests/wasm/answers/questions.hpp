@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Questions {
     std::vector<espalier::Vec3> directions;
     std::vector<float> limits;
     std::vector<float> radii;
+    std::vector<espalier::Vec3> vertices;
+    std::vector<std::uint32_t> vertex_offsets;
+    std::vector<espalier::Plane> planes;
+    std::vector<std::uint32_t> plane_offsets;
 
     [[nodiscard]] espalier::Ray ray(std::size_t i) const {
         return {origins[i], directions[i], 0.05f, limits[i], static_cast<espalier::FaceCulling>(i % 3)};
@@ -35,6 +40,15 @@ struct Questions {
         const espalier::Vec3 c = directions[(i + 1) % directions.size()];
         const float radius = radii[i];
         return {{a, radius}, {a, b, radius}, {a, b}, {a, {b, c, {0.0f, 0.0f, radius}}}, {a, b, radius}, {a, b, c}};
+    }
+    [[nodiscard]] espalier::ConvexHull hull(std::size_t i) const { return {part(vertices, vertex_offsets, i)}; }
+    [[nodiscard]] espalier::ConvexVolume volume(std::size_t i) const { return {part(planes, plane_offsets, i)}; }
+
+private:
+    template <class Part>
+    static std::span<const Part> part(const std::vector<Part>& all, const std::vector<std::uint32_t>& offsets,
+                                      std::size_t i) {
+        return std::span(all).subspan(offsets[i], offsets[i + 1] - offsets[i]);
     }
 };
 

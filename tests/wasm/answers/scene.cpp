@@ -68,7 +68,7 @@ void answer_shapes(const espalier::BakedScene& scene, const Questions& questions
     Words touching[] = {Words("scene_sphere"),       Words("scene_capsule"), Words("scene_box"),
                         Words("scene_oriented_box"), Words("scene_cone"),    Words("scene_triangle")};
     Words sweeps[] = {Words("scene_sweep_sphere"), Words("scene_sweep_capsule"), Words("scene_sweep_box"),
-                      Words("scene_sweep_oriented_box")};
+                      Words("scene_sweep_oriented_box"), Words("scene_sweep_convex_hull")};
     for (std::size_t i = 0; i < questions.origins.size(); ++i) {
         const Shapes shapes = questions.shapes(i);
         answer_volume(scene, shapes.sphere, touching[0]);
@@ -81,6 +81,7 @@ void answer_shapes(const espalier::BakedScene& scene, const Questions& questions
         answer_sweep(scene, shapes.capsule, questions.directions[i], sweeps[1]);
         answer_sweep(scene, shapes.box, questions.directions[i], sweeps[2]);
         answer_sweep(scene, shapes.oriented_box, questions.directions[i], sweeps[3]);
+        answer_sweep(scene, questions.hull(i), questions.directions[i], sweeps[4]);
     }
 }
 

@@ -51,8 +51,13 @@ function answerPoints(blob, { origins }, words) {
     words.winding_number = wordsOf('winding', blob.windingNumber(origins, 7));
 }
 
+/// The shapes that queries take, by their names in C++.
+const VOLUMES = ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle', 'convex_volume'];
+const BODIES = ['sphere', 'capsule', 'oriented_box', 'convex_hull'];
+export const MOVING = ['sphere', 'capsule', 'box', 'oriented_box', 'convex_hull'];
+
 /// Returns the shapes of C++ by their names there.
-export function shapesOf({ origins, directions, radii }) {
+export function shapesOf({ origins, directions, radii, vertices, vertexOffsets, planes, planeOffsets }) {
     const next = Float32Array.from([...directions.subarray(3), ...directions.subarray(0, 3)]);
     const halfAxes = new Float32Array(3 * origins.length);
     for (let i = 0; i < radii.length; ++i) {
@@ -67,6 +72,8 @@ export function shapesOf({ origins, directions, radii }) {
         oriented_box: { kind: 'orientedBox', center: origins, halfAxes },
         cone: { kind: 'cone', apex: origins, axis: directions, radius: radii },
         triangle: { kind: 'triangle', a: origins, b: directions, c: next },
+        convex_hull: { kind: 'convexHull', vertices, offsets: vertexOffsets },
+        convex_volume: { kind: 'convexVolume', planes, offsets: planeOffsets },
     };
 }
 
@@ -74,20 +81,21 @@ function answerShapes(blob, questions, words) {
     const { origins, directions, limits } = questions;
     words.closest_to_segments = wordsOf('nearest', blob.closestPoint({ kind: 'segment', from: origins, to: directions }, 1.5));
     words.closest_to_boxes = wordsOf('nearest', blob.closestPoint({ kind: 'box', min: origins, max: directions }, 1.5));
-    for (const [name, shape] of Object.entries(shapesOf(questions))) {
-        const touches = blob.overlaps(shape), lists = blob.overlappingTriangles(shape);
+    const shapes = shapesOf(questions);
+    for (const name of VOLUMES) {
+        const touches = blob.overlaps(shapes[name]), lists = blob.overlappingTriangles(shapes[name]);
         words[name] = wordsOfLists('triangle', lists, {
             begin: (to, i) => to.push(touches.status[i]),
             end: (to, i) => to.push(lists.status[i]),
         });
-        if (['sphere', 'capsule', 'oriented_box'].includes(name)) {
-            const contacts = blob.contacts(shape, 5, limits);
-            words[`contacts_${name}`] = wordsOfLists('contact', contacts, {
-                begin: (to, i) => to.push(contacts.end(i) - contacts.begin(i), contacts.status[i]),
-            });
-        }
-        if (!['cone', 'triangle'].includes(name)) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shape, directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
     }
+    for (const name of BODIES) {
+        const contacts = blob.contacts(shapes[name], 5, limits);
+        words[`contacts_${name}`] = wordsOfLists('contact', contacts, {
+            begin: (to, i) => to.push(contacts.end(i) - contacts.begin(i), contacts.status[i]),
+        });
+    }
+    for (const name of MOVING) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
 }
 
 export function answers(blob, questions) {

@@ -55,5 +55,25 @@ export function questions(count = 400) {
     directions.set([0, 0, 0, 1, NaN, 0, 0, 0, -1, 1, 0, 0], 30);
     limits.set([NaN, -1, Infinity, 0], 20);
     radii.set([NaN, -1, Infinity, 0], 25);
-    return { origins, directions, limits, radii };
+    return { origins, directions, limits, radii, ...parts(origins, random) };
+}
+
+/// Returns the vertices of a hull near each origin, and the planes of a volume around it: 0 to 7 each, and in one hull and
+/// one volume more than the library takes.
+function parts(origins, random) {
+    const vertices = [], planes = [], vertexOffsets = [0], planeOffsets = [0];
+    for (let i = 0; i < origins.length / 3; ++i) {
+        const [x, y, z] = origins.subarray(3 * i, 3 * i + 3);
+        for (let k = 0; k < (i === 20 ? 65 : i % 8); ++k) vertices.push(x + random() - 0.5, y + random() - 0.5, z + random() - 0.5);
+        for (let k = 0; k < (i === 21 ? 33 : i % 7); ++k) {
+            const normal = [random() - 0.5, random() - 0.5, random() - 0.5];
+            planes.push(...normal, normal[0] * x + normal[1] * y + normal[2] * z + 0.25 * random());
+        }
+        vertexOffsets.push(vertices.length / 3);
+        planeOffsets.push(planes.length / 4);
+    }
+    return {
+        vertices: Float32Array.from(vertices), vertexOffsets: Uint32Array.from(vertexOffsets),
+        planes: Float32Array.from(planes), planeOffsets: Uint32Array.from(planeOffsets),
+    };
 }

@@ -1,5 +1,5 @@
 // What the package answers about a scene, as words under the names of the files of C++.
-import { shapesOf } from './answers.mjs';
+import { MOVING, shapesOf } from './answers.mjs';
 import { placesOf } from './pairs.mjs';
 import { bits, wordsOf, wordsOfLists } from './words.mjs';
 
@@ -23,11 +23,13 @@ export function sceneAnswers(scene, questions) {
         scene_all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
         scene_closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, { mask })),
     };
-    for (const [name, shape] of Object.entries(shapesOf(questions))) {
-        const touches = scene.overlaps(shape, { mask });
-        words[`scene_${name}`] = rowsOf('scene_triangle', scene.overlappingTriangles(shape, { mask }), (to, i) => to.push(touches.status[i]));
-        if (['cone', 'triangle'].includes(name)) continue;
-        const sweeps = scene.sweep(shape, directions, { culling: 'back', ignoreLeaving: true, skin: 0.01, mask });
+    const shapes = shapesOf(questions);
+    for (const name of ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle']) {
+        const touches = scene.overlaps(shapes[name], { mask });
+        words[`scene_${name}`] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], { mask }), (to, i) => to.push(touches.status[i]));
+    }
+    for (const name of MOVING) {
+        const sweeps = scene.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01, mask });
         words[`scene_sweep_${name}`] = wordsOf('scene_sweep', sweeps);
     }
     return words;

@@ -1,7 +1,7 @@
 // Uses every declaration of index.d.ts and of the files that it names.
 import {
     BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
-    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Contacts, type Corners, type Espalier,
+    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Contacts, type ConvexHull, type ConvexVolume, type Corners, type Espalier,
     type Instances, type InstancesToBake,
     type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
 } from 'espalier';
@@ -71,6 +71,11 @@ const closest: SceneClosestPoints = scene.closestPoint(origins, 2, { mask: 3 });
 const touchedAny: YesNo = scene.overlaps(volumes[0], { mask: 3 });
 const touchedAll: Lists<SceneTriangles> = scene.overlappingTriangles(volumes[0]);
 const sweptIn: SceneSweepHits = scene.sweep(box, directions, { skin: 0.01, mask: 3 });
+const hull: ConvexHull = { kind: 'convexHull', vertices: origins, offsets: [0, 4, 10] };
+const volume: ConvexVolume = { kind: 'convexVolume', planes: new Float32Array(24) };
+const sweptHulls: SweepHits = blob.sweep(hull, directions), hullContacts: Lists<Contacts> = blob.contacts(hull, 4);
+const inVolume: YesNo = blob.overlaps(volume), trianglesIn: Lists<Uint32Array> = blob.overlappingTriangles(volume);
+const hullInScene: SceneSweepHits = scene.sweep(hull, directions, { mask: 1 });
 const facts: number[] = [scene.instanceCount, scene.meshCount, scene.maxError, ...scene.bounds];
 if (!scene.isFreed) scene.free();
 
@@ -83,5 +88,6 @@ const errors: EspalierError[] = [];
 for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
     for (const error of errors) if (error instanceof type) console.log(error.status);
 
+export { hullContacts, hullInScene, inVolume, sweptHulls, trianglesIn };
 export { apart, baked, closest, contact, facts, hidden, inScene, sweptIn, throughAll, touchedAll, touchedAny,
     contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, several, sources, sweeps, touched, touches, touching, windings, within, yes };

@@ -49,11 +49,20 @@ export class Batch {
 
     /// Copies an argument into memory, packed and one element for each query, and returns its address.
     placePacked(argument, components) {
-        const bytes = 4 * components;
         const { first, stride } = this.place(argument);
+        return this.#packed(first, stride, components, this.count);
+    }
+
+    /// Copies all elements of an argument into memory, packed, and returns the address.
+    placeAll(argument, components) {
+        return this.#packed(this.place(argument).first, 4 * argument.stride, components, argument.count);
+    }
+
+    #packed(first, stride, components, count) {
+        const bytes = 4 * components;
         if (stride === bytes) return first;
-        const packed = this.allocate(bytes * this.count);
-        this.functions.wasm_copy_fields(first, stride, packed, bytes, bytes, this.count);
+        const packed = this.allocate(bytes * count);
+        this.functions.wasm_copy_fields(first, stride, packed, bytes, bytes, count);
         return packed;
     }
 

@@ -1,5 +1,5 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
-import type { Box, Capsule, OrientedBox, Places, RayOptions, Sphere, SweepOptions, Vectors, Volume } from '../arguments.js';
+import type { Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
 import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from '../results.js';
 
 export interface SceneOptions {
@@ -81,5 +81,5 @@ export class Scene {
     /** Returns the triangles that touch each shape, in ascending order of instances. */
     overlappingTriangles(shape: Volume, options?: SceneOptions): Lists<SceneTriangles>;
     /** Returns the first contact of each shape as it moves by a displacement. The skin is in world units. */
-    sweep(shape: Sphere | Capsule | Box | OrientedBox, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
+    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
 }

@@ -2,7 +2,7 @@
 import { cullingNumber, integer, Strided } from '../arguments.js';
 import { Opened } from '../memory/opened.js';
 import { YesNo } from '../results.js';
-import { fieldsOfShape, MOVING, nameInC, VOLUMES } from '../shapes.js';
+import { MOVING, shapesOf, VOLUMES } from '../shapes.js';
 
 /// Shares a bit with the mask of every instance but 0.
 const ALL = 0xFFFFFFFF;
@@ -81,7 +81,7 @@ export class Scene extends Opened {
     }
 
     overlaps(shape, options) {
-        return this.#ofShapes(shape, Object.keys(VOLUMES), [], options, (batch, name, shapes, mask) => {
+        return this.#ofShapes(shape, VOLUMES, [], options, (batch, name, shapes, mask) => {
             const answers = batch.allocate(batch.count);
             batch.functions[`wasm_scene_overlaps_${name}`](answers, batch.view, shapes, batch.count, mask);
             return new YesNo(batch.copy(Uint8Array, answers));
@@ -89,7 +89,7 @@ export class Scene extends Opened {
     }
 
     overlappingTriangles(shape, options) {
-        return this.#ofShapes(shape, Object.keys(VOLUMES), [], options, (batch, name, shapes, mask) =>
+        return this.#ofShapes(shape, VOLUMES, [], options, (batch, name, shapes, mask) =>
             lists(batch, 'scene_triangle', `wasm_scene_collect_overlaps_${name}`, name, shapes, mask));
     }
 
@@ -116,11 +116,8 @@ export class Scene extends Opened {
     }
 
     #ofShapes(shape, kinds, others, { mask = ALL } = {}, use) {
-        const fields = fieldsOfShape(shape, kinds), bits = integer(mask, 'mask');
-        return this.batch([...Object.values(fields), ...others], (batch) => {
-            const name = nameInC(shape.kind);
-            return use(batch, name, batch.placeRecords(name, fields), bits);
-        });
+        const shapes = shapesOf(shape, kinds), bits = integer(mask, 'mask');
+        return this.batch([...shapes.arguments, ...others], (batch) => use(batch, shapes.name, shapes.place(batch), bits));
     }
 }
 
