@@ -84,6 +84,31 @@ test('freed scenes and calls of two blobs leave memory for the next', async () =
     assert.strictEqual(sizes()[0], before);
 });
 
+test('freed moving scenes and hulls leave memory for the next', async () => {
+    const { library, sizes } = await loadWatched();
+    const few = origins.subarray(60, 90), rays = [few, directions.subarray(60, 90)];
+    const use = () => {
+        const blob = library.openBlob(baked), tile = library.openScene(scene), moving = library.createMovingScene([blob, blob], 100, { tiles: [tile] });
+        const handles = moving.insert({ translation: few, mesh: [0, 1, 2, 0, 1, 2, 0, 1, 2, 3] });
+        moving.move(handles, { translation: rays[1] });
+        moving.remove({ slot: handles.slot.subarray(0, 2), generation: handles.generation.subarray(0, 2) });
+        const pose = library.openBlob(baked);
+        moving.setMesh(1, pose);
+        moving.allHits(...rays);
+        moving.candidatePairs();
+        const continued = library.openMovingScene(moving.snapshot(), [blob, blob], { tiles: [tile] });
+        blob.sweep({ kind: 'convexHull', vertices: few, offsets: [0, 4, 10] }, [0, 0, 1]);
+        assert.throws(() => library.openMovingScene(moving.snapshot(), [blob], { tiles: [tile] }), OpenError);
+        assert.throws(() => library.createMovingScene([blob], 100, { tiles: [blob] }), TypeError);
+        assert.throws(() => moving.move(handles, { translation: [0, 0] }), RangeError);
+        for (const each of [blob, tile, pose, moving, continued]) each.free();
+    };
+    use();
+    const [before] = sizes();
+    for (let i = 0; i < 300; ++i) use();
+    assert.strictEqual(sizes()[0], before);
+});
+
 const needed = 8e9, skip = freemem() < needed && `less than ${needed} bytes of memory are free`;
 test('a bake that needs more than there is throws with the text of the library', { skip }, async () => {
     const mesh = { positions: new Float32Array(300_000_000), triangles: [0, 1, 2] };

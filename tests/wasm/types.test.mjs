@@ -28,11 +28,14 @@ test('mistakes do not compile', { skip }, async () => {
         'library.bakeScene(blob);', 'library.bakeScene([blob], { place: origins });', 'scene.raycast(origins, origins, { mask: [1] });',
         'blob.overlaps(hull);', 'blob.sweep({ kind: "convexHull", vertices: origins, offsets: 4 }, origins);',
         'blob.sweep({ kind: "convexVolume", planes: origins }, origins);', 'scene.overlaps({ kind: "convexVolume", planes: origins });',
+        'library.createMovingScene([blob]);', 'library.createMovingScene([scene], 4);', 'new MovingScene();', 'moving.move(moving.handles());',
+        'moving.remove([0]);', 'moving.setMesh(0, scene);', 'const a: Uint32Array = moving.candidatePairs({ baked: scene }).items.a;',
+        'moving.candidatePairs({ workLimit: 5 });', 'moving.bytes();', 'library.openMovingScene(moving, [blob]);',
         'pairs.overlaps(blob);', 'pairs.distance(blob, { translation: origins });', 'pairs.contacts(blob, blob, { workLimit: 5n });',
     ];
-    const start = 'import { load, Blob, pairs, type ConvexHull } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
+    const start = 'import { load, Blob, MovingScene, pairs, type ConvexHull } from "espalier";\nconst library = await load();\nconst origins = new Float32Array(3);\n' +
         'const mesh = { positions: origins, triangles: [0, 1, 2] };\nconst blob = await library.bake(mesh);\nconst scene = await library.bakeScene([blob]);\n' +
-        'const hull: ConvexHull = { kind: "convexHull", vertices: origins };\n';
+        'const moving = library.createMovingScene([blob], 4), hull: ConvexHull = { kind: "convexHull", vertices: origins };\n';
     await writeFile(`${folder}/mistakes.mts`, start + mistakes.join('\n'));
     const { stdout } = compile('mistakes.mts');
     const lines = new Set([...stdout.matchAll(/^mistakes\.mts\((\d+),/gm)].map(([, line]) => Number(line)));
@@ -43,16 +46,17 @@ test('mistakes do not compile', { skip }, async () => {
 test('every name of the package has a type and every type a value', async () => {
     const typesOf = (file) => readFile(`${folder}/node_modules/espalier/${file}.d.ts`, 'utf8');
     const declaredIn = (text) => [...text.matchAll(/^export (?:class|const|function|\* as) (\w+)/gm)].map(([, name]) => name).sort();
-    const types = (await Promise.all(['index', 'arguments', 'bake', 'results', 'scenes/scene'].map(typesOf))).join('');
+    const types = (await Promise.all(['index', 'arguments', 'bake', 'results', 'scenes/scene', 'scenes/moving_scene'].map(typesOf))).join('');
     assert.deepStrictEqual(declaredIn(types), Object.keys(espalier).sort());
     const typesOfPairs = await typesOf('pairs');
     assert.deepStrictEqual(declaredIn(typesOfPairs), Object.keys(espalier.pairs).sort());
     const library = await espalier.load();
     const blob = await library.bake({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] });
-    const scene = await library.bakeScene([blob]);
-    const membersOf = (name, text = types) => [...text.match(new RegExp(`export (?:class|interface) ${name} [^]*?\n}`))[0]
+    const scene = await library.bakeScene([blob]), moving = library.createMovingScene([blob, blob], 4);
+    moving.insert({ mesh: [0, 1] });
+    const membersOf = (name, text = types) => [...text.match(new RegExp(`export (?:class|interface) ${name}[ <][^]*?\n}`))[0]
         .matchAll(/^    (?:readonly )?(\w+)[(?:]/gm)].map(([, member]) => member);
-    for (const [name, value] of Object.entries({ Blob: blob, Scene: scene, Espalier: library, BakeReport: blob.report, BlobInfo: blob.info() }))
+    for (const [name, value] of Object.entries({ Blob: blob, Scene: scene, MovingScene: moving, SceneQueries: moving, Espalier: library, BakeReport: blob.report, BlobInfo: blob.info() }))
         for (const member of membersOf(name)) assert.ok(member in value, `${name} has no ${member}`);
     assert.deepStrictEqual(membersOf('BakeReport').sort(), Object.keys(blob.report).sort());
     assert.deepStrictEqual(membersOf('BlobInfo').sort(), Object.keys(blob.info()).sort());
@@ -63,6 +67,11 @@ test('every name of the package has a type and every type a value', async () => 
     assert.deepStrictEqual(membersOf('Instances').sort(), Object.keys(scene.instances()).sort());
     const { instance, inTile, ...hits } = scene.raycast([0, 0, 1], [0, 0, -1]);
     assert.deepStrictEqual([Object.keys(hits).sort(), instance.length, inTile.length], [membersOf('RayHits').sort(), 1, 1]);
+    const columns = {
+        Instances: moving.instances(), FoundHandles: moving.handles(), InstancePairs: moving.candidatePairs().items,
+        BakedPairs: moving.candidatePairs({ baked: scene }).items, CollectedPairs: moving.collidingPairs(),
+    };
+    for (const [name, all] of Object.entries(columns)) assert.deepStrictEqual(membersOf(name).sort(), Object.keys(all).sort(), name);
     const { contacts, distance, touches } = espalier.pairs;
     const results = { PairContacts: contacts(blob, blob).items, PairTouches: touches(blob, blob).items, BlobDistances: distance(blob, blob) };
     for (const [name, columns] of Object.entries(results))

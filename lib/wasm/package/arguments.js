@@ -3,6 +3,9 @@
 /// The largest number that the library takes for a triangle or a vertex; no blob has such a triangle.
 const LARGEST = 0xFFFFFFFF;
 
+/// A work limit that no query reaches.
+const UNLIMITED = 0xFFFFFFFFFFFFFFFFn;
+
 const CULLING = ['none', 'back', 'front'];
 
 /// Returns the position of a name in a list of names.
@@ -12,10 +15,10 @@ export function choice(of, name, names) {
     return number;
 }
 
-/// Returns a number that the library takes as an integer of 32 bits.
-export function integer(number, name) {
-    if (!Number.isInteger(number) || number < 0 || number > LARGEST)
-        throw new RangeError(`${name} must be an integer from 0 to ${LARGEST}, not ${String(number)}`);
+/// Returns a number that the library takes as an integer: of 32 bits without a sign, unless other limits are given.
+export function integer(number, name, lowest = 0, highest = LARGEST) {
+    if (!Number.isInteger(number) || number < lowest || number > highest)
+        throw new RangeError(`${name} must be an integer from ${lowest} to ${highest}, not ${String(number)}`);
     return number;
 }
 
@@ -76,4 +79,18 @@ export function integers(given, name, allowUint16 = false) {
         if (!Number.isInteger(number)) throw new TypeError(`${name} must be integers, not ${number}`);
         return number < 0 || number > LARGEST ? LARGEST : number;
     });
+}
+
+/// Makes an argument of integers of 32 bits: one for each element, or one that serves all.
+export function integerColumn(given, name) {
+    const array = numbers(typeof given === 'number' ? [given] : given, name);
+    const column = array instanceof Uint32Array ? array : Uint32Array.from(array, (number) => integer(number, name));
+    return { name, array: column, count: column.length, stride: 1 };
+}
+
+/// Returns how many pairs of nodes or leaves a query may visit, as the library takes it.
+export function visits(limit) {
+    if (limit === Infinity) return UNLIMITED;
+    if (!Number.isSafeInteger(limit) || limit < 0) throw new RangeError(`workLimit must be an integer from 0 on, or Infinity, not ${String(limit)}`);
+    return BigInt(limit);
 }

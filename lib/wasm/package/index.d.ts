@@ -7,11 +7,13 @@ import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
     ClosestPoints, Contacts, Corners, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, SweepHits, WindingNumbers, YesNo,
 } from './results.js';
+import type { MovingScene, MovingSceneOptions } from './scenes/moving_scene.js';
 import type { InstancesToBake, Scene } from './scenes/scene.js';
 
 export * from './arguments.js';
 export * from './bake.js';
 export * from './results.js';
+export * from './scenes/moving_scene.js';
 export * from './scenes/scene.js';
 /** Queries of two blobs. */
 export * as pairs from './pairs.js';
@@ -122,6 +124,17 @@ export interface Espalier {
     bakeScene(blobs: readonly (Blob | Scene | ArrayBuffer | ArrayBufferView)[], instances?: InstancesToBake): Promise<Scene>;
     /** Opens a baked scene: copies the bytes into the module's memory and checks all of them. */
     openScene(bytes: ArrayBuffer | ArrayBufferView): Scene;
+    /**
+     * Makes an empty scene whose instances come, move and go. Instances name the blobs by their numbers. `capacity` is the
+     * largest number of instances at once, 1 to 2^24; it takes about 161 bytes for each. Freeing a blob or a tile leaves the scene
+     * as it is.
+     */
+    createMovingScene(blobs: readonly Blob[], capacity: number, options?: MovingSceneOptions & { stepExponent?: number }): MovingScene;
+    /**
+     * Continues with a snapshot, whose handles stay valid. Takes the blobs and tiles of that scene, and throws OpenError for
+     * those of other bounds or lattice steps, and for other bytes.
+     */
+    openMovingScene(snapshot: ArrayBuffer | ArrayBufferView, blobs: readonly Blob[], options?: MovingSceneOptions): MovingScene;
     /** Tests whether a blob is what its header states. Throws VerifyError with the first thing that is wrong. */
     verify(source: Blob | ArrayBuffer | ArrayBufferView): Promise<void>;
     /** Tests whether a scene is what its header states, as verify() does. */

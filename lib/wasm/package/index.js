@@ -6,6 +6,7 @@ import { compiled, hasSimd, moduleBeside } from './load.js';
 import { Instance } from './memory/instance.js';
 import { Opened } from './memory/opened.js';
 import { preparedScene } from './scenes/baking.js';
+import { MovingScene } from './scenes/moving_scene.js';
 import { Scene } from './scenes/scene.js';
 
 export { Blob } from './blob.js';
@@ -13,6 +14,7 @@ export { BakeError, EspalierError, MemoryError, OpenError, QueryError, VerifyErr
 export { hasSimd } from './load.js';
 export * as pairs from './pairs.js';
 export { Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
+export { MovingScene } from './scenes/moving_scene.js';
 export { Scene } from './scenes/scene.js';
 
 const OK = 0;
@@ -49,6 +51,14 @@ class Espalier {
 
     openScene(source) {
         return new Scene(this.#instance, bytesOf(source));
+    }
+
+    createMovingScene(blobs, capacity, options) {
+        return MovingScene.create(this.#instance, blobs, capacity, options);
+    }
+
+    openMovingScene(snapshot, blobs, options) {
+        return MovingScene.open(this.#instance, bytesOf(snapshot), blobs, options);
     }
 
     async verify(source) {

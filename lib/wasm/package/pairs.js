@@ -1,10 +1,8 @@
 // Pairs of blobs, each at one place in the world or at many.
-import { Strided } from './arguments.js';
+import { Strided, visits } from './arguments.js';
 import { Blob } from './blob.js';
 import { fieldsOfPlaces } from './places.js';
 import { YesNo } from './results.js';
-
-const UNLIMITED = 0xFFFFFFFFFFFFFFFFn;
 
 export function overlaps(a, b, options) {
     return answers('wasm_pair_overlaps', a, b, {}, options);
@@ -72,11 +70,4 @@ function placed(given, name) {
     const { blob, ...places } = given instanceof Blob ? { blob: given } : given ?? {};
     if (!(blob instanceof Blob)) throw new TypeError(`${name} must be a blob, or an object with a blob and its places`);
     return { blob, fields: fieldsOfPlaces(places, name) };
-}
-
-/// Returns how many pairs of nodes or leaves a query may visit, as the library takes it.
-function visits(limit) {
-    if (limit === Infinity) return UNLIMITED;
-    if (!Number.isSafeInteger(limit) || limit < 0) throw new RangeError(`workLimit must be an integer from 0 on, or Infinity, not ${String(limit)}`);
-    return BigInt(limit);
 }

@@ -15,13 +15,15 @@
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
 #include <espalier/c/scene.h>
+#include <espalier/c/scenes/moving_scene.h>
+#include <espalier/c/scenes/pairs.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/status.h>
 #include <espalier/c/sweep.h>
 #include <espalier/c/transform.h>
 #include <espalier/c/walk.h>
 
-#include "scene_triangle.hpp"
+#include "scene_records.hpp"
 
 namespace {
 
@@ -88,6 +90,8 @@ struct Record {
 #define FIELD_AS(name, path) field<decltype(Structure::path)>(name, offsetof(Structure, path))
 // The fields of an id of an instance.
 #define INSTANCE FIELD_AS("instance", instance.index), FIELD_AS("in_tile", instance.in_tile)
+// The fields of a handle.
+#define HANDLE FIELD_AS("slot", instance.slot), FIELD_AS("generation", instance.generation)
 #define HIT(name) FIELD_AS(#name, hit.name)
 #define FINDING(name) FIELD(name.count), FIELD(name.first)
 
@@ -134,6 +138,19 @@ RECORD(scene_sweep_hit, HIT(t), HIT(point), HIT(normal), HIT(face_normal), HIT(t
        HIT(starts_overlapping), INSTANCE)
 RECORD(scene_sweep_options, FIELD(skin), FIELD(culling), FIELD(ignore_leaving))
 RECORD(scene_triangle, INSTANCE, FIELD(triangle))
+RECORD(scene_selection, FIELD(mask), FIELD(sorts))
+RECORD(moving_scene, FIELD(opaque_), FIELD(opaque_counts_))
+RECORD(instance_handle, FIELD(slot), FIELD(generation))
+RECORD(instance_handle_result, FIELD(value.slot), FIELD(value.generation), FIELD(status))
+RECORD(instance_word, HANDLE, FIELD(word))
+RECORD(movement, HANDLE, FIELD_AS("rotation", transform.rotation), FIELD_AS("translation", transform.translation),
+       FIELD_AS("scale", transform.scale))
+RECORD(pair_filter, FIELD(only_moved))
+RECORD(instance_pair, FIELD(a), FIELD(b))
+RECORD(filled_instance_pairs, FIELD(count), FIELD_AS("a", next.a), FIELD_AS("b", next.b), FIELD(status))
+RECORD(baked_pair, FIELD(moving), FIELD_AS("instance", baked.index), FIELD_AS("in_tile", baked.in_tile))
+RECORD(filled_baked_pairs, FIELD(count), FIELD_AS("moving", next.moving), FIELD_AS("instance", next.baked.index),
+       FIELD_AS("in_tile", next.baked.in_tile), FIELD(status))
 RECORD(bytes, FIELD(bytes), FIELD(byte_count))
 RECORD(lattice, FIELD(origin), FIELD(step_exponent), FIELD(extent))
 RECORD(mesh_view, FIELD(size), FIELD(positions), FIELD(position_count), FIELD(position_stride), FIELD(triangles),
@@ -169,8 +186,10 @@ using AllRecords =
             convex_volume_table, triangle_table, segment_table, contact_table, transform_table, pair_contact_table,
             pair_touch_table, blob_distance_table, scene_table, instance_table, ray_table, scene_ray_hit_table,
             scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
-            bytes_table, lattice_table, mesh_view_table, bake_options_table, bake_report_table, bake_warning_table,
-            bake_result_table>;
+            scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
+            instance_word_table, movement_table, pair_filter_table, instance_pair_table, filled_instance_pairs_table,
+            baked_pair_table, filled_baked_pairs_table, bytes_table, lattice_table, mesh_view_table, bake_options_table,
+            bake_report_table, bake_warning_table, bake_result_table>;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Batches over a scene: one call of the functions of C for each query.
+// Batches over a scene, baked or the view of a moving one: one call of the functions of C for each query.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -6,9 +7,25 @@
 #include <espalier/c/scene.h>
 
 #include "lists.hpp"
-#include "scene_triangle.hpp"
+#include "scene_records.hpp"
 
 namespace {
+
+/// Writes a list for each query, where list(i, room) adds its elements. Of a moving scene it sorts each by slot, and
+/// keeps nothing of a refused query: what was visited until then depends on the tree.
+template <class Item, class List>
+espalier_filled_lists collect(std::size_t count, const espalier::wasm::ListArrays<Item>& to,
+                              const espalier_scene_selection& selection, const List& list) {
+    return espalier::wasm::collect_lists<Item>(count, to, [&](std::size_t i, espalier::wasm::Room<Item>& room) {
+        const espalier_query_status status = list(i, room);
+        if (!selection.sorts) return status;
+        if (espalier_is_refused(status)) room.added = 0;
+        if (room.added <= room.capacity)
+            std::stable_sort(room.places, room.places + room.added,
+                             [](const Item& a, const Item& b) { return a.instance.index < b.instance.index; });
+        return status;
+    });
+}
 
 espalier_visit add_hit(espalier_instance_id instance, const espalier_ray_hit* hit, void* user) {
     const espalier_scene_ray_hit item = {*hit, instance};
@@ -40,29 +57,26 @@ extern "C" [[clang::export_name("wasm_scene_instances")]] void wasm_scene_instan
 
 // Each function begins with where it writes, as C's own that return a structure.
 
-extern "C" [[clang::export_name("wasm_scene_raycast")]] void wasm_scene_raycast(espalier_scene_ray_hit* hits,
-                                                                                const espalier_scene* scene,
-                                                                                const espalier_ray* rays,
-                                                                                std::size_t count, std::uint32_t mask) {
-    espalier_scene_raycast_batch(scene, rays, hits, count, mask, nullptr, nullptr);
+extern "C" [[clang::export_name("wasm_scene_raycast")]] void wasm_scene_raycast(
+    espalier_scene_ray_hit* hits, const espalier_scene* scene, const espalier_ray* rays, std::size_t count,
+    const espalier_scene_selection* selection) {
+    espalier_scene_raycast_batch(scene, rays, hits, count, selection->mask, nullptr, nullptr);
 }
 
-extern "C" [[clang::export_name("wasm_scene_occluded")]] void wasm_scene_occluded(espalier_yes_no* answers,
-                                                                                  const espalier_scene* scene,
-                                                                                  const espalier_ray* rays,
-                                                                                  std::size_t count,
-                                                                                  std::uint32_t mask) {
+extern "C" [[clang::export_name("wasm_scene_occluded")]] void wasm_scene_occluded(
+    espalier_yes_no* answers, const espalier_scene* scene, const espalier_ray* rays, std::size_t count,
+    const espalier_scene_selection* selection) {
     for (std::size_t i = 0; i < count; ++i)
-        answers[i] = espalier_scene_occluded(scene, &rays[i], mask, nullptr, nullptr);
+        answers[i] = espalier_scene_occluded(scene, &rays[i], selection->mask, nullptr, nullptr);
 }
 
 extern "C" [[clang::export_name("wasm_scene_all_hits")]] void wasm_scene_all_hits(
     espalier_filled_lists* filled, const espalier_scene* scene, const espalier_ray* rays,
     espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_scene_ray_hit* hits,
-    std::size_t capacity, std::uint32_t mask) {
-    *filled = espalier::wasm::collect_lists<espalier_scene_ray_hit>(
-        count, {statuses, offsets, hits, capacity}, [&](std::size_t i, auto& room) {
-            return espalier_scene_for_each_hit(scene, &rays[i], add_hit, &room, mask, nullptr, nullptr);
+    std::size_t capacity, const espalier_scene_selection* selection) {
+    *filled = collect<espalier_scene_ray_hit>(
+        count, {statuses, offsets, hits, capacity}, *selection, [&](std::size_t i, auto& room) {
+            return espalier_scene_for_each_hit(scene, &rays[i], add_hit, &room, selection->mask, nullptr, nullptr);
         });
 }
 
@@ -76,18 +90,18 @@ extern "C" [[clang::export_name("wasm_scene_closest_point")]] void wasm_scene_cl
 #define ESPALIER_WASM_SCENE_OVERLAPS(shape)                                                                            \
     extern "C" [[clang::export_name("wasm_scene_overlaps_" #shape)]] void wasm_scene_overlaps_##shape(                 \
         espalier_yes_no* answers, const espalier_scene* scene, const espalier_##shape* shapes, std::size_t count,      \
-        std::uint32_t mask) {                                                                                          \
+        const espalier_scene_selection* selection) {                                                                   \
         for (std::size_t i = 0; i < count; ++i)                                                                        \
-            answers[i] = espalier_scene_overlaps_##shape(scene, &shapes[i], mask, nullptr, nullptr);                   \
+            answers[i] = espalier_scene_overlaps_##shape(scene, &shapes[i], selection->mask, nullptr, nullptr);        \
     }                                                                                                                  \
     extern "C" [[clang::export_name("wasm_scene_collect_overlaps_" #shape)]] void wasm_scene_collect_overlaps_##shape( \
         espalier_filled_lists* filled, const espalier_scene* scene, const espalier_##shape* shapes,                    \
         espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_scene_triangle* triangles,  \
-        std::size_t capacity, std::uint32_t mask) {                                                                    \
-        *filled = espalier::wasm::collect_lists<espalier_scene_triangle>(                                              \
-            count, {statuses, offsets, triangles, capacity}, [&](std::size_t i, auto& room) {                          \
-                return espalier_scene_for_each_overlap_##shape(scene, &shapes[i], add_triangle, &room, mask, nullptr,  \
-                                                               nullptr);                                               \
+        std::size_t capacity, const espalier_scene_selection* selection) {                                             \
+        *filled = collect<espalier_scene_triangle>(                                                                    \
+            count, {statuses, offsets, triangles, capacity}, *selection, [&](std::size_t i, auto& room) {              \
+                return espalier_scene_for_each_overlap_##shape(scene, &shapes[i], add_triangle, &room,                 \
+                                                               selection->mask, nullptr, nullptr);                     \
             });                                                                                                        \
     }
 
@@ -98,13 +112,14 @@ ESPALIER_WASM_SCENE_OVERLAPS(oriented_box)
 ESPALIER_WASM_SCENE_OVERLAPS(cone)
 ESPALIER_WASM_SCENE_OVERLAPS(triangle)
 
-#define ESPALIER_WASM_SCENE_SWEEP(shape)                                                                               \
-    extern "C" [[clang::export_name("wasm_scene_sweep_" #shape)]] void wasm_scene_sweep_##shape(                       \
-        espalier_scene_sweep_hit* hits, const espalier_scene* scene, const espalier_##shape* shapes,                   \
-        const espalier_vec3* displacements, std::size_t count, const espalier_scene_sweep_options* options,            \
-        std::uint32_t mask) {                                                                                          \
-        for (std::size_t i = 0; i < count; ++i)                                                                        \
-            hits[i] = espalier_scene_sweep_##shape##_with_options(scene, &shapes[i], displacements[i], mask, options); \
+#define ESPALIER_WASM_SCENE_SWEEP(shape)                                                                    \
+    extern "C" [[clang::export_name("wasm_scene_sweep_" #shape)]] void wasm_scene_sweep_##shape(            \
+        espalier_scene_sweep_hit* hits, const espalier_scene* scene, const espalier_##shape* shapes,        \
+        const espalier_vec3* displacements, std::size_t count, const espalier_scene_sweep_options* options, \
+        const espalier_scene_selection* selection) {                                                        \
+        for (std::size_t i = 0; i < count; ++i)                                                             \
+            hits[i] = espalier_scene_sweep_##shape##_with_options(scene, &shapes[i], displacements[i],      \
+                                                                  selection->mask, options);                \
     }
 
 ESPALIER_WASM_SCENE_SWEEP(sphere)

@@ -88,6 +88,8 @@ int main(int argument_count, char** arguments) {
     }
     write_file("scene", joined.bytes.data(), joined.bytes.size());
     espalier::Blob meshes[2];
-    answer_scene(espalier::open_scene(joined.bytes, meshes), questions);
+    const espalier::BakedScene scene = espalier::open_scene(joined.bytes, meshes);
+    answer_scene(scene, questions);
+    answer_moving(blob, coarse_blob, scene, questions);
     return 0;
 }

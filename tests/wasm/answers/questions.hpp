@@ -58,3 +58,6 @@ void answer_pairs(const espalier::Blob& a, const espalier::Blob& b, const Questi
 /// Returns instances of two blobs at the places of some questions.
 std::vector<espalier::Instance> instances_of(const Questions& questions);
 void answer_scene(const espalier::BakedScene& scene, const Questions& questions);
+/// Answers for a moving scene of two blobs and a tile, after some changes, and for its pairs.
+void answer_moving(const espalier::Blob& blob, const espalier::Blob& coarse, const espalier::BakedScene& tile,
+                   const Questions& questions);

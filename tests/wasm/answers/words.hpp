@@ -60,3 +60,9 @@ inline void add(Words& words, const espalier::SweepHit& hit) {
     words.add(hit.t, hit.point, hit.normal, hit.face_normal, hit.triangle, hit.status, hit.feature,
               hit.starts_overlapping);
 }
+
+inline void add(Words& words, const espalier::Instance& instance) {
+    const espalier::Quaternion& rotation = instance.transform.rotation;
+    words.add(rotation.x, rotation.y, rotation.z, rotation.w, instance.transform.translation, instance.transform.scale,
+              instance.mesh, instance.mask, instance.user, instance.source);
+}

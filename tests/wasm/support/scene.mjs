@@ -12,25 +12,31 @@ export function instancesOf(questions) {
     };
 }
 
-export function sceneAnswers(scene, questions) {
-    const { origins, directions, limits } = questions, mask = 2;
-    const options = { tMin: 0.05, tMax: limits, culling: 'back', mask };
+/// Returns the answers about a scene, baked or moving, under names with a prefix.
+export function queryAnswers(scene, questions, prefix) {
+    const { origins, directions, limits } = questions, selection = { mask: 2 };
+    const options = { tMin: 0.05, tMax: limits, culling: 'back', ...selection }, shapes = shapesOf(questions);
     const rowsOf = (kind, lists, begin) => wordsOfLists(kind, lists, { begin, end: (to, i) => to.push(lists.status[i]) });
     const words = {
-        scene_facts: [scene.instanceCount, scene.meshCount, ...bits(Float32Array.of(scene.maxError, ...scene.bounds)), ...wordsOf('instance', scene.instances())],
-        scene_raycast: wordsOf('scene_hit', scene.raycast(origins, directions, options)),
-        scene_occluded: [...scene.occluded(origins, directions, options).status],
-        scene_all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
-        scene_closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, { mask })),
+        raycast: wordsOf('scene_hit', scene.raycast(origins, directions, options)),
+        occluded: [...scene.occluded(origins, directions, options).status],
+        all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
+        closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, selection)),
     };
-    const shapes = shapesOf(questions);
     for (const name of ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle']) {
-        const touches = scene.overlaps(shapes[name], { mask });
-        words[`scene_${name}`] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], { mask }), (to, i) => to.push(touches.status[i]));
+        const touches = scene.overlaps(shapes[name], selection);
+        words[name] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], selection), (to, i) => to.push(touches.status[i]));
     }
     for (const name of MOVING) {
-        const sweeps = scene.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01, mask });
-        words[`scene_sweep_${name}`] = wordsOf('scene_sweep', sweeps);
+        const sweeps = scene.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01, ...selection });
+        words[`sweep_${name}`] = wordsOf('scene_sweep', sweeps);
     }
-    return words;
+    return Object.fromEntries(Object.entries(words).map(([name, all]) => [prefix + name, all]));
+}
+
+export function sceneAnswers(scene, questions) {
+    return {
+        scene_facts: [scene.instanceCount, scene.meshCount, ...bits(Float32Array.of(scene.maxError, ...scene.bounds)), ...wordsOf('instance', scene.instances())],
+        ...queryAnswers(scene, questions, 'scene_'),
+    };
 }

@@ -1,8 +1,8 @@
 // Uses every declaration of index.d.ts and of the files that it names.
 import {
-    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
-    VerifyError, YesNo, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type Contacts, type ConvexHull, type ConvexVolume, type Corners, type Espalier,
-    type Instances, type InstancesToBake,
+    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
+    VerifyError, YesNo, type BakedPairs, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type CollectedPairs, type Contacts,
+    type ConvexHull, type ConvexVolume, type Corners, type Espalier, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
     type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
 } from 'espalier';
 
@@ -76,6 +76,24 @@ const volume: ConvexVolume = { kind: 'convexVolume', planes: new Float32Array(24
 const sweptHulls: SweepHits = blob.sweep(hull, directions), hullContacts: Lists<Contacts> = blob.contacts(hull, 4);
 const inVolume: YesNo = blob.overlaps(volume), trianglesIn: Lists<Uint32Array> = blob.overlappingTriangles(volume);
 const hullInScene: SceneSweepHits = scene.sweep(hull, directions, { mask: 1 });
+
+const moving: MovingScene = library.createMovingScene([blob, other], 100, { stepExponent: -8, tiles: [scene] });
+const handles: FoundHandles = moving.insert(instances), statuses: Uint8Array = moving.move(handles, { translation: origins });
+moving.remove({ slot: 0, generation: handles.generation[0] });
+moving.setMasks(handles, 1);
+moving.setUsers(moving.handles(), new Uint32Array(10));
+moving.setMesh(0, other);
+moving.repack();
+moving.endStep();
+const candidates: CollectedPairs<InstancePairs> = moving.candidatePairs({ onlyMoved: true });
+const collisions: CollectedPairs<InstancePairs> = moving.collidingPairs({ workLimit: 1000, start: candidates.next });
+const collisionsWithScene: CollectedPairs<BakedPairs> = moving.collidingPairs({ baked: scene });
+const wayBack: MovingScene = library.openMovingScene(moving.snapshot(), [blob, other], { tiles: [scene] });
+const inMoving: SceneRayHits = wayBack.raycast(origins, directions);
+const slots: Instances = moving.instances();
+const movingFacts: number[] = [moving.instanceCount, moving.capacity, moving.slotEnd, moving.stepExponent, moving.quality];
+if (!moving.isFreed) moving.free();
+
 const facts: number[] = [scene.instanceCount, scene.meshCount, scene.maxError, ...scene.bounds];
 if (!scene.isFreed) scene.free();
 
@@ -88,6 +106,6 @@ const errors: EspalierError[] = [];
 for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
     for (const error of errors) if (error instanceof type) console.log(error.status);
 
-export { hullContacts, hullInScene, inVolume, sweptHulls, trianglesIn };
+export { collisions, collisionsWithScene, hullContacts, hullInScene, inMoving, inVolume, movingFacts, slots, statuses, sweptHulls, trianglesIn };
 export { apart, baked, closest, contact, facts, hidden, inScene, sweptIn, throughAll, touchedAll, touchedAny,
     contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, several, sources, sweeps, touched, touches, touching, windings, within, yes };

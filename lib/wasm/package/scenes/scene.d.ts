@@ -24,9 +24,9 @@ export interface SceneTriangles extends InstanceIds {
 /** An integer of 32 bits for each instance, or one that serves all. */
 export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonly number[];
 
-/** Instances to bake: at each of the places one of a blob. */
+/** Instances to bake, or to insert in a moving scene: at each of the places one of a blob. */
 export interface InstancesToBake extends Places {
-    /** The number of its blob among those that are baked; 0 unless given. */
+    /** The number of its blob among those that the scene is made of; 0 unless given. */
     mesh?: Integers;
     /** Queries with a mask that shares no bit with it pass the instance over. All bits unless given. */
     mask?: Integers;
@@ -47,6 +47,25 @@ export interface Instances {
     source: Uint32Array;
 }
 
+/** The queries of baked and of moving scenes. Shapes and results are in world space. */
+export interface SceneQueries {
+    /** Returns the closest hit of each ray. */
+    raycast(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): SceneRayHits;
+    /** Returns whether each ray hits any triangle, in less time than raycast(). */
+    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): YesNo;
+    /** Returns all hits of each ray, in ascending order of instances, then of triangles. */
+    allHits(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): Lists<SceneRayHits>;
+    /** Returns the closest point of any surface to each point. */
+    closestPoint(points: Vectors, maxDistance?: number, options?: SceneOptions): SceneClosestPoints;
+    /** Returns whether any triangle touches each shape. */
+    overlaps(shape: Volume, options?: SceneOptions): YesNo;
+    /** Returns the triangles that touch each shape, in ascending order of instances. */
+    overlappingTriangles(shape: Volume, options?: SceneOptions): Lists<SceneTriangles>;
+    /** Returns the first contact of each shape as it moves by a displacement. The skin is in world units. */
+    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
+}
+
+export interface Scene extends SceneQueries {}
 /**
  * A baked scene in the memory of the module. It never changes. Shapes and results are in world space.
  *
@@ -67,19 +86,4 @@ export class Scene {
     /** Releases the memory. All later queries throw QueryError. Freeing again does nothing. */
     free(): void;
     instances(): Instances;
-
-    /** Returns the closest hit of each ray. */
-    raycast(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): SceneRayHits;
-    /** Returns whether each ray hits any triangle, in less time than raycast(). */
-    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): YesNo;
-    /** Returns all hits of each ray, in ascending order of instances, then of triangles. */
-    allHits(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): Lists<SceneRayHits>;
-    /** Returns the closest point of any surface to each point. */
-    closestPoint(points: Vectors, maxDistance?: number, options?: SceneOptions): SceneClosestPoints;
-    /** Returns whether any triangle touches each shape. */
-    overlaps(shape: Volume, options?: SceneOptions): YesNo;
-    /** Returns the triangles that touch each shape, in ascending order of instances. */
-    overlappingTriangles(shape: Volume, options?: SceneOptions): Lists<SceneTriangles>;
-    /** Returns the first contact of each shape as it moves by a displacement. The skin is in world units. */
-    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
 }
