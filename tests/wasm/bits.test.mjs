@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import test from 'node:test';
 
-import { answers } from './support/answers.mjs';
+import { answers, filteredAnswers } from './support/answers.mjs';
 import { movingAnswers, movingScene } from './support/moving.mjs';
 import { pairAnswers } from './support/pairs.mjs';
 import { lumpyBody, questions } from './support/questions.mjs';
@@ -40,6 +40,7 @@ for (const [name, library] of Object.entries(await loadBoth())) {
     test(`answers are those of C++, ${name}`, async () => {
         const blob = library.openBlob(await readFile(`${files}/blob`));
         await areThoseOfCpp(answers(blob, asked));
+        await areThoseOfCpp(filteredAnswers(blob, asked));
         blob.free();
     });
 

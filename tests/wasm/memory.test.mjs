@@ -84,7 +84,7 @@ test('freed scenes and calls of two blobs leave memory for the next', async () =
     assert.strictEqual(sizes()[0], before);
 });
 
-test('freed moving scenes and hulls leave memory for the next', async () => {
+test('freed moving scenes, hulls and flags leave memory for the next', async () => {
     const { library, sizes } = await loadWatched();
     const few = origins.subarray(60, 90), rays = [few, directions.subarray(60, 90)];
     const use = () => {
@@ -94,9 +94,10 @@ test('freed moving scenes and hulls leave memory for the next', async () => {
         moving.remove({ slot: handles.slot.subarray(0, 2), generation: handles.generation.subarray(0, 2) });
         const pose = library.openBlob(baked);
         moving.setMesh(1, pose);
-        moving.allHits(...rays);
+        moving.allHits(...rays, { only: new Uint8Array(moving.slotEnd).fill(1) });
         moving.candidatePairs();
         const continued = library.openMovingScene(moving.snapshot(), [blob, blob], { tiles: [tile] });
+        blob.raycast(...rays, { only: new Uint8Array(blob.triangleCount) });
         blob.sweep({ kind: 'convexHull', vertices: few, offsets: [0, 4, 10] }, [0, 0, 1]);
         assert.throws(() => library.openMovingScene(moving.snapshot(), [blob], { tiles: [tile] }), OpenError);
         assert.throws(() => library.createMovingScene([blob], 100, { tiles: [blob] }), TypeError);

@@ -1,4 +1,4 @@
-// What queries take: arrays, places, shapes and options.
+// What queries take: arrays, places, shapes, flags and options.
 
 export type NumberArray = Float32Array | Float64Array | Int8Array | Uint8Array | Uint8ClampedArray | Int16Array
     | Uint16Array | Int32Array | Uint32Array | readonly number[];
@@ -37,6 +37,14 @@ export interface RayOptions {
     /** Infinite unless given. */
     tMax?: Numbers;
     culling?: Culling;
+}
+
+/** A flag for each element: those that are 0 or false do not count, as if they were not there. */
+export type Flags = Uint8Array | readonly boolean[];
+
+export interface FilterOptions {
+    /** One for each triangle of a blob, instance of a baked scene, or slot of a moving one. All unless given. */
+    only?: Flags | null;
 }
 
 export interface SweepOptions {

@@ -1,7 +1,7 @@
 // Types of espalier: baked collision meshes, queried straight from their bytes.
 
 import type {
-    Body, Box, ConvexVolume, Moving, Numbers, RayOptions, Segment, SweepOptions, Triangles, Vectors, Volume,
+    Body, Box, ConvexVolume, FilterOptions, Moving, Numbers, RayOptions, Segment, SweepOptions, Triangles, Vectors, Volume,
 } from './arguments.js';
 import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
@@ -41,7 +41,7 @@ export interface BlobInfo {
  * A baked mesh in the memory of the module. It never changes. Coordinates are in the space and units of the mesh.
  *
  * The methods take arguments for any number of queries and return arrays with one element for each. Errors of single
- * queries never throw: each has a status.
+ * queries never throw: each has a status. Flags (`only`) are those of triangles, `triangleCount` of them.
  */
 export class Blob {
     private constructor();
@@ -67,11 +67,11 @@ export class Blob {
     free(): void;
 
     /** Returns the closest hit of each ray: the points origin + t * direction with tMin <= t <= tMax. */
-    raycast(origins: Vectors, directions: Vectors, options?: RayOptions): RayHits;
+    raycast(origins: Vectors, directions: Vectors, options?: RayOptions & FilterOptions): RayHits;
     /** Returns whether each ray hits any triangle, in less time than raycast(). */
-    occluded(origins: Vectors, directions: Vectors, options?: RayOptions): YesNo;
+    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & FilterOptions): YesNo;
     /** Returns the first hits of each ray, at most `most`, sorted by t. */
-    closestHits(origins: Vectors, directions: Vectors, most: number, options?: RayOptions): Lists<RayHits>;
+    closestHits(origins: Vectors, directions: Vectors, most: number, options?: RayOptions & FilterOptions): Lists<RayHits>;
     /** Returns all hits of each ray, in ascending order of triangles. */
     allHits(origins: Vectors, directions: Vectors, options?: RayOptions): Lists<RayHits>;
     /** Returns each crossing of the surface once, also where a ray meets a shared edge or vertex. */
@@ -98,7 +98,7 @@ export class Blob {
      */
     contacts(shape: Body, most: number, margin?: Numbers): Lists<Contacts>;
     /** Returns the first contact of each shape as it moves by a displacement. */
-    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions): SweepHits;
+    sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & FilterOptions): SweepHits;
 
     /** Returns the baked corners of triangles. */
     corners(triangles: Triangles): Corners;

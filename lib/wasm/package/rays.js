@@ -1,30 +1,34 @@
 // Rays against one blob: the points origin + t * direction with tMin <= t <= tMax.
 import { cullingNumber, integer, Strided } from './arguments.js';
+import { flagsOf, placeFlags, refuseFilter } from './filters.js';
 import { Opened } from './memory/opened.js';
 import { YesNo } from './results.js';
 
 export class RayQueries extends Opened {
     raycast(origins, directions, options) {
-        return this.#cast(origins, directions, options, (batch, rays) => {
+        return this.#castFiltered(origins, directions, options, (batch, rays, only) => {
             const hits = batch.allocateRecords('ray_hit');
-            batch.fill('espalier_raycast_arrays', rays(0), hits, batch.count);
+            if (only === 0) batch.fill('espalier_raycast_arrays', rays(0), hits, batch.count);
+            else batch.functions.wasm_raycast_filtered(hits, batch.view, rays(0), batch.count, only);
             return batch.columns('ray_hit', hits);
         });
     }
 
     occluded(origins, directions, options) {
-        return this.#cast(origins, directions, options, (batch, rays) => {
+        return this.#castFiltered(origins, directions, options, (batch, rays, only) => {
             const answers = batch.allocate(batch.count);
-            batch.fill('espalier_occluded_arrays', rays(0), answers, batch.count);
+            if (only === 0) batch.fill('espalier_occluded_arrays', rays(0), answers, batch.count);
+            else batch.functions.wasm_occluded_filtered(answers, batch.view, rays(0), batch.count, only);
             return new YesNo(batch.copy(Uint8Array, answers));
         });
     }
 
     closestHits(origins, directions, most, options) {
         integer(most, 'most');
-        return this.#cast(origins, directions, options, (batch, rays) => {
+        return this.#castFiltered(origins, directions, options, (batch, rays, only) => {
             const hits = batch.allocateRecords('ray_hit', batch.count * most), found = batch.allocateRecords('filled');
-            batch.fill('espalier_closest_hits_arrays', rays(0), hits, most, found, batch.count);
+            if (only === 0) batch.fill('espalier_closest_hits_arrays', rays(0), hits, most, found, batch.count);
+            else batch.functions.wasm_closest_hits_filtered(hits, most, found, batch.view, rays(0), batch.count, only);
             return batch.pack('ray_hit', hits, most, found);
         });
     }
@@ -37,11 +41,23 @@ export class RayQueries extends Opened {
         return this.#lists('espalier_collect_crossings_arrays', origins, directions, options);
     }
 
+    /// Returns the flags of triangles.
+    flags(only) {
+        return only == null ? null : flagsOf(only, this.triangleCount, 'triangles');
+    }
+
     #lists(name, origins, directions, options) {
+        refuseFilter(options?.only, 'a list of all hits');
         return this.#cast(origins, directions, options, (batch, rays) =>
             batch.collect(batch.instance.records.ray_hit.bytes, (filled, done, to) =>
                 batch.functions[name](filled, batch.view, rays(done), to.statuses, to.offsets, to.count, to.items, to.capacity),
             (hits, count) => batch.columns('ray_hit', hits, count)));
+    }
+
+    /// Calls use(batch, rays, only), where `only` is the address of an espalier_flags, or 0 for all triangles.
+    #castFiltered(origins, directions, options, use) {
+        const flags = this.flags(options?.only);
+        return this.#cast(origins, directions, options, (batch, rays) => use(batch, rays, placeFlags(batch, flags)));
     }
 
     /// Calls use(batch, rays), where rays(n) is the address of an espalier_ray_arrays of the rays from n on.

@@ -1,5 +1,6 @@
 // Volumes, bodies and moving shapes against one blob.
 import { cullingNumber, integer, integers, Strided } from './arguments.js';
+import { placeFlags } from './filters.js';
 import { fieldsOf } from './memory/batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
@@ -79,13 +80,13 @@ export class ShapeQueries extends PointQueries {
         });
     }
 
-    sweep(shape, displacements, { culling = 'none', ignoreLeaving = false, skin = 0 } = {}) {
-        const given = new Strided(displacements, 3, 'displacements');
+    sweep(shape, displacements, { culling = 'none', ignoreLeaving = false, skin = 0, only } = {}) {
+        const given = new Strided(displacements, 3, 'displacements'), flags = this.flags(only);
         const options = { culling: cullingNumber(culling), ignoreLeaving: Number(ignoreLeaving), skin };
         return this.#ofShapes(shape, MOVING, [given], (batch, name, shapes) => {
             const hits = batch.allocateRecords('sweep_hit');
             batch.functions[`wasm_sweep_${name}`](hits, batch.view, shapes, batch.placePacked(given, 3), batch.count,
-                                                  batch.allocateStructure('sweep_options', options));
+                                                  batch.allocateStructure('sweep_options', options), placeFlags(batch, flags));
             return batch.columns('sweep_hit', hits);
         });
     }

@@ -23,6 +23,7 @@
 #include <espalier/c/transform.h>
 #include <espalier/c/walk.h>
 
+#include "flags.hpp"
 #include "scene_records.hpp"
 
 namespace {
@@ -138,7 +139,8 @@ RECORD(scene_sweep_hit, HIT(t), HIT(point), HIT(normal), HIT(face_normal), HIT(t
        HIT(starts_overlapping), INSTANCE)
 RECORD(scene_sweep_options, FIELD(skin), FIELD(culling), FIELD(ignore_leaving))
 RECORD(scene_triangle, INSTANCE, FIELD(triangle))
-RECORD(scene_selection, FIELD(mask), FIELD(sorts))
+RECORD(flags, FIELD(first), FIELD(count))
+RECORD(scene_selection, FIELD(only), FIELD(mask), FIELD(sorts))
 RECORD(moving_scene, FIELD(opaque_), FIELD(opaque_counts_))
 RECORD(instance_handle, FIELD(slot), FIELD(generation))
 RECORD(instance_handle_result, FIELD(value.slot), FIELD(value.generation), FIELD(status))
@@ -186,7 +188,7 @@ using AllRecords =
             convex_volume_table, triangle_table, segment_table, contact_table, transform_table, pair_contact_table,
             pair_touch_table, blob_distance_table, scene_table, instance_table, ray_table, scene_ray_hit_table,
             scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
-            scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
+            flags_table, scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
             instance_word_table, movement_table, pair_filter_table, instance_pair_table, filled_instance_pairs_table,
             baked_pair_table, filled_baked_pairs_table, bytes_table, lattice_table, mesh_view_table, bake_options_table,
             bake_report_table, bake_warning_table, bake_result_table>;

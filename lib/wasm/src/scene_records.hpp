@@ -7,6 +7,8 @@
 #include <espalier/c/scenes/moving_scene.h>
 #include <espalier/c/types.h>
 
+#include "flags.hpp"
+
 /// A triangle of an instance.
 struct espalier_scene_triangle {
     espalier_instance_id instance;
@@ -15,6 +17,7 @@ struct espalier_scene_triangle {
 
 /// What the queries of a batch take into account, and in which order they list it.
 struct espalier_scene_selection {
+    espalier_flags* only;  ///< by number of an instance, or by slot; null keeps all
     std::uint32_t mask;
     bool sorts;  ///< lists by slot: a moving scene visits in the order of its tree
 };

@@ -11,6 +11,22 @@
 
 namespace {
 
+bool keeps_instance(espalier_instance_id instance, espalier_triangle_id, void* user) {
+    return espalier::wasm::has_flag(*static_cast<const espalier_flags*>(user), instance.index);
+}
+
+espalier_scene_filter filter_of(const espalier_scene_selection& selection) {
+    return selection.only == nullptr ? nullptr : keeps_instance;
+}
+
+/// Returns options that keep the instances with a flag.
+espalier_scene_sweep_options with_flags(espalier_scene_sweep_options options,
+                                        const espalier_scene_selection& selection) {
+    options.filter = filter_of(selection);
+    options.user = selection.only;
+    return options;
+}
+
 /// Writes a list for each query, where list(i, room) adds its elements. Of a moving scene it sorts each by slot, and
 /// keeps nothing of a refused query: what was visited until then depends on the tree.
 template <class Item, class List>
@@ -60,14 +76,14 @@ extern "C" [[clang::export_name("wasm_scene_instances")]] void wasm_scene_instan
 extern "C" [[clang::export_name("wasm_scene_raycast")]] void wasm_scene_raycast(
     espalier_scene_ray_hit* hits, const espalier_scene* scene, const espalier_ray* rays, std::size_t count,
     const espalier_scene_selection* selection) {
-    espalier_scene_raycast_batch(scene, rays, hits, count, selection->mask, nullptr, nullptr);
+    espalier_scene_raycast_batch(scene, rays, hits, count, selection->mask, filter_of(*selection), selection->only);
 }
 
 extern "C" [[clang::export_name("wasm_scene_occluded")]] void wasm_scene_occluded(
     espalier_yes_no* answers, const espalier_scene* scene, const espalier_ray* rays, std::size_t count,
     const espalier_scene_selection* selection) {
     for (std::size_t i = 0; i < count; ++i)
-        answers[i] = espalier_scene_occluded(scene, &rays[i], selection->mask, nullptr, nullptr);
+        answers[i] = espalier_scene_occluded(scene, &rays[i], selection->mask, filter_of(*selection), selection->only);
 }
 
 extern "C" [[clang::export_name("wasm_scene_all_hits")]] void wasm_scene_all_hits(
@@ -76,7 +92,8 @@ extern "C" [[clang::export_name("wasm_scene_all_hits")]] void wasm_scene_all_hit
     std::size_t capacity, const espalier_scene_selection* selection) {
     *filled = collect<espalier_scene_ray_hit>(
         count, {statuses, offsets, hits, capacity}, *selection, [&](std::size_t i, auto& room) {
-            return espalier_scene_for_each_hit(scene, &rays[i], add_hit, &room, selection->mask, nullptr, nullptr);
+            return espalier_scene_for_each_hit(scene, &rays[i], add_hit, &room, selection->mask, filter_of(*selection),
+                                               selection->only);
         });
 }
 
@@ -92,7 +109,8 @@ extern "C" [[clang::export_name("wasm_scene_closest_point")]] void wasm_scene_cl
         espalier_yes_no* answers, const espalier_scene* scene, const espalier_##shape* shapes, std::size_t count,      \
         const espalier_scene_selection* selection) {                                                                   \
         for (std::size_t i = 0; i < count; ++i)                                                                        \
-            answers[i] = espalier_scene_overlaps_##shape(scene, &shapes[i], selection->mask, nullptr, nullptr);        \
+            answers[i] = espalier_scene_overlaps_##shape(scene, &shapes[i], selection->mask, filter_of(*selection),    \
+                                                         selection->only);                                             \
     }                                                                                                                  \
     extern "C" [[clang::export_name("wasm_scene_collect_overlaps_" #shape)]] void wasm_scene_collect_overlaps_##shape( \
         espalier_filled_lists* filled, const espalier_scene* scene, const espalier_##shape* shapes,                    \
@@ -100,8 +118,8 @@ extern "C" [[clang::export_name("wasm_scene_closest_point")]] void wasm_scene_cl
         std::size_t capacity, const espalier_scene_selection* selection) {                                             \
         *filled = collect<espalier_scene_triangle>(                                                                    \
             count, {statuses, offsets, triangles, capacity}, *selection, [&](std::size_t i, auto& room) {              \
-                return espalier_scene_for_each_overlap_##shape(scene, &shapes[i], add_triangle, &room,                 \
-                                                               selection->mask, nullptr, nullptr);                     \
+                return espalier_scene_for_each_overlap_##shape(                                                        \
+                    scene, &shapes[i], add_triangle, &room, selection->mask, filter_of(*selection), selection->only);  \
             });                                                                                                        \
     }
 
@@ -117,9 +135,10 @@ ESPALIER_WASM_SCENE_OVERLAPS(triangle)
         espalier_scene_sweep_hit* hits, const espalier_scene* scene, const espalier_##shape* shapes,        \
         const espalier_vec3* displacements, std::size_t count, const espalier_scene_sweep_options* options, \
         const espalier_scene_selection* selection) {                                                        \
+        const espalier_scene_sweep_options filtered = with_flags(*options, *selection);                     \
         for (std::size_t i = 0; i < count; ++i)                                                             \
             hits[i] = espalier_scene_sweep_##shape##_with_options(scene, &shapes[i], displacements[i],      \
-                                                                  selection->mask, options);                \
+                                                                  selection->mask, &filtered);              \
     }
 
 ESPALIER_WASM_SCENE_SWEEP(sphere)

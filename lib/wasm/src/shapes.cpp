@@ -8,12 +8,20 @@
 #include <espalier/c/shapes.h>
 #include <espalier/c/sweep.h>
 
+#include "flags.hpp"
 #include "lists.hpp"
 
 namespace {
 
 espalier_visit add_triangle(espalier_triangle_id triangle, const espalier_triangle*, void* user) {
     return espalier::wasm::add_to_room(&triangle, user);
+}
+
+/// Returns options that keep the triangles with a flag; null keeps all.
+espalier_sweep_options with_flags(espalier_sweep_options options, espalier_flags* only) {
+    options.filter = only == nullptr ? nullptr : espalier::wasm::keeps_triangle;
+    options.user = only;
+    return options;
 }
 
 }  // namespace
@@ -43,12 +51,14 @@ ESPALIER_WASM_OVERLAPS(cone)
 ESPALIER_WASM_OVERLAPS(triangle)
 ESPALIER_WASM_OVERLAPS(convex_volume)
 
-#define ESPALIER_WASM_SWEEP(shape)                                                                        \
-    extern "C" [[clang::export_name("wasm_sweep_" #shape)]] void wasm_sweep_##shape(                      \
-        espalier_sweep_hit* hits, const espalier_blob* blob, const espalier_##shape* shapes,              \
-        const espalier_vec3* displacements, std::size_t count, const espalier_sweep_options* options) {   \
-        for (std::size_t i = 0; i < count; ++i)                                                           \
-            hits[i] = espalier_sweep_##shape##_with_options(blob, &shapes[i], displacements[i], options); \
+#define ESPALIER_WASM_SWEEP(shape)                                                                          \
+    extern "C" [[clang::export_name("wasm_sweep_" #shape)]] void wasm_sweep_##shape(                        \
+        espalier_sweep_hit* hits, const espalier_blob* blob, const espalier_##shape* shapes,                \
+        const espalier_vec3* displacements, std::size_t count, const espalier_sweep_options* options,       \
+        espalier_flags* only) {                                                                             \
+        const espalier_sweep_options filtered = with_flags(*options, only);                                 \
+        for (std::size_t i = 0; i < count; ++i)                                                             \
+            hits[i] = espalier_sweep_##shape##_with_options(blob, &shapes[i], displacements[i], &filtered); \
     }
 
 ESPALIER_WASM_SWEEP(sphere)

@@ -79,6 +79,7 @@ int main(int argument_count, char** arguments) {
                                  read<espalier::Plane>("planes"),
                                  read<std::uint32_t>("planeOffsets")};
     answer_blob(blob, questions);
+    answer_filtered(blob, questions);
     answer_pairs(blob, coarse_blob, questions);
     const std::span<const std::byte> blobs[] = {baked.bytes, coarse.bytes};
     const espalier::SceneBakeResult joined = espalier::bake_scene(blobs, instances_of(questions));

@@ -132,6 +132,7 @@ void answer_moving(const espalier::Blob& blob, const espalier::Blob& coarse, con
     espalier::MovingScene scene = espalier::create_moving_scene(block.bytes(), capacity, -8, meshes, tiles);
     change(scene, meshes, questions);
     write_file("moving_scene", scene.bytes().data(), scene.bytes().size());
-    SceneAnswers(std::as_const(scene), questions, "moving_").write();
+    SceneAnswers(std::as_const(scene), questions, "moving_", false).write();
+    SceneAnswers(std::as_const(scene), questions, "filtered_moving_", true).write();
     answer_all_pairs(scene, tile);
 }

@@ -53,6 +53,8 @@ private:
 };
 
 void answer_blob(const espalier::Blob& blob, const Questions& questions);
+/// Answers for the triangles of every third number but one.
+void answer_filtered(const espalier::Blob& blob, const Questions& questions);
 /// Answers for a blob at one place, and another one at each.
 void answer_pairs(const espalier::Blob& a, const espalier::Blob& b, const Questions& questions);
 /// Returns instances of two blobs at the places of some questions.

@@ -22,5 +22,6 @@ std::vector<espalier::Instance> instances_of(const Questions& questions) {
 
 void answer_scene(const espalier::BakedScene& scene, const Questions& questions) {
     answer_facts(scene);
-    SceneAnswers(scene, questions, "scene_").write();
+    SceneAnswers(scene, questions, "scene_", false).write();
+    SceneAnswers(scene, questions, "filtered_scene_", true).write();
 }

@@ -16,6 +16,11 @@
 
 /// The instances that queries take into account.
 constexpr std::uint32_t scene_mask = 2;
+/// Those that a filter keeps.
+constexpr auto keep_instance = [](espalier::InstanceId instance, espalier::TriangleId) {
+    return instance.index % 4 != 2;
+};
+
 template <class Hit>
 void add(Words& words, const espalier::InScene<Hit>& found) {
     add(words, found.hit);
@@ -26,8 +31,8 @@ void add(Words& words, const espalier::InScene<Hit>& found) {
 template <class Scene>
 class SceneAnswers {
 public:
-    SceneAnswers(const Scene& scene, const Questions& questions, std::string prefix)
-        : scene_(scene), questions_(questions), prefix_(std::move(prefix)) {}
+    SceneAnswers(const Scene& scene, const Questions& questions, std::string prefix, bool is_filtered)
+        : scene_(scene), questions_(questions), prefix_(std::move(prefix)), is_filtered_(is_filtered) {}
 
     void write() const {
         answer_rays();
@@ -35,6 +40,10 @@ public:
     }
 
 private:
+    [[nodiscard]] espalier::SceneFilter filter() const {
+        return is_filtered_ ? espalier::SceneFilter(scene_mask, keep_instance) : espalier::SceneFilter(scene_mask);
+    }
+
     /// Adds the elements that walk(add) adds, and the status that it returns. A moving scene visits in the order of its
     /// tree: its lists are sorted by slot, and a refused query has none.
     template <class Item, class Walk>
@@ -66,25 +75,25 @@ private:
         for (std::size_t i = 0; i < questions_.origins.size(); ++i) {
             espalier::Ray ray = questions_.ray(i);
             ray.culling = espalier::FaceCulling::back;
-            add(closest, espalier::raycast(scene_, ray, scene_mask));
-            any.add(espalier::occluded(scene_, ray, scene_mask).status());
+            add(closest, espalier::raycast(scene_, ray, filter()));
+            any.add(espalier::occluded(scene_, ray, filter()).status());
             add_list<espalier::RayHit>(
-                all, [&](const auto& visit) { return espalier::for_each_hit(scene_, ray, visit, scene_mask); });
+                all, [&](const auto& visit) { return espalier::for_each_hit(scene_, ray, visit, filter()); });
             add(nearest, espalier::closest_point(scene_, questions_.origins[i], 2.5f, scene_mask));
         }
     }
 
     template <class Shape>
     void answer_volume(const Shape& shape, Words& words) const {
-        words.add(espalier::overlaps(scene_, shape, scene_mask).status());
+        words.add(espalier::overlaps(scene_, shape, filter()).status());
         add_list<espalier::TriangleId>(
-            words, [&](const auto& visit) { return espalier::for_each_overlap(scene_, shape, visit, scene_mask); });
+            words, [&](const auto& visit) { return espalier::for_each_overlap(scene_, shape, visit, filter()); });
     }
 
     template <class Shape>
     void answer_sweep(const Shape& shape, espalier::Vec3 displacement, Words& words) const {
         espalier::SceneSweepOptions options;
-        options.filter = scene_mask;
+        options.filter = filter();
         options.culling = espalier::FaceCulling::back;
         options.ignore_leaving = true;
         options.skin = 0.01f;
@@ -117,4 +126,5 @@ private:
     const Scene& scene_;
     const Questions& questions_;
     std::string prefix_;
+    bool is_filtered_;
 };

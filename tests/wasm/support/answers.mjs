@@ -98,6 +98,20 @@ function answerShapes(blob, questions, words) {
     for (const name of MOVING) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
 }
 
+/// Answers about the triangles that have a flag.
+export function filteredAnswers(blob, questions) {
+    const { origins, directions, limits } = questions, shapes = shapesOf(questions);
+    const only = Uint8Array.from({ length: blob.triangleCount }, (_, i) => Number(i % 3 !== 1));
+    const rays = [origins, directions], options = { tMin: 0.05, tMax: limits, culling: 'front', only };
+    const first = blob.closestHits(...rays, 3, options);
+    const words = {
+        filtered_raycast: wordsOf('hit', blob.raycast(...rays, options)), filtered_occluded: [...blob.occluded(...rays, options).status],
+        filtered_closest_hits: wordsOfLists('hit', first, { begin: (to, i) => to.push(first.end(i) - first.begin(i), first.status[i]) }),
+    };
+    for (const name of MOVING) words[`filtered_sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { skin: 0.01, only }));
+    return words;
+}
+
 export function answers(blob, questions) {
     const words = {};
     answerRays(blob, questions, words);

@@ -1,6 +1,6 @@
 // A moving scene as C++ makes it, and what the package answers about it, as words under the names of the files of C++.
 import { placesOf } from './pairs.mjs';
-import { queryAnswers } from './scene.mjs';
+import { bothAnswers } from './scene.mjs';
 import { bits, wordsOf } from './words.mjs';
 
 const CAPACITY = 40;
@@ -75,7 +75,7 @@ export function movingAnswers(scene, baked, questions) {
         moving_collisions_with_baked_limited: scene.collidingPairs({ baked, ...limit }),
     };
     return {
-        queries: queryAnswers(scene, questions, 'moving_'),
+        queries: bothAnswers(scene, questions, 'moving_', scene.slotEnd),
         pairs: Object.fromEntries(Object.entries(pairs).map(([name, found]) => [name, pairWords(found)])),
         statuses: Object.fromEntries(Object.entries(pairs).map(([name, found]) => [name, found.status])),
     };

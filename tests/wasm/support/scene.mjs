@@ -12,16 +12,19 @@ export function instancesOf(questions) {
     };
 }
 
+/// Returns the flags of C++ for instances or slots.
+const flagsOf = (length) => Uint8Array.from({ length }, (_, i) => Number(i % 4 !== 2));
+
 /// Returns the answers about a scene, baked or moving, under names with a prefix.
-export function queryAnswers(scene, questions, prefix) {
-    const { origins, directions, limits } = questions, selection = { mask: 2 };
+function queryAnswers(scene, questions, prefix, only) {
+    const { origins, directions, limits } = questions, mask = 2, selection = { mask, only };
     const options = { tMin: 0.05, tMax: limits, culling: 'back', ...selection }, shapes = shapesOf(questions);
     const rowsOf = (kind, lists, begin) => wordsOfLists(kind, lists, { begin, end: (to, i) => to.push(lists.status[i]) });
     const words = {
         raycast: wordsOf('scene_hit', scene.raycast(origins, directions, options)),
         occluded: [...scene.occluded(origins, directions, options).status],
         all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
-        closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, selection)),
+        closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, { mask })),
     };
     for (const name of ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle']) {
         const touches = scene.overlaps(shapes[name], selection);
@@ -34,9 +37,14 @@ export function queryAnswers(scene, questions, prefix) {
     return Object.fromEntries(Object.entries(words).map(([name, all]) => [prefix + name, all]));
 }
 
+/// Returns the answers with and without flags.
+export function bothAnswers(scene, questions, prefix, count) {
+    return { ...queryAnswers(scene, questions, prefix), ...queryAnswers(scene, questions, `filtered_${prefix}`, flagsOf(count)) };
+}
+
 export function sceneAnswers(scene, questions) {
     return {
         scene_facts: [scene.instanceCount, scene.meshCount, ...bits(Float32Array.of(scene.maxError, ...scene.bounds)), ...wordsOf('instance', scene.instances())],
-        ...queryAnswers(scene, questions, 'scene_'),
+        ...bothAnswers(scene, questions, 'scene_', scene.instanceCount),
     };
 }

@@ -2,7 +2,7 @@
 import {
     BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
     VerifyError, YesNo, type BakedPairs, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type CollectedPairs, type Contacts,
-    type ConvexHull, type ConvexVolume, type Corners, type Espalier, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
+    type ConvexHull, type ConvexVolume, type Corners, type Espalier, type Flags, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
     type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
 } from 'espalier';
 
@@ -71,11 +71,14 @@ const closest: SceneClosestPoints = scene.closestPoint(origins, 2, { mask: 3 });
 const touchedAny: YesNo = scene.overlaps(volumes[0], { mask: 3 });
 const touchedAll: Lists<SceneTriangles> = scene.overlappingTriangles(volumes[0]);
 const sweptIn: SceneSweepHits = scene.sweep(box, directions, { skin: 0.01, mask: 3 });
+const flags: Flags = new Uint8Array(blob.triangleCount), filtered: RayHits = blob.raycast(origins, directions, { only: flags, tMax: 5 });
+blob.occluded(origins, directions, { only: [true, false] });
+blob.closestHits(origins, directions, 4, { only: null });
 const hull: ConvexHull = { kind: 'convexHull', vertices: origins, offsets: [0, 4, 10] };
 const volume: ConvexVolume = { kind: 'convexVolume', planes: new Float32Array(24) };
-const sweptHulls: SweepHits = blob.sweep(hull, directions), hullContacts: Lists<Contacts> = blob.contacts(hull, 4);
+const sweptHulls: SweepHits = blob.sweep(hull, directions, { only: flags }), hullContacts: Lists<Contacts> = blob.contacts(hull, 4);
 const inVolume: YesNo = blob.overlaps(volume), trianglesIn: Lists<Uint32Array> = blob.overlappingTriangles(volume);
-const hullInScene: SceneSweepHits = scene.sweep(hull, directions, { mask: 1 });
+const hullInScene: SceneSweepHits = scene.sweep(hull, directions, { only: [true], mask: 1 });
 
 const moving: MovingScene = library.createMovingScene([blob, other], 100, { stepExponent: -8, tiles: [scene] });
 const handles: FoundHandles = moving.insert(instances), statuses: Uint8Array = moving.move(handles, { translation: origins });
@@ -89,7 +92,7 @@ const candidates: CollectedPairs<InstancePairs> = moving.candidatePairs({ onlyMo
 const collisions: CollectedPairs<InstancePairs> = moving.collidingPairs({ workLimit: 1000, start: candidates.next });
 const collisionsWithScene: CollectedPairs<BakedPairs> = moving.collidingPairs({ baked: scene });
 const wayBack: MovingScene = library.openMovingScene(moving.snapshot(), [blob, other], { tiles: [scene] });
-const inMoving: SceneRayHits = wayBack.raycast(origins, directions);
+const inMoving: SceneRayHits = wayBack.raycast(origins, directions, { only: new Uint8Array(wayBack.slotEnd) });
 const slots: Instances = moving.instances();
 const movingFacts: number[] = [moving.instanceCount, moving.capacity, moving.slotEnd, moving.stepExponent, moving.quality];
 if (!moving.isFreed) moving.free();
@@ -106,6 +109,6 @@ const errors: EspalierError[] = [];
 for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
     for (const error of errors) if (error instanceof type) console.log(error.status);
 
-export { collisions, collisionsWithScene, hullContacts, hullInScene, inMoving, inVolume, movingFacts, slots, statuses, sweptHulls, trianglesIn };
+export { collisions, collisionsWithScene, filtered, hullContacts, hullInScene, inMoving, inVolume, movingFacts, slots, statuses, sweptHulls, trianglesIn };
 export { apart, baked, closest, contact, facts, hidden, inScene, sweptIn, throughAll, touchedAll, touchedAny,
     contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, several, sources, sweeps, touched, touches, touching, windings, within, yes };

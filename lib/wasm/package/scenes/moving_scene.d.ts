@@ -63,14 +63,15 @@ export interface MovingScene extends SceneQueries {}
 /**
  * Instances of blobs that are inserted, moved and removed. Shapes and results are in world space.
  *
- * Results name an instance by its slot, and lists are in ascending order of slots. Of a batch of changes each instance has a status: a refused one changes nothing, and the others go on.
+ * Results name an instance by its slot, and lists are in ascending order of slots. Flags (`only`) are those of slots,
+ * `slotEnd` of them. Of a batch of changes each instance has a status: a refused one changes nothing, and the others go on.
  */
 export class MovingScene {
     private constructor();
     readonly instanceCount: number;
     /** The number of instances that there is room for. */
     readonly capacity: number;
-    /** A number above each slot that was ever used: the length of instances() and of handles(). */
+    /** A number above each slot that was ever used: the length of instances(), of handles() and of flags. */
     readonly slotEnd: number;
     /** A step of the world is 2^stepExponent long. */
     readonly stepExponent: number;

@@ -2,6 +2,7 @@
 import { integer, integerColumn, visits } from '../arguments.js';
 import { Blob } from '../blob.js';
 import { OpenError, QueryError } from '../errors.js';
+import { flagsOf } from '../filters.js';
 import { Held, Memory, releaseAll } from '../memory/held.js';
 import { fieldsOfPlaces } from '../places.js';
 import { fieldsOfHandles, fieldsOfInstances } from './instances.js';
@@ -78,6 +79,11 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
     }
     get quality() {
         return this.#fact('quality');
+    }
+
+    /// Returns the flags of slots.
+    flags(only) {
+        return only == null ? null : flagsOf(only, this.slotEnd, 'slots');
     }
 
     handles() {

@@ -1,10 +1,12 @@
 // The queries of baked and of moving scenes. Shapes and results are in world space.
 import { cullingNumber, integer, Strided } from '../arguments.js';
+import { placeFlags, refuseFilter } from '../filters.js';
 import { YesNo } from '../results.js';
 import { MOVING, shapesOf, VOLUMES } from '../shapes.js';
 import { ALL } from './instances.js';
 
-/// Adds the queries to a class whose view is an espalier_scene. `sorts`: its lists are not in ascending order of instances by themselves.
+/// Adds the queries to a class whose view is an espalier_scene, and which has flags(only): the flags of its instances.
+/// `sorts`: its lists are not in ascending order of instances by themselves.
 export const withSceneQueries = (Base, { sorts }) => class extends Base {
     raycast(origins, directions, options) {
         return this.#ofRays(origins, directions, options, (batch, rays, selection) => {
@@ -27,8 +29,9 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
             lists(batch, 'scene_ray_hit', 'wasm_scene_all_hits', 'ray', rays, selection));
     }
 
-    closestPoint(points, maxDistance = Infinity, { mask = ALL } = {}) {
+    closestPoint(points, maxDistance = Infinity, { mask = ALL, only } = {}) {
         const given = new Strided(points, 3, 'points'), bits = integer(mask, 'mask');
+        refuseFilter(only, 'closestPoint of a scene');
         return this.batch([given], (batch) => {
             const nearest = batch.allocateRecords('scene_closest_point_result');
             batch.functions.wasm_scene_closest_point(nearest, batch.view, batch.placePacked(given, 3), batch.count, maxDistance, bits);
@@ -77,9 +80,9 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
     }
 
     /// Checks what a query takes into account. Returns a function of a batch, which returns the address of that.
-    #selection({ mask = ALL } = {}) {
-        const bits = integer(mask, 'mask');
-        return (batch) => batch.allocateStructure('scene_selection', { mask: bits, sorts: Number(sorts) });
+    #selection({ mask = ALL, only } = {}) {
+        const bits = integer(mask, 'mask'), flags = this.flags(only);
+        return (batch) => batch.allocateStructure('scene_selection', { only: placeFlags(batch, flags), mask: bits, sorts: Number(sorts) });
     }
 };
 

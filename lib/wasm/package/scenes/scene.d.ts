@@ -1,11 +1,14 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
-import type { Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
+import type { FilterOptions, Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
 import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from '../results.js';
 
-export interface SceneOptions {
+export interface MaskOptions {
     /** Instances whose mask shares no bit with it are passed over. All bits unless given. */
     mask?: number;
 }
+
+/** Flags (`only`) are those of instances; a tile is one. Passing over by mask takes less time. */
+export interface SceneOptions extends MaskOptions, FilterOptions {}
 
 /** The instance of each element, and that in the tile if it is one; else NO_TRIANGLE. */
 export interface InstanceIds {
@@ -56,7 +59,7 @@ export interface SceneQueries {
     /** Returns all hits of each ray, in ascending order of instances, then of triangles. */
     allHits(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): Lists<SceneRayHits>;
     /** Returns the closest point of any surface to each point. */
-    closestPoint(points: Vectors, maxDistance?: number, options?: SceneOptions): SceneClosestPoints;
+    closestPoint(points: Vectors, maxDistance?: number, options?: MaskOptions): SceneClosestPoints;
     /** Returns whether any triangle touches each shape. */
     overlaps(shape: Volume, options?: SceneOptions): YesNo;
     /** Returns the triangles that touch each shape, in ascending order of instances. */

@@ -1,4 +1,5 @@
 // Baked scenes: many instances of blobs, each with a place in the world, in one file.
+import { flagsOf } from '../filters.js';
 import { Opened } from '../memory/opened.js';
 import { withSceneQueries } from './queries.js';
 
@@ -43,5 +44,10 @@ export class Scene extends withSceneQueries(Opened, { sorts: false }) {
             batch.functions.wasm_scene_instances(instances, batch.view);
             return batch.columns('instance', instances, count);
         });
+    }
+
+    /// Returns the flags of instances.
+    flags(only) {
+        return only == null ? null : flagsOf(only, this.instanceCount, 'instances');
     }
 }
