@@ -52,7 +52,7 @@ function answerPoints(blob, { origins }, words) {
 }
 
 /// The shapes that queries take, by their names in C++.
-const VOLUMES = ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle', 'convex_volume'];
+export const VOLUMES = ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle'];
 const BODIES = ['sphere', 'capsule', 'oriented_box', 'convex_hull'];
 export const MOVING = ['sphere', 'capsule', 'box', 'oriented_box', 'convex_hull'];
 
@@ -82,7 +82,7 @@ function answerShapes(blob, questions, words) {
     words.closest_to_segments = wordsOf('nearest', blob.closestPoint({ kind: 'segment', from: origins, to: directions }, 1.5));
     words.closest_to_boxes = wordsOf('nearest', blob.closestPoint({ kind: 'box', min: origins, max: directions }, 1.5));
     const shapes = shapesOf(questions);
-    for (const name of VOLUMES) {
+    for (const name of [...VOLUMES, 'convex_volume']) {
         const touches = blob.overlaps(shapes[name]), lists = blob.overlappingTriangles(shapes[name]);
         words[name] = wordsOfLists('triangle', lists, {
             begin: (to, i) => to.push(touches.status[i]),

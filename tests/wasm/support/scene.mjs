@@ -1,5 +1,5 @@
 // What the package answers about a scene, as words under the names of the files of C++.
-import { MOVING, shapesOf } from './answers.mjs';
+import { MOVING, shapesOf, VOLUMES } from './answers.mjs';
 import { placesOf } from './pairs.mjs';
 import { bits, wordsOf, wordsOfLists } from './words.mjs';
 
@@ -26,7 +26,7 @@ function queryAnswers(scene, questions, prefix, only) {
         all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
         closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, { mask })),
     };
-    for (const name of ['sphere', 'capsule', 'box', 'oriented_box', 'cone', 'triangle']) {
+    for (const name of VOLUMES) {
         const touches = scene.overlaps(shapes[name], selection);
         words[name] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], selection), (to, i) => to.push(touches.status[i]));
     }
