@@ -5,7 +5,7 @@ import test from 'node:test';
 import { lumpyBody, questions } from './support/questions.mjs';
 import { espalier } from './support/setup.mjs';
 
-const { load, NO_TRIANGLE, Status } = espalier;
+const { load, NO_TRIANGLE, pairs, Status } = espalier;
 const library = await load();
 const { origins, directions } = questions(100);
 const body = await library.bake(lumpyBody());
@@ -74,6 +74,14 @@ test('wrong flags throw, and what takes none says so', async () => {
     throws(() => square.closestHits(...ray, 2, { only: [] }), RangeError, /2 triangles/);
     throws(() => scene.raycast(...ray, { only: [true] }), RangeError, /each of the 2 instances, but has 1/);
     throws(() => moving.overlaps({ kind: 'sphere', center: [0, 0, 0], radius: 1 }, { only: [true] }), RangeError, /each of the 3 slots, but has 1/);
-    for (const list of ['allHits', 'crossings']) throws(() => square[list](...ray, { only: [true, true] }), TypeError, /takes no flags/);
-    for (const each of [scene, moving]) throws(() => each.closestPoint([0, 0, 0], 1, { only: [true] }), TypeError, /takes no flags/);
+    for (const list of ['allHits', 'crossings']) throws(() => square[list](...ray, { only: [true, true] }), TypeError, /only is not for/);
+    for (const each of [scene, moving]) throws(() => each.closestPoint([0, 0, 0], 1, { only: [true] }), TypeError, /only is not for/);
+    const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 1 }, point = [0, 0, 0], only = [true, true];
+    const refused = [
+        () => square.overlaps(sphere, { only }), () => square.overlappingTriangles(sphere, { only }), () => square.contacts(sphere, 4, 0, { only }),
+        () => square.closestPoint(point, 1, { only }), () => square.signedDistance(point, 1, { only }), () => square.closestTriangles(point, 4, 1, { only }),
+        () => square.contains(point, { only }), () => square.windingNumber(point, 64, { only }), () => pairs.overlaps(square, square, { only }),
+        () => pairs.distance(square, square, { only }), () => moving.candidatePairs({ only }), () => moving.collidingPairs({ only, baked: scene }),
+    ];
+    for (const call of refused) throws(call, TypeError, /only is not for/);
 });

@@ -10,9 +10,9 @@ export function flagsOf(only, count, name) {
     return flags;
 }
 
-/// Throws for a query that has no filter, rather than pass over one that was given.
-export function refuseFilter(only, name) {
-    if (only != null) throw new TypeError(`${name} takes no flags (only)`);
+/// Throws for a query that has no filter, rather than pass over the flags in its options.
+export function refuseFilter(options, name) {
+    if (options?.only != null) throw new TypeError(`only is not for ${name}: flags are for queries that have a filter`);
 }
 
 /// Copies flags into memory of a batch and returns the address of an espalier_flags; 0 for all.

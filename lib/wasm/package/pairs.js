@@ -1,6 +1,7 @@
 // Pairs of blobs, each at one place in the world or at many.
 import { Strided, visits } from './arguments.js';
 import { Blob } from './blob.js';
+import { refuseFilter } from './filters.js';
 import { fieldsOfPlaces } from './places.js';
 import { YesNo } from './results.js';
 
@@ -16,8 +17,8 @@ export function firstContact(a, b, options) {
     return records('pair_contact', 'wasm_pair_first_contact', a, b, {}, options);
 }
 
-export function distance(a, b, { maxDistance = Infinity, workLimit } = {}) {
-    return records('blob_distance', 'wasm_pair_distance', a, b, { maxDistance }, { workLimit });
+export function distance(a, b, { maxDistance = Infinity, ...options } = {}) {
+    return records('blob_distance', 'wasm_pair_distance', a, b, { maxDistance }, options);
 }
 
 export function contacts(a, b, options) {
@@ -53,7 +54,8 @@ function lists(record, name, a, b, options) {
 
 /// Calls use(batch, pair, limit, others), where pair(n) has both blobs and their places from n on, and others are the
 /// addresses of the numbers.
-function ofPair(a, b, numbers, { workLimit = Infinity } = {}, use) {
+function ofPair(a, b, numbers, { workLimit = Infinity, ...rest } = {}, use) {
+    refuseFilter(rest, 'a query of two blobs');
     const first = placed(a, 'a'), second = placed(b, 'b'), limit = visits(workLimit);
     const others = Object.entries(numbers).map(([name, given]) => new Strided(given, 1, name));
     const all = [...Object.values(first.fields), ...Object.values(second.fields), ...others];

@@ -1,5 +1,6 @@
 // Points against one blob: closest points and triangles, inside, and how often the surface winds around.
 import { integer, Strided } from './arguments.js';
+import { refuseFilter } from './filters.js';
 import { fieldsOf } from './memory/batch.js';
 import { RayQueries } from './rays.js';
 import { YesNo } from './results.js';
@@ -7,16 +8,19 @@ import { YesNo } from './results.js';
 const SHAPES = { segment: { from: 3, to: 3 }, box: { min: 3, max: 3 } };
 
 export class PointQueries extends RayQueries {
-    closestPoint(points, maxDistance = Infinity) {
+    closestPoint(points, maxDistance = Infinity, options) {
+        refuseFilter(options, 'closestPoint of a blob');
         if (points?.kind !== undefined) return this.#closestToShapes(points, maxDistance);
         return this.#nearest('espalier_closest_point_arrays', points, maxDistance);
     }
 
-    signedDistance(points, maxDistance = Infinity) {
+    signedDistance(points, maxDistance = Infinity, options) {
+        refuseFilter(options, 'signedDistance');
         return this.#nearest('espalier_signed_distance_arrays', points, maxDistance);
     }
 
-    closestTriangles(points, most, maxDistance = Infinity) {
+    closestTriangles(points, most, maxDistance = Infinity, options) {
+        refuseFilter(options, 'closestTriangles');
         integer(most, 'most');
         return this.#ofPoints(points, (batch, given) => {
             const record = 'closest_point_result';
@@ -26,7 +30,8 @@ export class PointQueries extends RayQueries {
         });
     }
 
-    contains(points) {
+    contains(points, options) {
+        refuseFilter(options, 'contains');
         return this.#ofPoints(points, (batch, given) => {
             const answers = batch.allocate(batch.count);
             batch.fill('espalier_contains_arrays', batch.placeStrided(given), answers, batch.count);
@@ -34,7 +39,8 @@ export class PointQueries extends RayQueries {
         });
     }
 
-    windingNumber(points, directions = 64) {
+    windingNumber(points, directions = 64, options) {
+        refuseFilter(options, 'windingNumber');
         integer(directions, 'directions');
         return this.#ofPoints(points, (batch, given) => {
             const numbers = batch.allocateRecords('float_result');

@@ -43,11 +43,11 @@ export class RayQueries extends Opened {
 
     /// Returns the flags of triangles.
     flags(only) {
-        return only == null ? null : flagsOf(only, this.triangleCount, 'triangles');
+        return flagsOf(only, this.triangleCount, 'triangles');
     }
 
     #lists(name, origins, directions, options) {
-        refuseFilter(options?.only, 'a list of all hits');
+        refuseFilter(options, 'a list of all hits');
         return this.#cast(origins, directions, options, (batch, rays) =>
             batch.collect(batch.instance.records.ray_hit.bytes, (filled, done, to) =>
                 batch.functions[name](filled, batch.view, rays(done), to.statuses, to.offsets, to.count, to.items, to.capacity),

@@ -1,11 +1,11 @@
 // Volumes, bodies and moving shapes against one blob.
 import { cullingNumber, integer, integers, Strided } from './arguments.js';
-import { placeFlags } from './filters.js';
+import { placeFlags, refuseFilter } from './filters.js';
 import { fieldsOf } from './memory/batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
 
-/// The fields of each shape, and how many numbers each of them has.
+/// The fields of each shape of fixed size, and how many numbers each of them has.
 const FIELDS = {
     sphere: { center: 3, radius: 1 },
     capsule: { from: 3, to: 3, radius: 1 },
@@ -15,6 +15,7 @@ const FIELDS = {
     triangle: { a: 3, b: 3, c: 3 },
 };
 export const VOLUMES = Object.keys(FIELDS);
+const VOLUMES_OF_BLOBS = [...VOLUMES, 'convexVolume'];
 export const MOVING = ['sphere', 'capsule', 'box', 'orientedBox', 'convexHull'];
 const BODIES = ['sphere', 'capsule', 'orientedBox', 'convexHull'];
 
@@ -53,16 +54,18 @@ function shapesOfParts(given, name, { field, components }) {
 }
 
 export class ShapeQueries extends PointQueries {
-    overlaps(shape) {
-        return this.#ofShapes(shape, [...VOLUMES, 'convexVolume'], [], (batch, name, shapes) => {
+    overlaps(shape, options) {
+        refuseFilter(options, 'overlaps of a blob');
+        return this.#ofShapes(shape, VOLUMES_OF_BLOBS, [], (batch, name, shapes) => {
             const answers = batch.allocate(batch.count);
             batch.functions[`wasm_overlaps_${name}`](answers, batch.view, shapes, batch.count);
             return new YesNo(batch.copy(Uint8Array, answers));
         });
     }
 
-    overlappingTriangles(shape) {
-        return this.#ofShapes(shape, [...VOLUMES, 'convexVolume'], [], (batch, name, shapes) => {
+    overlappingTriangles(shape, options) {
+        refuseFilter(options, 'a list of all triangles');
+        return this.#ofShapes(shape, VOLUMES_OF_BLOBS, [], (batch, name, shapes) => {
             const { bytes } = batch.instance.records[name];
             return batch.collect(4, (filled, done, to) => batch.functions[`wasm_collect_overlaps_${name}`](
                 filled, batch.view, shapes + done * bytes, to.statuses, to.offsets, to.count, to.items, to.capacity),
@@ -70,7 +73,8 @@ export class ShapeQueries extends PointQueries {
         });
     }
 
-    contacts(shape, most, margin = 0) {
+    contacts(shape, most, margin = 0, options) {
+        refuseFilter(options, 'contacts');
         integer(most, 'most');
         const margins = new Strided(margin, 1, 'margin');
         return this.#ofShapes(shape, BODIES, [margins], (batch, name, bodies) => {

@@ -2,7 +2,7 @@
 import { integer, integerColumn, visits } from '../arguments.js';
 import { Blob } from '../blob.js';
 import { OpenError, QueryError } from '../errors.js';
-import { flagsOf } from '../filters.js';
+import { flagsOf, refuseFilter } from '../filters.js';
 import { Held, Memory, releaseAll } from '../memory/held.js';
 import { fieldsOfPlaces } from '../places.js';
 import { fieldsOfHandles, fieldsOfInstances } from './instances.js';
@@ -83,7 +83,7 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
 
     /// Returns the flags of slots.
     flags(only) {
-        return only == null ? null : flagsOf(only, this.slotEnd, 'slots');
+        return flagsOf(only, this.slotEnd, 'slots');
     }
 
     handles() {
@@ -197,6 +197,7 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
     }
 
     #pairs(name, { baked = null, ...options } = {}, limits) {
+        refuseFilter(options, 'pairs of instances');
         if (baked !== null && !(baked instanceof Scene)) throw new TypeError('baked must be a scene that was baked or opened');
         return this.batch([], (batch) => {
             const { scene } = this.#addresses;

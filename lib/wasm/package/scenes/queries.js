@@ -29,9 +29,9 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
             lists(batch, 'scene_ray_hit', 'wasm_scene_all_hits', 'ray', rays, selection));
     }
 
-    closestPoint(points, maxDistance = Infinity, { mask = ALL, only } = {}) {
+    closestPoint(points, maxDistance = Infinity, { mask = ALL, ...others } = {}) {
         const given = new Strided(points, 3, 'points'), bits = integer(mask, 'mask');
-        refuseFilter(only, 'closestPoint of a scene');
+        refuseFilter(others, 'closestPoint of a scene');
         return this.batch([given], (batch) => {
             const nearest = batch.allocateRecords('scene_closest_point_result');
             batch.functions.wasm_scene_closest_point(nearest, batch.view, batch.placePacked(given, 3), batch.count, maxDistance, bits);

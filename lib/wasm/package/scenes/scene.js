@@ -48,6 +48,6 @@ export class Scene extends withSceneQueries(Opened, { sorts: false }) {
 
     /// Returns the flags of instances.
     flags(only) {
-        return only == null ? null : flagsOf(only, this.instanceCount, 'instances');
+        return flagsOf(only, this.instanceCount, 'instances');
     }
 }
