@@ -19,6 +19,7 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/overlap/volume_queries.inl>
 #include <runtime/sweeps/time_bounds.inl>
 #include <runtime/sweeps/swept_box.inl>
+#include <runtime/sweeps/beside_way.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
 #include <runtime/sweeps/hull_bounds.inl>

@@ -3,11 +3,14 @@
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/time_bounds.inl>
+#include <runtime/sweeps/beside_way.inl>
 #endif
 
 /// The box has gone `begin` of its way before, without touching any of the triangles.
 class BoxBounds {
 public:
+    using Beside = AnyPlace;
+
     explicit BoxBounds(const BoxInLanes& box)
         : way_(splat_each(box.way)), half_(splat_each(box.half)), size_(add(length_bound(way_), length_bound(half_))) {}
 

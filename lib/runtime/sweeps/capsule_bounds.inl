@@ -5,11 +5,14 @@
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/time_bounds.inl>
+#include <runtime/sweeps/beside_way.inl>
 #endif
 
 /// The capsule has gone `begin` of its way before, without touching any of the triangles.
 class CapsuleBounds {
 public:
+    using Beside = BesideWay;
+
     explicit CapsuleBounds(const CapsuleInLanes& capsule)
         : way_(splat_each(capsule.way)),
           axis_(splat_each(capsule.axis)),

@@ -11,6 +11,7 @@
 #include <runtime/proximity/point_bounds.inl>
 #include <runtime/sweeps/time_bounds.inl>
 #include <runtime/sweeps/swept_box.inl>
+#include <runtime/sweeps/beside_way.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
 #include <runtime/sweeps/hull_bounds.inl>

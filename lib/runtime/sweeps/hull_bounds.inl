@@ -4,11 +4,14 @@
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/time_bounds.inl>
+#include <runtime/sweeps/beside_way.inl>
 #endif
 
 /// The hull has gone `begin` of its way before, without touching any of the triangles.
 class HullBounds {
 public:
+    using Beside = AnyPlace;
+
     explicit HullBounds(const HullInLanes& hull) : hull_(hull), way_(splat_each(hull.way)) {
         size_ =
             add(length_bound(way_), larger(length_bound(splat_each(hull.low)), length_bound(splat_each(hull.high))));

@@ -1,6 +1,7 @@
 // The triangles of a leaf that a moving shape may touch, each with a lower bound of the time: of the boxes around both
 // first, and of the shapes where those meet.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/sweeps/beside_way.inl>
 #include <runtime/sweeps/swept_box.inl>
 #endif
 
@@ -43,9 +44,12 @@ struct LeafTimes {
             }
         };
         const SweptBox box(sweep);
+        const typename Bounds::Beside beside(sweep, limit);
         Slots met = 0;
         for_each_group([&](unsigned start, const CornersFromPoint& t) {
-            met |= Slots{box.meet(t, limit, first + start)} << start;
+            unsigned here = box.meet(t, limit, first + start);
+            if (here != 0) here &= beside.meet(t);
+            met |= Slots{here} << start;
         });
         met &= leaf.used_slots();
         if (met == 0 || sweep.is_far) return met;

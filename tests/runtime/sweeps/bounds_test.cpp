@@ -25,6 +25,7 @@ namespace espalier::detail::scalar {
 #include <runtime/proximity/point_bounds.inl>
 #include <runtime/sweeps/time_bounds.inl>
 #include <runtime/sweeps/swept_box.inl>
+#include <runtime/sweeps/beside_way.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
 #include <runtime/sweeps/hull_bounds.inl>
@@ -223,17 +224,21 @@ struct Outcome {
     std::uint64_t close = 0;     ///< hits whose bound is within a thousandth of the way
 };
 
-/// The time that lanes give a triangle, as they do for a leaf.
-template <class Bounds, class InLanes>
-float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
-    using namespace detail::scalar;
-    Floats3 corners[3];
+/// A triangle as lanes see it.
+detail::scalar::CornersFromPoint seen_in_lanes(const detail::SweepInLanes& lanes, const LatticeTriangle& triangle) {
+    detail::scalar::Floats3 corners[3];
     for (unsigned i = 0; i < 3; ++i) {
         float at[3];
         for (int k = 0; k < 3; ++k) at[k] = static_cast<float>(triangle.corner[i][k]) * lanes.scale - lanes.from[k];
         corners[i] = {at[0], at[1], at[2]};
     }
-    const CornersFromPoint t = {corners[0], corners[1], corners[2]};
+    return {corners[0], corners[1], corners[2]};
+}
+/// The time that lanes give a triangle, as they do for a leaf.
+template <class Bounds, class InLanes>
+float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
+    using namespace detail::scalar;
+    const CornersFromPoint t = seen_in_lanes(lanes, triangle);
     float time = 0.0f;
     if (SweptBox(lanes).meet(t, 1.0f, &time) == 0) return 2.0f;
     if (lanes.is_far) return time;
@@ -265,6 +270,24 @@ void check(const Cases& cases, const Sweep& sweep, float time, Outcome& outcome)
         words += " | " + std::to_string(sweep.fraction_bits);
         FAIL_CHECK(words);
     }
+}
+
+/// The same of a direction that may separate both until a step. The triangle meets the box that goes the same way.
+void check_beside(const Cases& cases, const CapsuleSweep& sweep, SweepStep step, SweepStep most, Outcome& outcome) {
+    using namespace detail::scalar;
+    const auto lanes = detail::in_lanes(cases.blob(), sweep);
+    const CornersFromPoint t = seen_in_lanes(lanes, cases.triangle());
+    const float limit = detail::share_of_way(most);
+    float time = 0.0f;
+    if (SweptBox(lanes).meet(t, limit, &time) == 0) return;
+    const bool may_touch = BesideWay(lanes, limit).meet(t) != 0;
+    if (step == no_contact || step > most) {
+        ++outcome.misses;
+        outcome.rejected += may_touch ? 0u : 1u;
+        return;
+    }
+    ++outcome.hits;
+    if (!may_touch) FAIL_CHECK("touched at step ", step, " of ", most);
 }
 
 }  // namespace
@@ -300,5 +323,30 @@ TEST_SUITE("bounds") {
             CHECK(outcome.hits > count / 2);
             CHECK(outcome.misses > count / 10);
         }
+    }
+
+    TEST_CASE("sweep: triangles beside the way of a capsule are not touched up to a step") {
+        Outcome outcome;
+        const std::uint64_t count = scaled_share(200'000);
+        for (const unsigned bits : {8u, 16u, 24u}) {
+            BakeOptions options;
+            options.resolution = Resolution::bits(bits);
+            const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
+            Cases cases(opened, bits, bits);
+            Random random(bits);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                cases.make_triangle();
+                const CapsuleSweep capsule = cases.capsule();
+                // At some step, and most often at the one of the first contact.
+                const SweepStep step = first_contact(capsule, cases.triangle(), whole_way);
+                const SweepStep most = step != no_contact && random.below(4) != 0 ? step : random.below(whole_way + 1);
+                check_beside(cases, capsule, step, most, outcome);
+            }
+        }
+        MESSAGE(outcome.hits, " hits; ", outcome.misses, " misses, ", outcome.rejected, " beside the way");
+        if (!asks_enough()) return;
+        CHECK(outcome.hits > count / 2);
+        CHECK(outcome.misses > count / 10);
+        CHECK(outcome.rejected > outcome.misses / 2);
     }
 }
