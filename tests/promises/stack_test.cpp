@@ -313,7 +313,7 @@ TEST_SUITE("stack") {
                  })},
                 {"overlaps and pages, a capsule", 3584,
                  volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-                {"overlaps and pages, a box", 1856, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+                {"overlaps and pages, a box", 2560, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
                 {"overlaps and pages, an oriented box", 3456,
                  volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
                 {"overlaps and pages, a cone", 3584, volume_row([](ShapeMaker& maker) {
