@@ -347,6 +347,6 @@ TEST_SUITE("bounds") {
         if (!asks_enough()) return;
         CHECK(outcome.hits > count / 2);
         CHECK(outcome.misses > count / 10);
-        CHECK(outcome.rejected > outcome.misses / 2);
+        CHECK(outcome.rejected > outcome.misses / 10);
     }
 }
