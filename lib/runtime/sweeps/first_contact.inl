@@ -158,6 +158,7 @@ private:
 /// A shape on its way.
 template <class Mover, class Node>
 struct MovingShape {
+    struct CostlyLeaves {};
     using Sweep = typename Mover::Sweep;
     using InLanes = typename Mover::InLanes;
 

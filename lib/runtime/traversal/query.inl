@@ -13,6 +13,7 @@
 //                                                            triangle. Bounds above the limit may be any number above
 //   float farthest(const Node&, unsigned child)              optional: how far the farthest point of a child's box is
 //   bool meets_any(blob, const Node&, unsigned children)     optional: whether it meets one of the boxes, exactly
+//   struct CostlyLeaves                                      optional: leaves are visited the nearest first, too
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/traversal/traverse.inl>
 #endif
