@@ -13,6 +13,7 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
+#include <runtime/overlap/volume_queries.inl>
 #include <runtime/pairs/search_pairs.inl>
 #include <runtime/scenes/instance_walk.inl>
 #include <runtime/moving_scenes/box_tree/self_join.inl>

@@ -23,6 +23,7 @@ using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argume
 #include <runtime/traversal/find.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/instruction_sets/one_blob.inl>
+#include <runtime/overlap/volume_queries.inl>
 #include <runtime/rays/batch/batch.inl>
 #include <runtime/scenes/instance_walk.inl>
 #include <runtime/moving_scenes/box_tree/self_join.inl>

@@ -16,7 +16,6 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/rays/closest.inl>
 #include <runtime/rays/in_order.inl>
 #include <runtime/proximity/point_queries.inl>
-#include <runtime/overlap/volume_queries.inl>
 #include <runtime/sweeps/time_bounds.inl>
 #include <runtime/sweeps/swept_box.inl>
 #include <runtime/sweeps/beside_way.inl>

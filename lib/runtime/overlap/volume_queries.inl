@@ -2,7 +2,7 @@
 // with a corner inside of it; the kernel of the shape decides on the others.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/overlap/volume.hpp>
-#include <runtime/proximity/point_queries.inl>
+#include <runtime/proximity/overlap_candidates.inl>
 #endif
 
 /// A word for each vertex of a leaf, from the sides of a shape. A triangle all of whose corners are beyond one side is

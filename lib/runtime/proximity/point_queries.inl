@@ -6,6 +6,7 @@
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/proximity/triangle_gap.hpp>
 #endif
+#include <runtime/proximity/overlap_candidates.inl>
 #include <runtime/proximity/point_bounds.inl>
 
 /// Calls `on_group(first slot, corners)` for a leaf's triangles.
@@ -30,26 +31,6 @@ ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const Rou
     }
 }
 
-/// The triangles of a leaf that a shape may overlap, and those with a corner that is clearly inside of it.
-template <class Slots>
-struct OverlapCandidates {
-    Slots near = 0;
-    Slots inside = 0;
-};
-/// Hands the answer those that overlap; `overlaps(slot)` decides on one.
-template <class Leaf, class SomeAnswer, class Overlaps>
-ESPALIER_ALWAYS_INLINE inline Visit take_candidates(const Leaf& leaf,
-                                                    OverlapCandidates<typename Leaf::Slots> candidates,
-                                                    SomeAnswer& answer, Overlaps overlaps) {
-    for (; candidates.near != 0; candidates.near &= candidates.near - 1) {
-        const auto slot = static_cast<unsigned>(std::countr_zero(candidates.near));
-        const std::uint32_t reference = storage_index(leaf, slot);
-        if (reference < answer.first) continue;
-        if ((candidates.inside >> slot & 1u) == 0 && !overlaps(slot)) continue;
-        if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
-    }
-    return Visit::next;
-}
 template <unsigned groups, class Leaf>
 ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
                                                                                        const RoundedPoint& point) {
