@@ -123,11 +123,12 @@ test('a snapshot continues with its handles', () => {
 });
 
 test('a mesh takes another blob', async () => {
-    const { scene, handles } = row();
+    const scene = library.createMovingScene([square], 10);  // boxes in more than one node
+    const handles = scene.insert({ translation: Array.from({ length: 30 }, (_, i) => i % 3 === 0 ? 5 * i / 3 : 0) });
     const half = await library.bake({ positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0], triangles: [0, 1, 2] });
     const raised = await library.bake({ positions: [-1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], triangles: [0, 1, 2, 0, 2, 3] });
     scene.repack();
-    scene.move(one(handles, 0), { translation: [40, 0, 0] });
+    scene.move(one(handles, 0), { translation: [400, 0, 0] });
     const { quality } = scene;
     assert.ok(quality > 1);
     scene.setMesh(0, half);  // with the same lattice: the tree is refitted

@@ -100,7 +100,7 @@ void answer_all_pairs(espalier::MovingScene& scene, const espalier::BakedScene& 
     using espalier::BakedPair;
     using espalier::InstancePair;
     constexpr auto unlimited = espalier::WorkLimit::unlimited();
-    constexpr espalier::WorkLimit limit(2000);
+    constexpr espalier::WorkLimit limit(300);
     espalier::PairFilter moved;
     moved.only_moved = true;
     answer_pairs<InstancePair>("moving_candidates", [&](auto pairs) {

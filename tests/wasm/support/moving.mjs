@@ -66,7 +66,7 @@ export function movingScene(library, blob, coarse, tile, questions) {
 }
 
 export function movingAnswers(scene, baked, questions) {
-    const limit = { workLimit: 2000 };
+    const limit = { workLimit: 300 };
     const pairs = {
         moving_candidates: scene.candidatePairs({ start: [1, 5] }), moving_moved: scene.candidatePairs({ onlyMoved: true }),
         moving_collisions: scene.collidingPairs(), moving_collisions_limited: scene.collidingPairs(limit),
