@@ -32,12 +32,12 @@ fi
 
 # The program includes parts of the library by their names: all of them are the one header.
 cd ..
-mkdir -p include/espalier/{scenes,batches}
+mkdir -p include/espalier/{base,scenes,batches}
 ln -s ../../single/espalier.h include/espalier/espalier.h
 for header in "$project"/lib/espalier/*.hpp; do
     echo '#include "../../single/espalier.hpp"' >"include/espalier/${header##*/}"
 done
-for header in "$project"/lib/espalier/{scenes,batches}/*.hpp; do
+for header in "$project"/lib/espalier/{base,scenes,batches}/*.hpp; do
     echo '#include "../../../single/espalier.hpp"' >"include/${header#"$project"/lib/}"
 done
 ln -s "$project/lib/runtime" include/runtime  # it chooses instruction sets
