@@ -52,7 +52,8 @@ run_all_tests() {
     else
         failed=$((failed + 1))
     fi
-    if build build/sanitize all --preset sanitize -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then
+    if build build/sanitize all --preset sanitize -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors" \
+        -DCMAKE_C_COMPILER_LAUNCHER="$launcher" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"; then
         run_tests build/sanitize -LE emulated
     else
         failed=$((failed + 1))
