@@ -2,7 +2,7 @@
 // c/attributes.h is the counterpart for C. For the library itself.
 #pragma once
 
-#if defined(__GNUC__)  // also Clang
+#if defined(__GNUC__) || defined(__clang__)  // which names itself alone in its Microsoft mode
 
 /// For a function: it becomes a part of each caller. For a lambda, behind its parameters: the other one.
 #define ESPALIER_ALWAYS_INLINE [[gnu::always_inline]]
