@@ -5,14 +5,14 @@
 #include <runtime/proximity/overlap_candidates.inl>
 #endif
 
-/// A word for each vertex of a leaf, from the sides of a shape. A triangle all of whose corners are beyond one side is
-/// out (Sutherland and Cohen). Shapes have either bounds and few planes, or planes only.
+/// The bits of a vertex's word, one for each side of a shape that it may be beyond. A triangle all of whose corners are
+/// beyond one side is out (Sutherland and Cohen). Shapes have either bounds and few planes, or planes only.
 struct Sides {
     static constexpr unsigned bounds_shift = 26;
     static constexpr std::uint32_t planes = (1u << bounds_shift) - 1u;  ///< of a shape with bounds
     static_assert(max_planes == 32 && bounds_shift + 6 == 32);
-    static constexpr std::uint32_t below(int k) { return 1u << (bounds_shift + 2 * static_cast<unsigned>(k)); }
-    static constexpr std::uint32_t above(int k) { return 2 * below(k); }
+    static constexpr unsigned below(unsigned k) { return bounds_shift + 2 * k; }
+    static constexpr unsigned above(unsigned k) { return below(k) + 1; }
 };
 
 /// Returns the sides that do not have all vertices of a leaf deep inside of them: all sides, where vertices may lie
@@ -26,9 +26,10 @@ inline std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
     for (unsigned i = 0; i < volume.plane_count; ++i)
         if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i], depth)) sides |= 1u << i;
     if (!volume.bounded) return sides;
-    for (int k = 0; k < 3; ++k) {
-        if (!in_box || leaf.node.low(k, leaf.child(), bits) < volume.bounds.low[k]) sides |= Sides::below(k);
-        if (!in_box || leaf.node.high(k, leaf.child(), bits) > volume.bounds.high[k]) sides |= Sides::above(k);
+    for (unsigned i = 0; i < 3; ++i) {
+        const auto k = static_cast<int>(i);
+        if (!in_box || leaf.node.low(k, leaf.child(), bits) < volume.bounds.low[k]) sides |= 1u << Sides::below(i);
+        if (!in_box || leaf.node.high(k, leaf.child(), bits) > volume.bounds.high[k]) sides |= 1u << Sides::above(i);
     }
     return sides;
 }
@@ -80,9 +81,8 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
             if (!volume.bounded) continue;
             const auto low = static_cast<std::uint32_t>(volume.bounds.low[k]);
             const auto high = static_cast<std::uint32_t>(volume.bounds.high[k]);
-            const unsigned bit = Sides::bounds_shift + 2 * k;
-            sides = sides | sign_of(add(at[k], 0u - low)) << bit;
-            sides = sides | sign_of(~add(at[k], ~high)) << (bit + 1);  // high less the coordinate
+            sides = sides | sign_of(add(at[k], 0u - low)) << Sides::below(k);
+            sides = sides | sign_of(~add(at[k], ~high)) << Sides::above(k);  // high less the coordinate
         }
         Ints shallow = sides;
         if (planes != 0) {
@@ -115,7 +115,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
     return candidates;
 }
 
-/// Whether all corners are beyond one of the planes.
+/// Tests whether all corners are beyond one of the planes.
 [[maybe_unused]] inline bool is_beyond_a_plane(const Volume& volume, const LatticeTriangle& triangle) {
     for (unsigned i = 0; i < volume.plane_count; ++i) {
         const LatticePlane& plane = volume.planes[i];

@@ -4,14 +4,14 @@
 #include <runtime/sweeps/time_bounds.inl>
 #endif
 
-/// For shapes whose bounds take no longer: rejects nothing.
+/// The test in place of BesideWay where bounds take no longer. It rejects nothing.
 struct AnyPlace {
     AnyPlace(const SweepInLanes&, float) {}
     [[nodiscard]] unsigned meet(const CornersFromPoint&) const { return ~0u; }
 };
 
-/// Rejects triangles beside the way by one direction each: cheaper than a bound by far, and most of those in dense
-/// places. A direction leads from the nearest point of the way of the capsule's middle to the mean of the corners.
+/// The test that rejects triangles beside the way, by one direction each. It takes less time than a bound. A direction
+/// leads from the nearest point of the way of the capsule's middle to the mean of the corners.
 class BesideWay {
 public:
     BesideWay(const CapsuleInLanes& capsule, float limit)

@@ -58,13 +58,17 @@ private:
     }
 };
 
-/// True for visitors whose leaves cost more than several nodes, or queries of whose shape they do: leaves with no nodes
-/// beside them are then ordered, too.
+/// True for types that declare their leaves to cost more than several nodes.
+template <class Type>
+concept DeclaresCostlyLeaves = requires {
+    typename Type::CostlyLeaves;
+};
+/// True for visitors that do so, or that have a shape which does: leaves with no nodes beside them are then ordered,
+/// too.
 template <class Visitor>
-inline constexpr bool has_costly_leaves = requires {
-    typename Visitor::CostlyLeaves;
-}
-|| requires(Visitor visitor) { typename std::remove_cvref_t<decltype(visitor.shape)>::CostlyLeaves; };
+inline constexpr bool has_costly_leaves = DeclaresCostlyLeaves<Visitor> || requires(Visitor visitor) {
+    requires DeclaresCostlyLeaves<std::remove_cvref_t<decltype(visitor.shape)>>;
+};
 
 /// A walk to the children with the smallest keys first: for queries whose limit shrinks as they find something. A leaf
 /// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie, unless they are

@@ -26,6 +26,15 @@ espalier_ray ray_at(const espalier_ray_arrays& rays, std::size_t i) {
             element<float>(rays.t_min, i), element<float>(rays.t_max, i), rays.culling};
 }
 
+/// Calls use(i, ray) for each ray.
+template <class Use>
+void for_each_ray(const espalier_ray_arrays& rays, std::size_t count, Use use) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const espalier_ray ray = ray_at(rays, i);
+        use(i, &ray);
+    }
+}
+
 }  // namespace
 
 // Each function begins with where it writes, as C's own that return a structure.
@@ -35,10 +44,9 @@ extern "C" [[clang::export_name("wasm_raycast_filtered")]] void wasm_raycast_fil
                                                                                       const espalier_ray_arrays* rays,
                                                                                       std::size_t count,
                                                                                       espalier_flags* only) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const espalier_ray ray = ray_at(*rays, i);
-        hits[i] = espalier_raycast_filtered(blob, &ray, espalier::wasm::keeps_triangle, only);
-    }
+    for_each_ray(*rays, count, [&](std::size_t i, const espalier_ray* ray) {
+        hits[i] = espalier_raycast_filtered(blob, ray, espalier::wasm::keeps_triangle, only);
+    });
 }
 
 extern "C" [[clang::export_name("wasm_occluded_filtered")]] void wasm_occluded_filtered(espalier_yes_no* answers,
@@ -46,19 +54,17 @@ extern "C" [[clang::export_name("wasm_occluded_filtered")]] void wasm_occluded_f
                                                                                         const espalier_ray_arrays* rays,
                                                                                         std::size_t count,
                                                                                         espalier_flags* only) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const espalier_ray ray = ray_at(*rays, i);
-        answers[i] = espalier_occluded_filtered(blob, &ray, espalier::wasm::keeps_triangle, only);
-    }
+    for_each_ray(*rays, count, [&](std::size_t i, const espalier_ray* ray) {
+        answers[i] = espalier_occluded_filtered(blob, ray, espalier::wasm::keeps_triangle, only);
+    });
 }
 
 // Each ray has `places` places in `hits`, of which found[i].count are filled.
 extern "C" [[clang::export_name("wasm_closest_hits_filtered")]] void wasm_closest_hits_filtered(
     espalier_ray_hit* hits, std::size_t places, espalier_filled* found, const espalier_blob* blob,
     const espalier_ray_arrays* rays, std::size_t count, espalier_flags* only) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const espalier_ray ray = ray_at(*rays, i);
+    for_each_ray(*rays, count, [&](std::size_t i, const espalier_ray* ray) {
         found[i] =
-            espalier_closest_hits_filtered(blob, &ray, hits + i * places, places, espalier::wasm::keeps_triangle, only);
-    }
+            espalier_closest_hits_filtered(blob, ray, hits + i * places, places, espalier::wasm::keeps_triangle, only);
+    });
 }

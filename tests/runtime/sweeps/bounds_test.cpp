@@ -290,32 +290,39 @@ void check_beside(const Cases& cases, const CapsuleSweep& sweep, SweepStep step,
     if (!may_touch) FAIL_CHECK("touched at step ", step, " of ", most);
 }
 
+/// Calls use(cases) with triangles of coarse and of fine lattices, `count` times for each.
+template <class Use>
+void for_each_case(std::uint64_t count, Use use) {
+    for (const unsigned bits : {8u, 16u, 24u}) {
+        BakeOptions options;
+        options.resolution = Resolution::bits(bits);
+        const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
+        Cases cases(opened, bits, bits);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            cases.make_triangle();
+            use(cases);
+        }
+    }
+}
+
 }  // namespace
 
 TEST_SUITE("bounds") {
     TEST_CASE("sweep: bounds in lanes are never later than the first contact and mostly close to it") {
         Outcome capsules, boxes, hulls, frames;
         const std::uint64_t count = scaled_share(200'000);
-        for (const unsigned bits : {8u, 16u, 24u}) {
-            BakeOptions options;
-            options.resolution = Resolution::bits(bits);
-            const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
-            Cases cases(opened, bits, bits);
-            for (std::uint64_t i = 0; i < count; ++i) {
-                cases.make_triangle();
-                const CapsuleSweep capsule = cases.capsule();
-                const auto in_lanes = detail::in_lanes(cases.blob(), capsule);
-                check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(in_lanes, cases.triangle()), capsules);
-                check(cases, capsule, detail::SeparatingDirections(in_lanes).first_contact(cases.triangle(), 1.0f),
-                      frames);
-                const BoxSweep box = cases.box();
-                const auto box_in_lanes = detail::in_lanes(cases.blob(), box);
-                check(cases, box, time_of<detail::scalar::BoxBounds>(box_in_lanes, cases.triangle()), boxes);
-                const detail::HullSweep hull = cases.hull();
-                const auto hull_in_lanes = detail::in_lanes(cases.blob(), hull);
-                check(cases, hull, time_of<detail::scalar::HullBounds>(hull_in_lanes, cases.triangle()), hulls);
-            }
-        }
+        for_each_case(count, [&](Cases& cases) {
+            const CapsuleSweep capsule = cases.capsule();
+            const auto in_lanes = detail::in_lanes(cases.blob(), capsule);
+            check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(in_lanes, cases.triangle()), capsules);
+            check(cases, capsule, detail::SeparatingDirections(in_lanes).first_contact(cases.triangle(), 1.0f), frames);
+            const BoxSweep box = cases.box();
+            const auto box_in_lanes = detail::in_lanes(cases.blob(), box);
+            check(cases, box, time_of<detail::scalar::BoxBounds>(box_in_lanes, cases.triangle()), boxes);
+            const detail::HullSweep hull = cases.hull();
+            const auto hull_in_lanes = detail::in_lanes(cases.blob(), hull);
+            check(cases, hull, time_of<detail::scalar::HullBounds>(hull_in_lanes, cases.triangle()), hulls);
+        });
         for (const Outcome& outcome : {capsules, boxes, hulls, frames}) {
             MESSAGE(outcome.hits, " hits, ", outcome.close, " close; ", outcome.misses, " misses, ", outcome.rejected,
                     " rejected");
@@ -328,21 +335,14 @@ TEST_SUITE("bounds") {
     TEST_CASE("sweep: triangles beside the way of a capsule are not touched up to a step") {
         Outcome outcome;
         const std::uint64_t count = scaled_share(200'000);
-        for (const unsigned bits : {8u, 16u, 24u}) {
-            BakeOptions options;
-            options.resolution = Resolution::bits(bits);
-            const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
-            Cases cases(opened, bits, bits);
-            Random random(bits);
-            for (std::uint64_t i = 0; i < count; ++i) {
-                cases.make_triangle();
-                const CapsuleSweep capsule = cases.capsule();
-                // At some step, and most often at the one of the first contact.
-                const SweepStep step = first_contact(capsule, cases.triangle(), whole_way);
-                const SweepStep most = step != no_contact && random.below(4) != 0 ? step : random.below(whole_way + 1);
-                check_beside(cases, capsule, step, most, outcome);
-            }
-        }
+        Random random(8);
+        for_each_case(count, [&](Cases& cases) {
+            const CapsuleSweep capsule = cases.capsule();
+            // At some step, and most often at the one of the first contact.
+            const SweepStep step = first_contact(capsule, cases.triangle(), whole_way);
+            const SweepStep most = step != no_contact && random.below(4) != 0 ? step : random.below(whole_way + 1);
+            check_beside(cases, capsule, step, most, outcome);
+        });
         MESSAGE(outcome.hits, " hits; ", outcome.misses, " misses, ", outcome.rejected, " beside the way");
         if (!asks_enough()) return;
         CHECK(outcome.hits > count / 2);

@@ -86,7 +86,7 @@ std::uint64_t default_import_memory() {
     if (memory != 0) return memory / 2;
     throw CommandError(
         ExitCode::unsupported,
-        "--import-memory: the system does not tell how much memory the machine has, of which half is the "
+        "--import-memory: the system does not report how much memory the machine has, of which half is the "
         "limit without this option. Give an amount such as 4G, or none.");
 }
 
