@@ -26,14 +26,16 @@ run_tests() {
 }
 
 run_all_tests() {
-    local warnings_are_errors=OFF precompile_headers=ON launcher=
+    local warnings_are_errors=OFF precompile_headers=ON
     export WERROR=-Wno-error  # for the tests that run a compiler
     case ${1-} in
         --strict)
             warnings_are_errors=ON precompile_headers=OFF WERROR=-Werror  # also at a missing include
-            # A checkout is new each time and has another name; what did not change is compiled once.
-            if command -v ccache >/dev/null; then launcher=ccache; fi
-            export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+            # A checkout is new each time and has another name; what did not change is compiled once, also by tests that build.
+            if command -v ccache >/dev/null; then
+                export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+                export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+            fi
             ;;
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
@@ -44,16 +46,14 @@ run_all_tests() {
     local installation=$!
     local built=no
     if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors" \
-        -DESPALIER_PRECOMPILE_HEADERS="$precompile_headers" \
-        -DCMAKE_C_COMPILER_LAUNCHER="$launcher" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"; then built=yes; fi
+        -DESPALIER_PRECOMPILE_HEADERS="$precompile_headers"; then built=yes; fi
     wait "$installation" || fail "packages are missing"
     if [[ $built == yes ]]; then
         run_tests build/release -LE windows  # `tools/dev platforms` runs those
     else
         failed=$((failed + 1))
     fi
-    if build build/sanitize all --preset sanitize -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors" \
-        -DCMAKE_C_COMPILER_LAUNCHER="$launcher" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"; then
+    if build build/sanitize all --preset sanitize -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then
         run_tests build/sanitize -LE emulated
     else
         failed=$((failed + 1))

@@ -86,7 +86,7 @@ TEST_SUITE("open") {
                 const Blob blob = open(buffer.bytes());
                 REQUIRE(blob);
                 Random random(1);
-                const std::uint64_t answers = exercise(blob, random, 200);
+                const std::uint64_t answers = exercise(blob, random, 50);
                 if (misalignment == 0) expected = answers;
                 REQUIRE(answers == expected);
             }
@@ -102,7 +102,7 @@ TEST_SUITE("open") {
                 REQUIRE(blob);
                 Random random(2);
                 Random same_random(2);
-                CHECK(exercise(blob, random, 100) == exercise(test_blob.opened.blob, same_random, 100));
+                CHECK(exercise(blob, random, 30) == exercise(test_blob.opened.blob, same_random, 30));
             }
         }
     }
