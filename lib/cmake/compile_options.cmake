@@ -24,16 +24,17 @@ function(espalier_compile_options target)
   endif()
 endfunction()
 
-# espalier_precompile_only(<target> <header>...): these headers, if headers are precompiled.
+# espalier_precompile_only(<target> <header>...): these headers, if headers are precompiled. Not by Clang with a compiler cache: what
+# it precompiles names the folder and the time of each header. For GCC ccache needs CCACHE_SLOPPINESS=pch_defines,time_macros.
 function(espalier_precompile_only target)
-  if(ESPALIER_PRECOMPILE_HEADERS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(ESPALIER_PRECOMPILE_HEADERS AND NOT (CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID MATCHES Clang))
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()
 
 # espalier_precompile_headers(<target> [<header>...]): what nearly every file of the baker and of the tests includes, and
 # these headers, which take half of the time in which such a file compiles. Off by default, since a file that
-# forgets an include is not noticed then; and not with a compiler cache, which would not find such files again.
+# forgets an include is not noticed then.
 function(espalier_precompile_headers target)
   espalier_precompile_only(${target} <algorithm> <array> <bit> <cmath> <cstdint> <functional> <limits> <optional>
     <span> <string> <variant> <vector> ${ARGN})

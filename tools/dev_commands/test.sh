@@ -34,7 +34,7 @@ run_all_tests() {
             # A checkout is new each time and has another name; what did not change is compiled once, also by tests that build.
             if command -v ccache >/dev/null; then
                 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-                export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+                export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
             fi
             ;;
         ?*) fail "test [--strict]: '$1' is no option" ;;
