@@ -24,8 +24,9 @@ function(espalier_compile_options target)
   endif()
 endfunction()
 
-# espalier_precompile_only(<target> <header>...): these headers, if headers are precompiled. Not by Clang with a compiler cache: what
-# it precompiles names the folder and the time of each header. For GCC ccache needs CCACHE_SLOPPINESS=pch_defines,time_macros.
+# espalier_precompile_only(<target> <header>...): these headers, if headers are precompiled. Clang with a compiler cache
+# precompiles none: its files store the path and the time of each header, so that another checkout cannot use them. With GCC, ccache
+# needs CCACHE_SLOPPINESS=pch_defines,time_macros.
 function(espalier_precompile_only target)
   if(ESPALIER_PRECOMPILE_HEADERS AND NOT (CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID MATCHES Clang))
     target_precompile_headers(${target} PRIVATE ${ARGN})
