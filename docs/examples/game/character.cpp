@@ -110,7 +110,7 @@ void slide(const Blob& level, Character& character, Vec3 way, Planes planes = {}
 bool has_room(const Blob& level, const Character& character) {
     espalier::Capsule room = character.body();
     room.radius += 0.25f * character.skin;
-    return !overlaps(level, room).yes();
+    return overlaps(level, room).no();  // a refusal is no room
 }
 
 /// Moves down to the ground if there is any within a distance, and not above a height. Returns whether there is.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -193,6 +194,26 @@ TEST_SUITE("character") {
             CHECK(character.position.x > before + 0.3f);
             CHECK(overlaps(arena.blob, character.body()).no());
         }
+    }
+
+    TEST_CASE("controller: a walk that no sweep takes leaves the character where it was") {
+        const OpenedBlob arena(make_arena());
+        for (const float speed :
+             {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 3e38f})
+            for (const bool on_ground : {false, true}) {
+                CAPTURE(speed);
+                CAPTURE(on_ground);
+                Character character;
+                character.position = {0.8f, 3.5f, 1.0f};
+                character.on_ground = on_ground;
+                update(arena.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+                CHECK(character.position.x == 0.8f);
+                CHECK(character.position.y == 3.5f);
+                CHECK(overlaps(arena.blob, character.body()).no());
+                for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {-1.0f, 0.0f, 0.0f}, 1.0f / 60.0f);
+                CHECK(character.on_ground);
+                CHECK(character.position.x < 0.0f);
+            }
     }
 
     TEST_CASE("controller: a character climbs stairs and stands on the platform") {
