@@ -23,12 +23,17 @@ IN_STEPS = {"overlaps_box_in_steps": "box", "first_hit_in_steps": "segment, firs
 CALLS = {"overlaps_box_in_steps": "overlaps(LatticeBox)", "first_hit_in_steps": "raycast(LatticeSegment)",
          "any_hit_in_steps": "occluded(LatticeSegment)", "collides": "overlaps(PlacedBlob)",
          "minimum_distance": "distance(PlacedBlob)", "within_distance": "within_distance(PlacedBlob)",
-         "for_each_contact": "for_each_contact(PlacedBlob)", "raycast_batch": "raycast(batch)",
+         "for_each_contact": "for_each_contact(PlacedBlob)", "collect_touches": "collect_touches(PlacedBlob)",
+         "raycast_batch": "raycast(batch)",
          "overlaps_sphere": "overlaps(Sphere)", "overlaps_box": "overlaps(Box)", "overlaps_capsule": "overlaps(Capsule)",
          "overlaps_oriented_box": "overlaps(OrientedBox)", "overlaps_triangle": "overlaps(Triangle)",
-         "overlaps_planes": "overlaps(ConvexVolume)", "for_each_overlap_sphere": "for_each_overlap(Sphere)",
+         "overlaps_planes": "overlaps(ConvexVolume)", "overlaps_cone": "overlaps(Cone)",
+         "winding_number": "winding_number(16 directions)", "for_each_overlap_sphere": "for_each_overlap(Sphere)",
          "for_each_overlap_box": "for_each_overlap(Box)", "closest_to_segment": "closest_point(Segment)",
-         "closest_to_box": "closest_point(Box)", "sweep_sphere": "sweep(Sphere)", "sweep_capsule": "sweep(Capsule)",
+         "closest_to_box": "closest_point(Box)", "contacts_sphere": "find_contacts(Sphere)",
+         "contacts_capsule": "find_contacts(Capsule)", "contacts_oriented_box": "find_contacts(OrientedBox)",
+         "contacts_convex_hull": "find_contacts(ConvexHull)", "sweep_oriented_box": "sweep(OrientedBox)",
+         "sweep_convex_hull": "sweep(ConvexHull)", "sweep_sphere": "sweep(Sphere)", "sweep_capsule": "sweep(Capsule)",
          "sweep_box": "sweep(Box)", "may_overlap_sphere": "overlaps(Sphere, Accuracy)",
          "may_overlap_box": "overlaps(Box, Accuracy)", "may_be_occluded": "occluded(Ray, Accuracy)",
          "distance_bounds": "distance_bounds(Accuracy)"}
@@ -229,7 +234,7 @@ def outputs(files):
     rows = Rows(read_objects(files, "tools/dev firmware --publish", needed))
     compiler, qemu = rows.tools[0]
     elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
-    conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
+    conditions = (f"Rows: {links(files)}.\nGCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}.\n"
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
                                       "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows), "refit": refit_table(rows),

@@ -9,6 +9,18 @@
 
 namespace espalier::firmware {
 
+/// A convex hull of six vertices around a point.
+class Octahedron {
+public:
+    Octahedron(const Vec3& at, float radius)
+        : vertices_{{at.x - radius, at.y, at.z}, {at.x + radius, at.y, at.z}, {at.x, at.y - radius, at.z},
+                    {at.x, at.y + radius, at.z}, {at.x, at.y, at.z - radius}, {at.x, at.y, at.z + radius}} {}
+    [[nodiscard]] ConvexHull hull() const { return {vertices_}; }
+
+private:
+    Vec3 vertices_[6];
+};
+
 /// Shapes near a box, in the order in which they are asked for.
 class QuestionMaker {
 public:

@@ -183,6 +183,9 @@ private:
         answers_.add(answer);
         measure_(planes_overlap, [&] { answer = overlaps(blob_, ConvexVolume{planes}).yes(); });
         answers_.add(answer);
+        const Cone cone = {sphere.center, oriented.half_axes[0], sphere.radius};
+        measure_(cone_overlap, [&] { answer = overlaps(blob_, cone).yes(); });
+        answers_.add(answer);
     }
 
     void ask_points() {
@@ -199,6 +202,9 @@ private:
         const ClosestPoint nearest = measured(signed_point, [&] { return signed_distance(blob_, point); });
         add(nearest.status);
         add(nearest);
+        const Result<float> number = measured(winding, [&] { return winding_number(blob_, point, 16); });
+        add(number.status);
+        answers_.add(*number);
         add_pair(measured(nearest_to_segment, [&] { return closest_point(blob_, Segment{point, end}); }));
         add_pair(measured(nearest_to_box, [&] { return closest_point(blob_, box); }));
     }
@@ -222,6 +228,9 @@ private:
         add_contacts(measured(contacts_capsule, [&] { return find_contacts(blob_, capsule, margin, contacts); }));
         const OrientedBox box = {at, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
         add_contacts(measured(contacts_box, [&] { return find_contacts(blob_, box, margin, contacts); }));
+        const Octahedron octahedron(at, half);
+        add_contacts(
+            measured(contacts_hull, [&] { return find_contacts(blob_, octahedron.hull(), margin, contacts); }));
     }
 
     void ask_sweeps() {
@@ -232,6 +241,11 @@ private:
         add(measured(moving_sphere, [&] { return sweep(blob_, sphere, way); }));
         add(measured(moving_capsule, [&] { return sweep(blob_, capsule, way); }));
         add(measured(moving_box, [&] { return sweep(blob_, box, way); }));
+        const float half = 0.7f * sphere.radius;
+        const OrientedBox oriented = {sphere.center, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
+        add(measured(moving_oriented_box, [&] { return sweep(blob_, oriented, way); }));
+        const Octahedron octahedron(sphere.center, sphere.radius);
+        add(measured(moving_hull, [&] { return sweep(blob_, octahedron.hull(), way); }));
     }
 
     void ask_coarsely() {
@@ -286,6 +300,7 @@ private:
         });
         add(status);
         answers_.add(number);
+        ask_touches({blob_, placement});
         placement.translation = aside(1.5f);
         const BlobDistance nearest = measured(two_distance, [&] {
             return distance(blob_, {blob_, placement}, WorkLimit::unlimited());
@@ -297,6 +312,20 @@ private:
         });
         add(answer.status());
         answers_.add(answer.yes());
+    }
+
+    void ask_touches(const PlacedBlob& other) {
+        PairTouch touches[8];
+        const Filled found =
+            measured(two_touches, [&] { return collect_touches(blob_, other, touches, WorkLimit::unlimited()); });
+        add(found.status);
+        for (const PairTouch& touch : found.in(touches)) {
+            answers_.add(touch.a.index);
+            answers_.add(touch.b.index);
+            answers_.add(touch.depth);
+            add(touch.normal);
+            for (const Vec3& point : std::span(touch.points).first(touch.count)) add(point);
+        }
     }
 
     std::span<const std::byte> bytes_;
