@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# links.sh PROJECT: every relative link in README.md, docs/ and docs/log/ leads to something that is there.
+# links.sh PROJECT: every relative link of a Markdown file leads to something that is there.
 set -euo pipefail
 
 cd "$1"
 broken=0
-for document in README.md docs/*.md docs/log/*.md; do
+while read -r document; do
     folder=$(dirname "$document")
     while read -r target; do
         [[ $target == *://* || $target == \#* ]] && continue
@@ -13,5 +13,5 @@ for document in README.md docs/*.md docs/log/*.md; do
             broken=1
         fi
     done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)]+\)' | sed 's/^](//; s/)$//')
-done
+done < <(find . -name '*.md' -not -path './build*' -not -path '*/node_modules/*' | sort)
 exit "$broken"
