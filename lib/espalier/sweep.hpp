@@ -16,7 +16,7 @@
 namespace espalier {
 
 /// The result of sweep(): converts to true if the shape touches the surface on its way. t is 1 for a miss and 0 for a
-/// refusal, so that moving the shape by t * displacement is safe in any case.
+/// refusal, so that moving the shape by t * displacement is safe if the displacement is finite.
 struct [[nodiscard]] SweepHit {
     float t = 0.0f;    ///< 0 <= t < 1: the share of the displacement at which the shape stops: where it touches
                        ///< or a skin earlier; 0 if it starts so

@@ -19,7 +19,7 @@ const EspalierShape* mesh_of(const btCollisionObjectWrapper* triangle) {
     return dynamic_cast<const EspalierShape*>(triangle->m_parent->getCollisionShape());
 }
 
-/// Returns the part of a triangle that a point is on, which Bullet does not tell. Points that GJK finds are off by
+/// Returns the part of a triangle that a point is on, which Bullet does not report. Points that GJK finds are off by
 /// rounding, and by the margin where the triangle has one.
 Feature feature_at(const btTriangleShape& triangle, const btVector3& point) {
     btVector3 plane;

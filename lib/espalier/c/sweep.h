@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* The first contact, if the status is ESPALIER_QUERY_OK. Unlike in other results, t is 1 for a miss and 0 for a
- * refusal, so that moving the shape by t * displacement is safe in any case. */
+ * refusal, so that moving the shape by t * displacement is safe if the displacement is finite. */
 typedef struct ESPALIER_SHARED_ espalier_sweep_hit {
     float t;
     espalier_vec3 point, normal, face_normal;

@@ -1,4 +1,4 @@
-// Sweeps of a blob with the time of the contact, which the t of a result with a skin does not tell.
+// Sweeps of a blob with the time of the contact, which the t of a result with a skin does not contain.
 #pragma once
 
 #include <espalier/sweep.hpp>
