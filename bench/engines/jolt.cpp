@@ -57,7 +57,7 @@ JPH::Ref<JPH::Shape> shape_of(const Body& body) {
 Drop drop_in_jolt(const tests::Mesh& mesh, const Blob& blob) {
     start_jolt();
     Drop result;
-    const JPH::Ref<JPH::Shape> level = blob ? new EspalierShape(blob) : jolt_mesh(mesh);
+    const JPH::Ref<JPH::Shape> level = blob ? new EspalierJoltShape(blob) : jolt_mesh(mesh);
     result.bytes = level->GetStats().mSizeBytes;
 
     JPH::TempAllocatorImpl memory(32 << 20);

@@ -18,7 +18,7 @@ inline void start_jolt() {
         JPH::RegisterDefaultAllocator();
         JPH::Factory::sInstance = new JPH::Factory();
         JPH::RegisterTypes();
-        EspalierShape::register_type();
+        EspalierJoltShape::register_type();
         return true;
     }();
     static_cast<void>(started);

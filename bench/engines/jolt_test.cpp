@@ -43,7 +43,7 @@ struct Pair {
         const Blob blob = open(bytes);
         REQUIRE(blob);
         bounds = blob.bounds();
-        ours = new EspalierShape(blob);
+        ours = new EspalierJoltShape(blob);
         own = bench::jolt_mesh(mesh);
     }
     [[nodiscard]] JPH::Vec3 somewhere(tests::Random& random) const {

@@ -63,33 +63,34 @@ struct SphereCollision : JPH::CollideSphereVsTriangles {
 
 }  // namespace
 
-EspalierShape::EspalierShape(const espalier::Blob& blob) : Shape(JPH::EShapeType::User1, sub_type), blob_(blob) {
+EspalierJoltShape::EspalierJoltShape(const espalier::Blob& blob)
+    : Shape(JPH::EShapeType::User1, sub_type), blob_(blob) {
     const std::uint32_t count = blob.triangle_count();
     id_bits_ = count > 1 ? static_cast<JPH::uint>(std::bit_width(count - 1)) : 0;
 }
 
-espalier::TriangleId EspalierShape::triangle_of(const JPH::SubShapeID& id) const {
+espalier::TriangleId EspalierJoltShape::triangle_of(const JPH::SubShapeID& id) const {
     JPH::SubShapeID rest;
     return {id_bits_ == 0 ? 0 : id.PopID(id_bits_, rest)};
 }
 
-JPH::AABox EspalierShape::GetLocalBounds() const {
+JPH::AABox EspalierJoltShape::GetLocalBounds() const {
     const espalier::Box box = blob_.bounds();
     return {to_jolt(box.min), to_jolt(box.max)};
 }
 
-const JPH::PhysicsMaterial* EspalierShape::GetMaterial(const JPH::SubShapeID&) const {
+const JPH::PhysicsMaterial* EspalierJoltShape::GetMaterial(const JPH::SubShapeID&) const {
     return JPH::PhysicsMaterial::sDefault;
 }
 
-JPH::Vec3 EspalierShape::GetSurfaceNormal(const JPH::SubShapeID& id, JPH::Vec3Arg) const {
+JPH::Vec3 EspalierJoltShape::GetSurfaceNormal(const JPH::SubShapeID& id, JPH::Vec3Arg) const {
     const espalier::Triangle triangle = *triangle_at(blob_, triangle_of(id));
     const JPH::Vec3 a = to_jolt(triangle.a), b = to_jolt(triangle.b), c = to_jolt(triangle.c);
     return (b - a).Cross(c - a).NormalizedOr(JPH::Vec3::sAxisY());
 }
 
-void EspalierShape::GetSupportingFace(const JPH::SubShapeID& id, JPH::Vec3Arg, JPH::Vec3Arg scale,
-                                      JPH::Mat44Arg transform, SupportingFace& vertices) const {
+void EspalierJoltShape::GetSupportingFace(const JPH::SubShapeID& id, JPH::Vec3Arg, JPH::Vec3Arg scale,
+                                          JPH::Mat44Arg transform, SupportingFace& vertices) const {
     const espalier::Triangle triangle = *triangle_at(blob_, triangle_of(id));
     const JPH::Mat44 placed = transform.PreScaled(scale);
     vertices.resize(3);
@@ -99,16 +100,17 @@ void EspalierShape::GetSupportingFace(const JPH::SubShapeID& id, JPH::Vec3Arg, J
     if (JPH::ScaleHelpers::IsInsideOut(scale)) std::swap(vertices[1], vertices[2]);
 }
 
-void EspalierShape::GetSubmergedVolume(JPH::Mat44Arg, JPH::Vec3Arg, const JPH::Plane&, float& total, float& submerged,
-                                       JPH::Vec3& center JPH_IF_DEBUG_RENDERER(, JPH::RVec3Arg)) const {
+void EspalierJoltShape::GetSubmergedVolume(JPH::Mat44Arg, JPH::Vec3Arg, const JPH::Plane&, float& total,
+                                           float& submerged,
+                                           JPH::Vec3& center JPH_IF_DEBUG_RENDERER(, JPH::RVec3Arg)) const {
     JPH_ASSERT(false, "a static mesh does not float");
     total = submerged = 0.0f;
     center = JPH::Vec3::sZero();
 }
 
 #ifdef JPH_DEBUG_RENDERER
-void EspalierShape::Draw(JPH::DebugRenderer* renderer, JPH::RMat44Arg transform, JPH::Vec3Arg scale,
-                         JPH::ColorArg color, bool, bool) const {
+void EspalierJoltShape::Draw(JPH::DebugRenderer* renderer, JPH::RMat44Arg transform, JPH::Vec3Arg scale,
+                             JPH::ColorArg color, bool, bool) const {
     const JPH::RMat44 placed = transform.PreScaled(scale);
     const auto draw = [&](espalier::TriangleId, const espalier::Triangle& t) {
         renderer->DrawTriangle(placed * to_jolt(t.a), placed * to_jolt(t.b), placed * to_jolt(t.c), color);
@@ -117,7 +119,7 @@ void EspalierShape::Draw(JPH::DebugRenderer* renderer, JPH::RMat44Arg transform,
 }
 #endif
 
-JPH::uint8 EspalierShape::active_edges(espalier::TriangleId triangle) const {
+JPH::uint8 EspalierJoltShape::active_edges(espalier::TriangleId triangle) const {
     const espalier::Result<espalier::EdgeKinds> kinds = edge_kinds(blob_, triangle);
     if (!kinds) return 0b111;
     const auto is_active = [](espalier::EdgeKind kind) {
@@ -128,8 +130,8 @@ JPH::uint8 EspalierShape::active_edges(espalier::TriangleId triangle) const {
 }
 
 template <class Visitor>
-void EspalierShape::visit(const JPH::AABox& box, JPH::Vec3Arg scale, const JPH::SubShapeIDCreator& ids,
-                          Visitor&& visitor) const {
+void EspalierJoltShape::visit(const JPH::AABox& box, JPH::Vec3Arg scale, const JPH::SubShapeIDCreator& ids,
+                              Visitor&& visitor) const {
     (void)for_each_overlap(  // a refusal, of a NaN, has no triangles
         blob_, unscaled(box, scale), [&](espalier::TriangleId triangle, const espalier::Triangle& corners) {
             const bool more = visitor(to_jolt(corners.a), to_jolt(corners.b), to_jolt(corners.c),
@@ -138,7 +140,8 @@ void EspalierShape::visit(const JPH::AABox& box, JPH::Vec3Arg scale, const JPH::
         });
 }
 
-bool EspalierShape::CastRay(const JPH::RayCast& ray, const JPH::SubShapeIDCreator& ids, JPH::RayCastResult& hit) const {
+bool EspalierJoltShape::CastRay(const JPH::RayCast& ray, const JPH::SubShapeIDCreator& ids,
+                                JPH::RayCastResult& hit) const {
     espalier::Ray segment = {from_jolt(ray.mOrigin), from_jolt(ray.mDirection), 0.0f, hit.mFraction};
     const espalier::RayHit found = raycast(blob_, segment);
     if (!found || found.t >= hit.mFraction) return false;
@@ -147,9 +150,9 @@ bool EspalierShape::CastRay(const JPH::RayCast& ray, const JPH::SubShapeIDCreato
     return true;
 }
 
-void EspalierShape::CastRay(const JPH::RayCast& ray, const JPH::RayCastSettings& settings,
-                            const JPH::SubShapeIDCreator& ids, JPH::CastRayCollector& collector,
-                            const JPH::ShapeFilter& filter) const {
+void EspalierJoltShape::CastRay(const JPH::RayCast& ray, const JPH::RayCastSettings& settings,
+                                const JPH::SubShapeIDCreator& ids, JPH::CastRayCollector& collector,
+                                const JPH::ShapeFilter& filter) const {
     if (!filter.ShouldCollide(this, ids.GetID())) return;
     espalier::Ray segment = {from_jolt(ray.mOrigin), from_jolt(ray.mDirection), 0.0f, 1.0f};
     if (settings.mBackFaceModeTriangles == JPH::EBackFaceMode::IgnoreBackFaces)
@@ -166,16 +169,16 @@ void EspalierShape::CastRay(const JPH::RayCast& ray, const JPH::RayCastSettings&
     });
 }
 
-void EspalierShape::CollidePoint(JPH::Vec3Arg point, const JPH::SubShapeIDCreator& ids,
-                                 JPH::CollidePointCollector& collector, const JPH::ShapeFilter& filter) const {
+void EspalierJoltShape::CollidePoint(JPH::Vec3Arg point, const JPH::SubShapeIDCreator& ids,
+                                     JPH::CollidePointCollector& collector, const JPH::ShapeFilter& filter) const {
     if (!filter.ShouldCollide(this, ids.GetID())) return;
     if (contains(blob_, from_jolt(point)).yes())  // a surface that is not closed has no inside
         collector.AddHit({JPH::TransformedShape::sGetBodyID(collector.GetContext()), ids.GetID()});
 }
 
-void EspalierShape::CollideSoftBodyVertices(JPH::Mat44Arg transform, JPH::Vec3Arg scale,
-                                            const JPH::CollideSoftBodyVertexIterator& vertices, JPH::uint count,
-                                            int shape) const {
+void EspalierJoltShape::CollideSoftBodyVertices(JPH::Mat44Arg transform, JPH::Vec3Arg scale,
+                                                const JPH::CollideSoftBodyVertexIterator& vertices, JPH::uint count,
+                                                int shape) const {
     JPH::CollideSoftBodyVerticesVsTriangles collision(transform, scale);
     const bool is_uniform = scale.GetX() == scale.GetY() && scale.GetY() == scale.GetZ();
     for (JPH::CollideSoftBodyVertexIterator v = vertices, end = vertices + static_cast<int>(count); v != end; ++v) {
@@ -200,7 +203,7 @@ void EspalierShape::CollideSoftBodyVertices(JPH::Mat44Arg transform, JPH::Vec3Ar
 }
 
 /// The state of a list of triangles in pages. Jolt copies it as bytes.
-struct EspalierShape::Walk {
+struct EspalierJoltShape::Walk {
     espalier::Box box;
     espalier::Cursor next;
     JPH::Mat44 placed;
@@ -208,8 +211,8 @@ struct EspalierShape::Walk {
     bool is_done;
 };
 
-void EspalierShape::GetTrianglesStart(GetTrianglesContext& context, const JPH::AABox& box, JPH::Vec3Arg place,
-                                      JPH::QuatArg rotation, JPH::Vec3Arg scale) const {
+void EspalierJoltShape::GetTrianglesStart(GetTrianglesContext& context, const JPH::AABox& box, JPH::Vec3Arg place,
+                                          JPH::QuatArg rotation, JPH::Vec3Arg scale) const {
     static_assert(sizeof(Walk) <= sizeof(GetTrianglesContext) && alignof(Walk) <= alignof(GetTrianglesContext));
     const JPH::Mat44 transform = JPH::Mat44::sRotationTranslation(rotation, place);
     const JPH::AABox local = box.Transformed(transform.InversedRotationTranslation());
@@ -217,8 +220,8 @@ void EspalierShape::GetTrianglesStart(GetTrianglesContext& context, const JPH::A
         Walk{unscaled(local, scale), {}, transform.PreScaled(scale), JPH::ScaleHelpers::IsInsideOut(scale), false};
 }
 
-int EspalierShape::GetTrianglesNext(GetTrianglesContext& context, int most, JPH::Float3* vertices,
-                                    const JPH::PhysicsMaterial** materials) const {
+int EspalierJoltShape::GetTrianglesNext(GetTrianglesContext& context, int most, JPH::Float3* vertices,
+                                        const JPH::PhysicsMaterial** materials) const {
     Walk& walk = reinterpret_cast<Walk&>(context);
     if (walk.is_done) return 0;
     std::array<espalier::TriangleId, 256> page;
@@ -237,14 +240,14 @@ int EspalierShape::GetTrianglesNext(GetTrianglesContext& context, int most, JPH:
 }
 
 template <class Collision>
-void EspalierShape::collide(const JPH::Shape* shape, const JPH::Shape* mesh, JPH::Vec3Arg scale,
-                            JPH::Vec3Arg mesh_scale, JPH::Mat44Arg transform, JPH::Mat44Arg mesh_transform,
-                            const JPH::SubShapeIDCreator& ids, const JPH::SubShapeIDCreator& mesh_ids,
-                            const JPH::CollideShapeSettings& settings, JPH::CollideShapeCollector& collector,
-                            const JPH::ShapeFilter&) {
+void EspalierJoltShape::collide(const JPH::Shape* shape, const JPH::Shape* mesh, JPH::Vec3Arg scale,
+                                JPH::Vec3Arg mesh_scale, JPH::Mat44Arg transform, JPH::Mat44Arg mesh_transform,
+                                const JPH::SubShapeIDCreator& ids, const JPH::SubShapeIDCreator& mesh_ids,
+                                const JPH::CollideShapeSettings& settings, JPH::CollideShapeCollector& collector,
+                                const JPH::ShapeFilter&) {
     Collision collision(Collision::shape_of(shape), scale, mesh_scale, transform, mesh_transform, ids.GetID(), settings,
                         collector);
-    static_cast<const EspalierShape*>(mesh)->visit(
+    static_cast<const EspalierJoltShape*>(mesh)->visit(
         collision.box(), mesh_scale, mesh_ids,
         [&](JPH::Vec3Arg a, JPH::Vec3Arg b, JPH::Vec3Arg c, JPH::uint8 active, const JPH::SubShapeID& id) {
             collision.Collide(a, b, c, active, id);
@@ -252,14 +255,31 @@ void EspalierShape::collide(const JPH::Shape* shape, const JPH::Shape* mesh, JPH
         });
 }
 
+namespace {
+
+/// Settings of a cast that lets the shape grow, as Jolt has since 5.5.1.
+template <class Settings>
+concept GrowsShape = requires(const Settings& settings) {
+    settings.mExtraConvexRadius;
+};
+
+/// Returns by how much the shape of a cast grows.
+template <class Settings>
+float extra_radius(const Settings& settings) {
+    if constexpr (GrowsShape<Settings>) return settings.mExtraConvexRadius;
+    return 0.0f;
+}
+
+}  // namespace
+
 template <class Cast>
-void EspalierShape::cast(const JPH::ShapeCast& cast, const JPH::ShapeCastSettings& settings, const JPH::Shape* mesh,
-                         JPH::Vec3Arg mesh_scale, const JPH::ShapeFilter&, JPH::Mat44Arg mesh_transform,
-                         const JPH::SubShapeIDCreator& ids, const JPH::SubShapeIDCreator& mesh_ids,
-                         JPH::CastShapeCollector& collector) {
-    const auto& self = *static_cast<const EspalierShape*>(mesh);
+void EspalierJoltShape::cast(const JPH::ShapeCast& cast, const JPH::ShapeCastSettings& settings, const JPH::Shape* mesh,
+                             JPH::Vec3Arg mesh_scale, const JPH::ShapeFilter&, JPH::Mat44Arg mesh_transform,
+                             const JPH::SubShapeIDCreator& ids, const JPH::SubShapeIDCreator& mesh_ids,
+                             JPH::CastShapeCollector& collector) {
+    const auto& self = *static_cast<const EspalierJoltShape*>(mesh);
     // The box around the shape moves first: until it touches, the shape is free, and behind that contact it begins.
-    const JPH::Vec3 more = JPH::Vec3::sReplicate(settings.mExtraConvexRadius);
+    const JPH::Vec3 more = JPH::Vec3::sReplicate(extra_radius(settings));
     const JPH::AABox start(cast.mShapeWorldBounds.mMin - more, cast.mShapeWorldBounds.mMax + more);
     const espalier::SweepHit first =
         sweep(self.blob_, unscaled(start, mesh_scale), from_jolt(cast.mDirection / mesh_scale));
@@ -279,9 +299,9 @@ void EspalierShape::cast(const JPH::ShapeCast& cast, const JPH::ShapeCastSetting
                });
 }
 
-void EspalierShape::register_type() {
+void EspalierJoltShape::register_type() {
     JPH::ShapeFunctions& functions = JPH::ShapeFunctions::sGet(sub_type);
-    functions.mConstruct = []() -> JPH::Shape* { return new EspalierShape(espalier::Blob()); };
+    functions.mConstruct = []() -> JPH::Shape* { return new EspalierJoltShape(espalier::Blob()); };
     functions.mColor = JPH::Color::sGreen;
     using JPH::CollisionDispatch;
     for (const JPH::EShapeSubType convex : JPH::sConvexSubShapeTypes) {

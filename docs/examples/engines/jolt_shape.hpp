@@ -10,14 +10,14 @@
 /// blob's edge flags are Jolt's inactive edges: bake with flat_angle, 5 degrees as Jolt's own meshes have.
 ///
 /// Takes the shape type User1 and the sub type User1. Not supported: saving the shape (save the blob), buoyancy.
-class EspalierShape final : public JPH::Shape {
+class EspalierJoltShape final : public JPH::Shape {
 public:
     JPH_OVERRIDE_NEW_DELETE
 
     /// Registers the shape's collision functions. To be called once, after JPH::RegisterTypes().
     static void register_type();
 
-    explicit EspalierShape(const espalier::Blob& blob);
+    explicit EspalierJoltShape(const espalier::Blob& blob);
 
     /// Returns the triangle of the blob that a hit or a contact names by its sub shape.
     [[nodiscard]] espalier::TriangleId triangle_of(const JPH::SubShapeID& id) const;
