@@ -81,6 +81,11 @@ public:
         return {{at.x - half, at.y - half, at.z - half}, {at.x + half, at.y + half, at.z + half}};
     }
 
+    /// A box that is turned by 45 degrees about z.
+    static OrientedBox turned_box(const Vec3& at, float half) {
+        return {at, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
+    }
+
     Vec3 step() {  // a tenth of the box, in any direction
         const Vec3 direction = unit_vector();
         const float length = 0.1f * extent_;

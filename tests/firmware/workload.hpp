@@ -226,7 +226,7 @@ private:
         add_contacts(measured(contacts_sphere, [&] { return find_contacts(blob_, sphere, margin, contacts); }));
         const Capsule capsule = {at, {at.x + by.x, at.y + by.y, at.z + by.z}, half};
         add_contacts(measured(contacts_capsule, [&] { return find_contacts(blob_, capsule, margin, contacts); }));
-        const OrientedBox box = {at, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
+        const OrientedBox box = turned_box(at, half);
         add_contacts(measured(contacts_box, [&] { return find_contacts(blob_, box, margin, contacts); }));
         const Octahedron octahedron(at, half);
         add_contacts(
@@ -241,8 +241,7 @@ private:
         add(measured(moving_sphere, [&] { return sweep(blob_, sphere, way); }));
         add(measured(moving_capsule, [&] { return sweep(blob_, capsule, way); }));
         add(measured(moving_box, [&] { return sweep(blob_, box, way); }));
-        const float half = 0.7f * sphere.radius;
-        const OrientedBox oriented = {sphere.center, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
+        const OrientedBox oriented = turned_box(sphere.center, 0.7f * sphere.radius);
         add(measured(moving_oriented_box, [&] { return sweep(blob_, oriented, way); }));
         const Octahedron octahedron(sphere.center, sphere.radius);
         add(measured(moving_hull, [&] { return sweep(blob_, octahedron.hull(), way); }));

@@ -61,6 +61,19 @@ struct SphereCollision : JPH::CollideSphereVsTriangles {
     }
 };
 
+/// Settings of a cast that lets the shape grow, as Jolt has since 5.5.1.
+template <class Settings>
+concept GrowsShape = requires(const Settings& settings) {
+    settings.mExtraConvexRadius;
+};
+
+/// Returns by how much the shape of a cast grows.
+template <class Settings>
+float extra_radius(const Settings& settings) {
+    if constexpr (GrowsShape<Settings>) return settings.mExtraConvexRadius;
+    return 0.0f;
+}
+
 }  // namespace
 
 EspalierJoltShape::EspalierJoltShape(const espalier::Blob& blob)
@@ -254,23 +267,6 @@ void EspalierJoltShape::collide(const JPH::Shape* shape, const JPH::Shape* mesh,
             return !collector.ShouldEarlyOut();
         });
 }
-
-namespace {
-
-/// Settings of a cast that lets the shape grow, as Jolt has since 5.5.1.
-template <class Settings>
-concept GrowsShape = requires(const Settings& settings) {
-    settings.mExtraConvexRadius;
-};
-
-/// Returns by how much the shape of a cast grows.
-template <class Settings>
-float extra_radius(const Settings& settings) {
-    if constexpr (GrowsShape<Settings>) return settings.mExtraConvexRadius;
-    return 0.0f;
-}
-
-}  // namespace
 
 template <class Cast>
 void EspalierJoltShape::cast(const JPH::ShapeCast& cast, const JPH::ShapeCastSettings& settings, const JPH::Shape* mesh,
