@@ -17,6 +17,8 @@ struct Refusal {
     std::optional<SourcePlace> place = std::nullopt;
 };
 
+inline Refusal invalid_options(std::string message) { return {BakeStatus::invalid_options, std::move(message)}; }
+
 template <class Value>
 class [[nodiscard]] Expected {
 public:

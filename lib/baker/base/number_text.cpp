@@ -1,5 +1,6 @@
 #include <baker/base/number_text.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace espalier::baker {
@@ -7,6 +8,8 @@ namespace espalier::baker {
 namespace {
 
 std::string text_of(double value, int digits) {
+    if (std::isnan(value)) return "NaN";
+    if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     char text[32];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
@@ -17,5 +20,12 @@ std::string text_of(double value, int digits) {
 std::string number_text(double value) { return text_of(value, 9); }
 
 std::string short_number_text(double value) { return text_of(value, 6); }
+
+std::optional<std::string> find_not_finite(const Vec3& point) {
+    if (!std::isfinite(point.x)) return "x = " + number_text(double(point.x));
+    if (!std::isfinite(point.y)) return "y = " + number_text(double(point.y));
+    if (!std::isfinite(point.z)) return "z = " + number_text(double(point.z));
+    return std::nullopt;
+}
 
 }  // namespace espalier::baker

@@ -13,7 +13,7 @@ namespace espalier::baker {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
-constexpr std::uint32_t progress_interval = 1 << 12;  // triangles between two calls
+constexpr std::uint32_t insertions_between_reports = 1 << 12;  // triangles between two calls
 
 struct GrowingNode {
     LaneBox box;
@@ -198,7 +198,7 @@ BinaryTree build_insertion(const LatticeMesh& mesh, const BuildSettings& setting
     std::uint32_t placed = 0;
     for (const std::uint32_t triangle : shuffled(count)) {
         tree.insert(triangle);
-        if (++placed % progress_interval == 0 && settings.progress) settings.progress(double(placed) / count);
+        if (++placed % insertions_between_reports == 0 && settings.progress) settings.progress(double(placed) / count);
     }
     return lay_out(mesh, tree.shape(), settings);
 }

@@ -9,7 +9,7 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr std::uint32_t progress_interval = 1 << 16;  // triangles between two calls
+constexpr std::uint32_t splits_between_reports = 1 << 16;  // triangles between two calls
 
 class SahBuilder {
 public:
@@ -47,7 +47,7 @@ private:
         if (!settings_.progress) return;
         const std::uint32_t placed = placed_.fetch_add(1, std::memory_order_relaxed) + 1;
         if (this_thread() != caller_ || placed < next_report_) return;
-        next_report_ = placed + progress_interval;
+        next_report_ = placed + splits_between_reports;
         settings_.progress(static_cast<double>(placed) / static_cast<double>(references_.size()));
     }
 
@@ -56,7 +56,7 @@ private:
     const BuildSettings& settings_;
     ThreadId caller_;
     std::atomic<std::uint32_t> placed_ = 0;
-    std::uint32_t next_report_ = progress_interval;  // the calling thread's alone
+    std::uint32_t next_report_ = splits_between_reports;  // the calling thread's alone
 };
 
 }  // namespace

@@ -6,8 +6,6 @@ namespace espalier::baker {
 
 namespace {
 
-namespace layout = format::predicted_strip;
-
 /// Of the least field that holds residual + half the field's range; 0 for 0.
 unsigned width_of(std::int32_t residual) {
     if (residual == 0) return 0;
@@ -38,7 +36,7 @@ void PredictedStrip::predict(const LatticeMesh& mesh, const Strip& strip) {
     const auto coordinate = [&](unsigned entry, std::size_t axis) {
         return coordinate_of(mesh.vertices[strip.entries[entry]], axis);
     };
-    const std::uint64_t predicted = layout::predicted_entries(strip.windows);
+    const std::uint64_t predicted = format::predicted_strip::predicted_entries(strip.windows);
     unsigned pivot = 0;  // of the window whose last entry is at hand
     for (unsigned entry = 0; entry < strip.entry_count; ++entry) {
         const unsigned pivot_before = pivot;
@@ -85,7 +83,7 @@ bool PredictedStrip::is_large(unsigned vertex, std::size_t axis) const {
 }
 
 std::size_t PredictedStrip::bits(const OffsetWidths& offsets) const {
-    return layout::choices_at(entry_count_, joint_count, numbered.vertex_count) + 3 * predicted_count +
+    return format::predicted_strip::choices_at(entry_count_, joint_count, numbered.vertex_count) + 3 * predicted_count +
            std::size_t{numbered.vertex_count - predicted_count} * (offsets[0] + offsets[1] + offsets[2]) +
            residual_bits_;
 }

@@ -10,8 +10,6 @@ namespace espalier::baker {
 
 namespace {
 
-namespace layout = format::packed_node;
-
 /// The lattice of 8-bit planes on one axis of a node.
 struct Frame {
     std::int32_t base;
@@ -32,7 +30,7 @@ struct Frame {
 /// The finest frame in whose 256 planes everything from `lo` to `hi` fits.
 Frame frame_for(std::int32_t lo, std::int32_t hi, unsigned base_unit) {
     Frame frame{lo >> base_unit << base_unit, 0};
-    static_assert(255u << layout::max_shift >= 1u << format::max_bits);
+    static_assert(255u << format::packed_node::max_shift >= 1u << format::max_bits);
     while (frame.plane_above(hi) > 255) ++frame.shift;
     return frame;
 }
@@ -46,11 +44,11 @@ Frame put_axis(std::span<const ChildBox> boxes, std::size_t axis, unsigned bits,
     }
     const unsigned base_unit = format::unit_shift(bits);
     const Frame frame = frame_for(lo, hi, base_unit);
-    set_u16(bytes + (layout::base_at + 2 * axis), static_cast<std::uint32_t>(frame.base) >> base_unit);
+    set_u16(bytes + (format::packed_node::base_at + 2 * axis), static_cast<std::uint32_t>(frame.base) >> base_unit);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const std::size_t at = layout::row_bytes * axis + i;
-        set_u8(bytes + layout::lo_at + at, frame.plane_below(boxes[i].lo[axis]));
-        set_u8(bytes + layout::hi_at + at, frame.plane_above(boxes[i].hi[axis]));
+        const std::size_t at = format::packed_node::row_bytes * axis + i;
+        set_u8(bytes + format::packed_node::lo_at + at, frame.plane_below(boxes[i].lo[axis]));
+        set_u8(bytes + format::packed_node::hi_at + at, frame.plane_above(boxes[i].hi[axis]));
     }
     return frame;
 }
@@ -62,7 +60,7 @@ std::array<Frame, 3> put_boxes(std::span<const ChildBox> boxes, unsigned bits, s
         frames[axis] = put_axis(boxes, axis, bits, bytes);
         shifts |= frames[axis].shift << (5 * axis);
     }
-    set_u16(bytes + layout::shifts_at, shifts);
+    set_u16(bytes + format::packed_node::shifts_at, shifts);
     return frames;
 }
 
@@ -106,10 +104,10 @@ void put_packed_boxes(std::span<const ChildBox> boxes, unsigned bits, std::byte*
 void put_packed_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::byte>& leaves) {
     const WideNode& node = from.node;
     const std::array<Frame, 3> frames = put_boxes(from.boxes, from.mesh.lattice.bits, bytes);
-    set_u32(bytes + layout::children_at,
+    set_u32(bytes + format::packed_node::children_at,
             node.first_child | std::uint32_t{node.node_children} << 24 | std::uint32_t{node.leaves} << 28);
     if (node.leaves == 0) return;
-    set_u32(bytes + layout::leaf_block_at, static_cast<std::uint32_t>(leaves.size() / 4));
+    set_u32(bytes + format::packed_node::leaf_block_at, static_cast<std::uint32_t>(leaves.size() / 4));
     put_leaf_block(from, frames, leaves);
 }
 

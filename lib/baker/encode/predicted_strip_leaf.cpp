@@ -8,8 +8,6 @@ namespace espalier::baker {
 
 namespace {
 
-namespace layout = format::predicted_strip;
-
 void put_marks(const Strip& strip, const PredictedStrip& predicted, BitStream& stream) {
     const NumberedEntries& numbered = predicted.numbered;
     const auto put_row = [&](std::uint64_t marks) {
@@ -17,7 +15,8 @@ void put_marks(const Strip& strip, const PredictedStrip& predicted, BitStream& s
     };
     put_row(strip.pivots >> 1);
     put_row(numbered.first_uses >> 3);
-    for (unsigned i = 0; i < predicted.joint_count; ++i) stream.put(predicted.joints[i], layout::place_bits);
+    for (unsigned i = 0; i < predicted.joint_count; ++i)
+        stream.put(predicted.joints[i], format::predicted_strip::place_bits);
     const unsigned reference_width = format::strip_leaf::reference_width(numbered.vertex_count);
     for (unsigned entry = 3; entry < strip.entry_count; ++entry)
         if (!numbered.is_first_use(entry)) stream.put(numbered.numbers[entry], reference_width);
@@ -48,10 +47,10 @@ std::uint32_t put_predicted_strip(const LatticeMesh& mesh, const WideTree& wide,
     const std::size_t begin = bytes.size();
     BitStream stream(bytes);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        stream.put(predicted.large_width[axis], layout::width_bits);
-        stream.put(predicted.small_width[axis], layout::width_bits);
+        stream.put(predicted.large_width[axis], format::predicted_strip::width_bits);
+        stream.put(predicted.small_width[axis], format::predicted_strip::width_bits);
     }
-    stream.put(predicted.joint_count, layout::joint_count_bits);
+    stream.put(predicted.joint_count, format::predicted_strip::joint_count_bits);
     put_marks(strip, predicted, stream);
     for (unsigned i = 0; i < predicted.numbered.vertex_count; ++i) {
         if (!predicted.vertices[i].is_predicted) continue;
@@ -60,7 +59,8 @@ std::uint32_t put_predicted_strip(const LatticeMesh& mesh, const WideTree& wide,
     for (unsigned i = 0; i < predicted.numbered.vertex_count; ++i)
         put_vertex(predicted, i, box, mesh.lattice.bits, stream);
     stream.finish();
-    return static_cast<std::uint32_t>(bytes.size() - begin) | (strip.entry_count - 3) << layout::entries_shift;
+    return static_cast<std::uint32_t>(bytes.size() - begin) | (strip.entry_count - 3)
+                                                                  << format::predicted_strip::entries_shift;
 }
 
 }  // namespace espalier::baker

@@ -10,22 +10,6 @@ namespace espalier::baker {
 
 namespace {
 
-Refusal invalid_options(std::string message) { return {BakeStatus::invalid_options, std::move(message)}; }
-
-std::string text_of(float value) {
-    return std::isnan(value)   ? "NaN"
-           : std::isinf(value) ? value > 0 ? "infinity" : "-infinity"
-                               : number_text(double(value));
-}
-
-/// "x = NaN" of the first coordinate that is not finite, or nothing.
-std::optional<std::string> find_not_finite(const Vec3& point) {
-    if (!std::isfinite(point.x)) return "x = " + text_of(point.x);
-    if (!std::isfinite(point.y)) return "y = " + text_of(point.y);
-    if (!std::isfinite(point.z)) return "z = " + text_of(point.z);
-    return std::nullopt;
-}
-
 /// "level.obj, mesh 3 (walls), vertex 17" of a position among those of all meshes.
 std::string vertex_name(const Source& source, std::size_t position) {
     std::size_t mesh = 0;
@@ -38,8 +22,8 @@ std::optional<Refusal> check_range(const Box& range) {
         return invalid_options("the range of motion is not finite; choose two corners that are");
     const auto check = [&](const char* axis, float low, float high) -> std::optional<Refusal> {
         if (low <= high) return std::nullopt;
-        return invalid_options(std::string("the range of motion goes from ") + text_of(low) + " to " + text_of(high) +
-                               " on " + axis + "; give the low corner first");
+        return invalid_options(std::string("the range of motion goes from ") + number_text(double(low)) + " to " +
+                               number_text(double(high)) + " on " + axis + "; give the low corner first");
     };
     if (auto refusal = check("x", range.min.x, range.max.x)) return refusal;
     if (auto refusal = check("y", range.min.y, range.max.y)) return refusal;

@@ -17,22 +17,17 @@ constexpr float dearest_byte = 1e6f;     // sums over all nodes stay far from in
 constexpr double max_flat_angle = 90.0;  // degrees; an angle that can be called flat is below this
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
-Refusal invalid_options(std::string message) { return {BakeStatus::invalid_options, std::move(message)}; }
 Refusal too_large(std::string message, SourcePlace place) { return {BakeStatus::too_large, std::move(message), place}; }
 
 bool is_finite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
-
-std::string text_of(float value) { return std::isnan(value) ? "NaN" : value > 0 ? "infinity" : "-infinity"; }
 
 /// What is wrong with the first coordinate of a corner that is not finite: "the second corner has y = NaN".
 std::string describe_not_finite(const MeshView& mesh, const TriangleVertices& triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const Vec3& point = mesh.positions[triangle[corner]];
-        const std::string start = std::string("its ") + corner_names[corner] + " corner (vertex " +
-                                  std::to_string(triangle[corner]) + ") has ";
-        if (!std::isfinite(point.x)) return start + "x = " + text_of(point.x);
-        if (!std::isfinite(point.y)) return start + "y = " + text_of(point.y);
-        if (!std::isfinite(point.z)) return start + "z = " + text_of(point.z);
+        if (const auto coordinate = find_not_finite(point))
+            return std::string("its ") + corner_names[corner] + " corner (vertex " + std::to_string(triangle[corner]) +
+                   ") has " + *coordinate;
     }
     return {};
 }

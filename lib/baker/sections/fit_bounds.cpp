@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <baker/sections/half_spaces.hpp>
 #include <runtime/blob/stored_bounds.hpp>
 
 namespace espalier::baker {
@@ -67,10 +68,6 @@ double half_area(const std::array<std::int32_t, 4>& quaternion, std::span<const 
 
 /// Of a positive divisor.
 std::int64_t divide_down(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
-
-struct Point {
-    double x, y, z;
-};
 
 double squared_distance(const Point& a, const LatticePoint& b) {
     const double x = a.x - b.x;
