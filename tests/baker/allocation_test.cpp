@@ -10,9 +10,7 @@
 #include "support/machine/allocation_counter.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::allocation_test {
 namespace {
 
 /// Makes each allocation of a bake fail in turn, but for every `stride`-th alone. What comes out is std::bad_alloc, and
@@ -48,47 +46,45 @@ std::uint64_t fail_each_allocation(const Mesh& mesh, const BakeOptions& options,
     }
 }
 
-}  // namespace
-
-TEST_SUITE("allocation") {
-    TEST_CASE("baker: an allocation that fails raises bad_alloc and leaks no block") {
-        Mesh mesh = make_soup(20, 4);
-        mesh.materials.assign(20, 3);
-        BakeOptions options;
-        options.threads = 1;
-        const std::uint64_t stride = sanitized ? 7 : 1;
-        for (const Builder builder : {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
-                                      Builder::insertion, Builder::spatial_splits}) {
-            options.build.builder = builder;
-            CHECK(fail_each_allocation(mesh, with_profile(Profile::fast, options), stride) > 30 / stride);
-        }
-        options = {};
-        options.threads = 1;
-        for_each_profile([&](Profile profile) {
-            CHECK(fail_each_allocation(mesh, with_profile(profile, options), stride) > 30 / stride);
-        });
-        options.original_ids = true;
-        options.flat_angle = 5.0;
-        options.bounds = {true, true, true};
-        CHECK(fail_each_allocation(first_triangles(mesh, 6), options, stride) > 30 / stride);
-        options = {};
-        options.threads = 1;
-        options.resolution = Resolution::tolerance(0.001);
-        CHECK(fail_each_allocation(make_icosphere(0, 1.0, {}), options, stride) > 30 / stride);
+TEST_CASE("baker: an allocation that fails raises bad_alloc and leaks no block") {
+    Mesh mesh = make_soup(20, 4);
+    mesh.materials.assign(20, 3);
+    BakeOptions options;
+    options.threads = 1;
+    const std::uint64_t stride = sanitized ? 7 : 1;
+    for (const Builder builder : {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
+                                  Builder::insertion, Builder::spatial_splits}) {
+        options.build.builder = builder;
+        CHECK(fail_each_allocation(mesh, with_profile(Profile::fast, options), stride) > 30 / stride);
     }
+    options = {};
+    options.threads = 1;
+    for_each_profile([&](Profile profile) {
+        CHECK(fail_each_allocation(mesh, with_profile(profile, options), stride) > 30 / stride);
+    });
+    options.original_ids = true;
+    options.flat_angle = 5.0;
+    options.bounds = {true, true, true};
+    CHECK(fail_each_allocation(first_triangles(mesh, 6), options, stride) > 30 / stride);
+    options = {};
+    options.threads = 1;
+    options.resolution = Resolution::tolerance(0.001);
+    CHECK(fail_each_allocation(make_icosphere(0, 1.0, {}), options, stride) > 30 / stride);
+}
 
-    TEST_CASE("baker: an allocation that fails in a thread of the baker raises in the calling thread") {
-        const Mesh mesh = make_terrain(60, 2);  // 7,200 triangles: enough for two threads
-        for (const Builder builder :
-             {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear}) {
-            BakeOptions options;
-            options.threads = 2;
-            options.build.builder = builder;
-            // Which allocation is the n-th differs from run to run: that each is met is a matter of many runs.
-            const std::uint64_t before = allocation_count();
-            REQUIRE(bake_mesh(mesh, options));
-            const std::uint64_t allocations = allocation_count() - before;
-            CHECK(fail_each_allocation(mesh, options, allocations / (sanitized ? 10 : 40) + 1) > 2);
-        }
+TEST_CASE("baker: an allocation that fails in a thread of the baker raises in the calling thread") {
+    const Mesh mesh = make_terrain(60, 2);  // 7,200 triangles: enough for two threads
+    for (const Builder builder : {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear}) {
+        BakeOptions options;
+        options.threads = 2;
+        options.build.builder = builder;
+        // Which allocation is the n-th differs from run to run: that each is met is a matter of many runs.
+        const std::uint64_t before = allocation_count();
+        REQUIRE(bake_mesh(mesh, options));
+        const std::uint64_t allocations = allocation_count() - before;
+        CHECK(fail_each_allocation(mesh, options, allocations / (sanitized ? 10 : 40) + 1) > 2);
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::allocation_test

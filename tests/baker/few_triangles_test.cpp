@@ -11,9 +11,7 @@
 #include "support/base/profiles.hpp"
 #include "support/base/sanitized.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::few_triangles_test {
 namespace {
 
 /// Two neighbours, the first one's back, one that crosses it, a needle, and one without area.
@@ -65,37 +63,36 @@ Mesh some_of_a_grid(unsigned which) {
     return mesh;
 }
 
-}  // namespace
+TEST_CASE("weld: every mesh of up to 16 triangles of six kinds keeps one of each kind and counts the rest") {
+    Counts counts{};
+    std::uint64_t meshes = 0;
+    for_each_multiset(counts, 0, 16, [&](const Counts& some) {
+        CAPTURE(meshes);
+        if (sanitized && meshes % 16 != 0) return void(++meshes);
+        const Mesh mesh = mesh_of(some);
+        const auto result = bake_mesh(mesh, with_profile(every_profile[meshes++ % every_profile.size()]));
+        REQUIRE(result);
+        REQUIRE(verify(result.bytes));
+        std::uint64_t kept = 0;
+        for (std::size_t kind = 0; kind + 1 < some.size(); ++kind) kept += some[kind] != 0 ? 1u : 0u;
+        REQUIRE(result.report.tree.triangles == kept);
+        REQUIRE(result.report.findings.zero_area.count == some.back());
+        REQUIRE(result.report.findings.duplicate.count == mesh.triangles.size() - kept - some.back());
+    });
+    CHECK(meshes == 74'613);  // 22 over 6
+}
 
-TEST_SUITE("few triangles") {
-    TEST_CASE("weld: every mesh of up to 16 triangles of six kinds keeps one of each kind and counts the rest") {
-        Counts counts{};
-        std::uint64_t meshes = 0;
-        for_each_multiset(counts, 0, 16, [&](const Counts& some) {
-            CAPTURE(meshes);
-            if (sanitized && meshes % 16 != 0) return void(++meshes);
-            const Mesh mesh = mesh_of(some);
-            const auto result = bake_mesh(mesh, with_profile(every_profile[meshes++ % every_profile.size()]));
-            REQUIRE(result);
-            REQUIRE(verify(result.bytes));
-            std::uint64_t kept = 0;
-            for (std::size_t kind = 0; kind + 1 < some.size(); ++kind) kept += some[kind] != 0 ? 1u : 0u;
-            REQUIRE(result.report.tree.triangles == kept);
-            REQUIRE(result.report.findings.zero_area.count == some.back());
-            REQUIRE(result.report.findings.duplicate.count == mesh.triangles.size() - kept - some.back());
-        });
-        CHECK(meshes == 74'613);  // 22 over 6
-    }
-
-    TEST_CASE("baker: every choice among 16 triangles of a grid gives a sound blob of those triangles") {
-        // Up to 16 triangles that are all kept, in leaves of any number: 2^16 meshes.
-        for (unsigned which = 0; which < 1u << 16; which += sanitized ? 17 : 1) {
-            const Mesh mesh = some_of_a_grid(which);
-            const auto result = bake_mesh(mesh, with_profile(every_profile[which % every_profile.size()]));
-            CAPTURE(which);
-            REQUIRE(result);
-            REQUIRE(result.report.tree.triangles == mesh.triangles.size());
-            REQUIRE(verify(result.bytes));
-        }
+TEST_CASE("baker: every choice among 16 triangles of a grid gives a sound blob of those triangles") {
+    // Up to 16 triangles that are all kept, in leaves of any number: 2^16 meshes.
+    for (unsigned which = 0; which < 1u << 16; which += sanitized ? 17 : 1) {
+        const Mesh mesh = some_of_a_grid(which);
+        const auto result = bake_mesh(mesh, with_profile(every_profile[which % every_profile.size()]));
+        CAPTURE(which);
+        REQUIRE(result);
+        REQUIRE(result.report.tree.triangles == mesh.triangles.size());
+        REQUIRE(verify(result.bytes));
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::few_triangles_test

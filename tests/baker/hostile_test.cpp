@@ -12,9 +12,7 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::baker_hostile_test {
 namespace {
 
 float some_coordinate(Random& random, unsigned kind) {
@@ -55,42 +53,41 @@ Mesh hostile_mesh(Random& random) {
     return mesh;
 }
 
-}  // namespace
-
-TEST_SUITE("hostile") {
-    TEST_CASE("baker: any input gives a sound blob or a reason and never an internal error") {
-        Random random(2024);
-        unsigned baked = 0;
-        unsigned refused = 0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            CAPTURE(i);
-            const Mesh first = hostile_mesh(random);
-            const Mesh second = hostile_mesh(random);
-            BakeOptions options = with_bits(1 + random.below(24));
-            if (random.below(3) == 0)
-                options.resolution = Resolution::tolerance(std::ldexp(1.0, random.between(-160, 140)));
-            options.drop_bad_triangles = random.below(8) != 0;
-            options.original_ids = random.coin();
-            options.effort = static_cast<Effort>(random.below(3));
-            options.build.builder = static_cast<Builder>(random.below(6));
-            options.profile = every_profile[random.below(every_profile.size())];
-            if (options.build.builder == Builder::spatial_splits) options.profile = Profile::fast;
-            const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
-            if (!result) {
-                ++refused;
-                REQUIRE(result.status != BakeStatus::internal);
-                REQUIRE(result.status != BakeStatus::invalid_options);
-                REQUIRE(result.message.size() > 20);
-                continue;
-            }
-            ++baked;
-            const VerifyReport verified = verify(result.bytes);
-            if (!verified) FAIL(verified.message);
-            REQUIRE(result.report.lattice.max_error >= 0.0);
-            if (options.resolution.kind() == Resolution::Kind::tolerance && result.report.tree.triangles != 0)
-                REQUIRE(result.report.lattice.max_error <= options.resolution.value());
+TEST_CASE("baker: any input gives a sound blob or a reason and never an internal error") {
+    Random random(2024);
+    unsigned baked = 0;
+    unsigned refused = 0;
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        CAPTURE(i);
+        const Mesh first = hostile_mesh(random);
+        const Mesh second = hostile_mesh(random);
+        BakeOptions options = with_bits(1 + random.below(24));
+        if (random.below(3) == 0)
+            options.resolution = Resolution::tolerance(std::ldexp(1.0, random.between(-160, 140)));
+        options.drop_bad_triangles = random.below(8) != 0;
+        options.original_ids = random.coin();
+        options.effort = static_cast<Effort>(random.below(3));
+        options.build.builder = static_cast<Builder>(random.below(6));
+        options.profile = every_profile[random.below(every_profile.size())];
+        if (options.build.builder == Builder::spatial_splits) options.profile = Profile::fast;
+        const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
+        if (!result) {
+            ++refused;
+            REQUIRE(result.status != BakeStatus::internal);
+            REQUIRE(result.status != BakeStatus::invalid_options);
+            REQUIRE(result.message.size() > 20);
+            continue;
         }
-        CHECK(baked > 1000);
-        CHECK(refused > 1000);
+        ++baked;
+        const VerifyReport verified = verify(result.bytes);
+        if (!verified) FAIL(verified.message);
+        REQUIRE(result.report.lattice.max_error >= 0.0);
+        if (options.resolution.kind() == Resolution::Kind::tolerance && result.report.tree.triangles != 0)
+            REQUIRE(result.report.lattice.max_error <= options.resolution.value());
     }
+    CHECK(baked > 1000);
+    CHECK(refused > 1000);
 }
+
+}  // namespace
+}  // namespace espalier::tests::baker_hostile_test

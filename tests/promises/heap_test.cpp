@@ -16,84 +16,85 @@
 #include "support/meshes/motions.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::heap_test {
+namespace {
 
-TEST_SUITE("heap") {
-    TEST_CASE("promise: the counter of allocations counts one") {
-        const std::uint64_t before = allocation_count();
-        const auto something = std::make_unique<int>(1);
-        CHECK(allocation_count() == before + 1);
-        CHECK(*something == 1);
-    }
-
-    TEST_CASE("promise: opening a blob and every query allocate nothing") {
-        std::uint64_t allocations = 0;
-        for (const TestBlob& test_blob : small_test_blobs()) {
-            Random random(1);
-            QueryMaker maker(test_blob.decoded, 1);
-            const std::uint64_t before = allocation_count();
-            const Blob blob = open(test_blob.opened.bytes);
-            const Blob refused = open(std::span(test_blob.opened.bytes).first(100));
-            exercise(blob, random, 200);
-            std::uint32_t found = 0;
-            for (int i = 0; i < 200; ++i) {
-                const Ray ray = maker.any_ray();
-                const Sphere sphere = maker.sphere();
-                found += raycast(blob, ray) ? 1u : 0u;
-                found += raycast(blob, ray, [](TriangleId) { return true; }) ? 1u : 0u;
-                found += occluded(blob, ray).yes() ? 1u : 0u;
-                found += raycast(blob, round_ray(blob.lattice(), ray)) ? 1u : 0u;
-                found += overlaps(blob, sphere).yes() ? 1u : 0u;
-                found += closest_point(blob, sphere.center, sphere.radius) ? 1u : 0u;
-                std::array<ClosestPoint, 20> few;
-                found += closest_triangles(blob, sphere.center, few, sphere.radius).count != 0 ? 1u : 0u;
-                found += closest_point(blob, Segment{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
-                found += closest_point(blob, Box{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
-                found += contains(blob, sphere.center).yes() ? 1u : 0u;
-                found += signed_distance(blob, sphere.center, sphere.radius) ? 1u : 0u;
-                found += sweep(blob, sphere, ray.direction) ? 1u : 0u;
-                const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
-                std::array<RayHit, 20> hits;
-                std::array<YesNo, 20> answers;
-                found += raycast(blob, rays, hits).count + occluded(blob, rays, answers).count != 0 ? 1u : 0u;
-                std::array<OriginalHit, 20> originals;
-                found += original_hit(blob, hits, originals).status == QueryStatus::ok && originals[0] ? 1u : 0u;
-                static_cast<void>(for_each_hit(blob, ray, [&](const RayHit&) { ++found; }));
-                (void)for_each_overlap(blob, sphere, [&](TriangleId) { ++found; });
-                (void)for_each_node(blob, [&](const TreeNode&) { return ++found, NodeVisit::descend; });
-                (void)for_each_triangle(blob, [&](TriangleId, const Triangle&) { ++found; });
-            }
-            allocations += allocation_count() - before;
-            CHECK(blob.status() == OpenStatus::ok);
-            CHECK(refused.status() == OpenStatus::too_short);
-            CHECK(found > 0);
-        }
-        CHECK(allocations == 0);
-    }
-
-    TEST_CASE("promise: refits of a mesh and of its scene allocate nothing") {
-        DeformedMesh mesh(make_torus(12, 8, 3.0, 1.0));
-        const std::vector<std::vector<Vec3>> poses = every_pose(mesh.mesh);
-        std::vector<Vec3> far_pose = poses[0];
-        far_pose[3].x = 1e6f;
-        const Blob blob = mesh.deformable.blob();
-        AlignedBuffer block(static_cast<std::size_t>(moving_scene_bytes(1)));
-        std::vector<std::byte> whole(blob.size());
-        Random random(1);
-        const std::uint64_t before = allocation_count();
-        MovingScene scene = create_moving_scene(block.bytes(), 1, -12, {&blob, 1});
-        bool all_are_ok = static_cast<bool>(insert(scene, {}));
-        all_are_ok &= static_cast<bool>(create_deformable(mesh.still, mesh.memory));
-        for (const std::vector<Vec3>& pose : poses) {
-            all_are_ok &= static_cast<bool>(refit(mesh.deformable, pose));
-            all_are_ok &= refit(mesh.deformable, far_pose).status == QueryStatus::out_of_range;
-            all_are_ok &= seal(mesh.deformable, whole) == QueryStatus::ok;
-            all_are_ok &= move_instances_of(scene, 0) == QueryStatus::ok;
-            static_cast<void>(refit(scene));
-            exercise(blob, random, 5);
-        }
-        CHECK(allocation_count() == before);
-        CHECK(all_are_ok);
-    }
+TEST_CASE("promise: the counter of allocations counts one") {
+    const std::uint64_t before = allocation_count();
+    const auto something = std::make_unique<int>(1);
+    CHECK(allocation_count() == before + 1);
+    CHECK(*something == 1);
 }
+
+TEST_CASE("promise: opening a blob and every query allocate nothing") {
+    std::uint64_t allocations = 0;
+    for (const TestBlob& test_blob : small_test_blobs()) {
+        Random random(1);
+        QueryMaker maker(test_blob.decoded, 1);
+        const std::uint64_t before = allocation_count();
+        const Blob blob = open(test_blob.opened.bytes);
+        const Blob refused = open(std::span(test_blob.opened.bytes).first(100));
+        exercise(blob, random, 200);
+        std::uint32_t found = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray = maker.any_ray();
+            const Sphere sphere = maker.sphere();
+            found += raycast(blob, ray) ? 1u : 0u;
+            found += raycast(blob, ray, [](TriangleId) { return true; }) ? 1u : 0u;
+            found += occluded(blob, ray).yes() ? 1u : 0u;
+            found += raycast(blob, round_ray(blob.lattice(), ray)) ? 1u : 0u;
+            found += overlaps(blob, sphere).yes() ? 1u : 0u;
+            found += closest_point(blob, sphere.center, sphere.radius) ? 1u : 0u;
+            std::array<ClosestPoint, 20> few;
+            found += closest_triangles(blob, sphere.center, few, sphere.radius).count != 0 ? 1u : 0u;
+            found += closest_point(blob, Segment{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
+            found += closest_point(blob, Box{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
+            found += contains(blob, sphere.center).yes() ? 1u : 0u;
+            found += signed_distance(blob, sphere.center, sphere.radius) ? 1u : 0u;
+            found += sweep(blob, sphere, ray.direction) ? 1u : 0u;
+            const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
+            std::array<RayHit, 20> hits;
+            std::array<YesNo, 20> answers;
+            found += raycast(blob, rays, hits).count + occluded(blob, rays, answers).count != 0 ? 1u : 0u;
+            std::array<OriginalHit, 20> originals;
+            found += original_hit(blob, hits, originals).status == QueryStatus::ok && originals[0] ? 1u : 0u;
+            static_cast<void>(for_each_hit(blob, ray, [&](const RayHit&) { ++found; }));
+            (void)for_each_overlap(blob, sphere, [&](TriangleId) { ++found; });
+            (void)for_each_node(blob, [&](const TreeNode&) { return ++found, NodeVisit::descend; });
+            (void)for_each_triangle(blob, [&](TriangleId, const Triangle&) { ++found; });
+        }
+        allocations += allocation_count() - before;
+        CHECK(blob.status() == OpenStatus::ok);
+        CHECK(refused.status() == OpenStatus::too_short);
+        CHECK(found > 0);
+    }
+    CHECK(allocations == 0);
+}
+
+TEST_CASE("promise: refits of a mesh and of its scene allocate nothing") {
+    DeformedMesh mesh(make_torus(12, 8, 3.0, 1.0));
+    const std::vector<std::vector<Vec3>> poses = every_pose(mesh.mesh);
+    std::vector<Vec3> far_pose = poses[0];
+    far_pose[3].x = 1e6f;
+    const Blob blob = mesh.deformable.blob();
+    AlignedBuffer block(static_cast<std::size_t>(moving_scene_bytes(1)));
+    std::vector<std::byte> whole(blob.size());
+    Random random(1);
+    const std::uint64_t before = allocation_count();
+    MovingScene scene = create_moving_scene(block.bytes(), 1, -12, {&blob, 1});
+    bool all_are_ok = static_cast<bool>(insert(scene, {}));
+    all_are_ok &= static_cast<bool>(create_deformable(mesh.still, mesh.memory));
+    for (const std::vector<Vec3>& pose : poses) {
+        all_are_ok &= static_cast<bool>(refit(mesh.deformable, pose));
+        all_are_ok &= refit(mesh.deformable, far_pose).status == QueryStatus::out_of_range;
+        all_are_ok &= seal(mesh.deformable, whole) == QueryStatus::ok;
+        all_are_ok &= move_instances_of(scene, 0) == QueryStatus::ok;
+        static_cast<void>(refit(scene));
+        exercise(blob, random, 5);
+    }
+    CHECK(allocation_count() == before);
+    CHECK(all_are_ok);
+}
+
+}  // namespace
+}  // namespace espalier::tests::heap_test

@@ -26,9 +26,7 @@
 #include "support/queries/sweep_maker.hpp"
 #include "support/queries/test_pair_frame.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::stack_test {
 namespace {
 
 /// Blobs whose vertices are predicted, or the others.
@@ -58,345 +56,333 @@ std::size_t most_stack_on_any_set(const std::vector<std::reference_wrapper<const
     return most;
 }
 
-}  // namespace
+TEST_CASE("promise: the measure of stack reports a frame of known size") {
+    if (sanitized) return;
+    const std::size_t empty = stack_use([] {});
+    const std::size_t filled = stack_use([] {
+        volatile char frame[4096];
+        for (volatile char& c : frame) c = 1;
+    });
+    CHECK(filled >= empty + 4096);
+    CHECK(filled < empty + 4096 + 256);
+}
 
-TEST_SUITE("stack") {
-    TEST_CASE("promise: the measure of stack reports a frame of known size") {
-        if (sanitized) return;
-        const std::size_t empty = stack_use([] {});
-        const std::size_t filled = stack_use([] {
-            volatile char frame[4096];
-            for (volatile char& c : frame) c = 1;
-        });
-        CHECK(filled >= empty + 4096);
-        CHECK(filled < empty + 4096 + 256);
+TEST_CASE("promise: every query stays within its stack budget") {
+    if (sanitized) {
+        MESSAGE("SKIPPED: the sanitizers give frames other sizes");
+        return;
     }
-
-    TEST_CASE("promise: every query stays within its stack budget") {
-        if (sanitized) {
-            MESSAGE("SKIPPED: the sanitizers give frames other sizes");
-            return;
-        }
-        for (const bool are_predicted : {false, true}) {
-            const auto measured = test_blobs(are_predicted);
-            REQUIRE(!measured.empty());
-            struct Row {
-                const char* query;
-                std::size_t budget;
-                std::size_t most;
-                std::size_t leaves = 1;  ///< decoded at the same time
-            };
-            ClosestPoint nearest;
-            std::array<ClosestPoint, 16> few;
-            bool inside = false;
-            const auto ray_row = [&](auto query) {
-                return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                    const Ray ray = maker.any_ray();
-                    return stack_use([&] { query(blob.opened.blob, ray); });
-                });
-            };
-            using Rays = std::array<Ray, 64>;
-            std::array<RayHit, 64> hits;
-            std::array<YesNo, 64> answers;
-            const auto batch_row = [&](auto query) {
-                return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                    Rays rays;
-                    rays.fill(maker.any_ray());  // a group, and then strangers
-                    for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
-                    return stack_use([&] { query(blob.opened.blob, rays); });
-                });
-            };
-            // The paths of instruction sets that the machine would not choose are measured too.
-            const auto ray_path_row = [&](auto query) {
-                std::size_t most = 0;
-                for (const InstructionPath& path : instruction_paths())
-                    most = std::max(most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                                        const Ray ray = maker.any_ray();
-                                        return stack_use([&] { query(path, blob.opened.blob, ray); });
+    for (const bool are_predicted : {false, true}) {
+        const auto measured = test_blobs(are_predicted);
+        REQUIRE(!measured.empty());
+        struct Row {
+            const char* query;
+            std::size_t budget;
+            std::size_t most;
+            std::size_t leaves = 1;  ///< decoded at the same time
+        };
+        ClosestPoint nearest;
+        std::array<ClosestPoint, 16> few;
+        bool inside = false;
+        const auto ray_row = [&](auto query) {
+            return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                const Ray ray = maker.any_ray();
+                return stack_use([&] { query(blob.opened.blob, ray); });
+            });
+        };
+        using Rays = std::array<Ray, 64>;
+        std::array<RayHit, 64> hits;
+        std::array<YesNo, 64> answers;
+        const auto batch_row = [&](auto query) {
+            return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                Rays rays;
+                rays.fill(maker.any_ray());  // a group, and then strangers
+                for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
+                return stack_use([&] { query(blob.opened.blob, rays); });
+            });
+        };
+        // The paths of instruction sets that the machine would not choose are measured too.
+        const auto ray_path_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const InstructionPath& path : instruction_paths())
+                most = std::max(most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                                    const Ray ray = maker.any_ray();
+                                    return stack_use([&] { query(path, blob.opened.blob, ray); });
+                                }));
+            return most;
+        };
+        const auto sphere_row = [&](auto query) {
+            return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                const Sphere sphere = maker.sphere();
+                return stack_use([&] { query(blob.opened.blob, sphere); });
+            });
+        };
+        const auto volume_row = [&](auto make) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : measured) {
+                ShapeMaker maker(blob.decoded, 6);
+                for (int i = 0; i < 30; ++i) {
+                    const auto shape = make(maker);
+                    std::array<TriangleId, 8> page;
+                    most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
+                    most = std::max(most, stack_use([&] { (void)collect_overlaps(blob.opened.blob, shape, page); }));
+                }
+            }
+            return most;
+        };
+        const auto point_path_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const InstructionPath& path : instruction_paths())
+                most =
+                    std::max(most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                                 const Sphere sphere = maker.sphere();
+                                 const detail::BlobData& data = detail::data_of(blob.opened.blob);
+                                 detail::RoundedPoint point;
+                                 if (detail::round_point(data, sphere.center, sphere.radius, point) != QueryStatus::ok)
+                                     return std::size_t{0};
+                                 return stack_use([&] { query(path, data, point); });
+                             }));
+            return most;
+        };
+        detail::FoundNearest found;
+        const auto sweep_row = [&](auto make) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : measured) {
+                SweepMaker maker(blob.decoded, 7);
+                for (int i = 0; i < 60; ++i) {
+                    const auto moving = make(maker);
+                    SweepHit sweep_hit;
+                    most = std::max(most, stack_use([&] {
+                                        sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement,
+                                                          SweepOptions{.culling = FaceCulling::back,
+                                                                       .ignore_leaving = i % 2 == 0,
+                                                                       .skin = 0.125f});
                                     }));
-                return most;
-            };
-            const auto sphere_row = [&](auto query) {
-                return most_stack_on_any_set(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                    const Sphere sphere = maker.sphere();
-                    return stack_use([&] { query(blob.opened.blob, sphere); });
-                });
-            };
-            const auto volume_row = [&](auto make) {
-                std::size_t most = 0;
-                for (const TestBlob& blob : measured) {
-                    ShapeMaker maker(blob.decoded, 6);
-                    for (int i = 0; i < 30; ++i) {
-                        const auto shape = make(maker);
-                        std::array<TriangleId, 8> page;
-                        most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
-                        most =
-                            std::max(most, stack_use([&] { (void)collect_overlaps(blob.opened.blob, shape, page); }));
-                    }
                 }
-                return most;
-            };
-            const auto point_path_row = [&](auto query) {
-                std::size_t most = 0;
-                for (const InstructionPath& path : instruction_paths())
-                    most = std::max(
-                        most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                            const Sphere sphere = maker.sphere();
-                            const detail::BlobData& data = detail::data_of(blob.opened.blob);
-                            detail::RoundedPoint point;
-                            if (detail::round_point(data, sphere.center, sphere.radius, point) != QueryStatus::ok)
-                                return std::size_t{0};
-                            return stack_use([&] { query(path, data, point); });
-                        }));
-                return most;
-            };
-            detail::FoundNearest found;
-            const auto sweep_row = [&](auto make) {
-                std::size_t most = 0;
-                for (const TestBlob& blob : measured) {
-                    SweepMaker maker(blob.decoded, 7);
-                    for (int i = 0; i < 60; ++i) {
-                        const auto moving = make(maker);
-                        SweepHit sweep_hit;
-                        most = std::max(most, stack_use([&] {
-                                            sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement,
-                                                              SweepOptions{.culling = FaceCulling::back,
-                                                                           .ignore_leaving = i % 2 == 0,
-                                                                           .skin = 0.125f});
-                                        }));
-                    }
-                }
-                return most;
-            };
-            const auto placed_row = [&](auto query) {
-                std::size_t most = 0;
-                for (const TestBlob& blob : measured) {
-                    PlacementMaker maker(blob.decoded, blob.decoded, 8);
-                    for (int i = 0; i < 6; ++i) {
-                        const Transform placement = i % 2 == 0 ? maker.random() : maker.adversarial();
-                        TestPairFrame frame;
-                        const auto& data = detail::data_of(blob.opened.blob);
-                        if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
-                        const PlacedBlob a(blob.opened.blob), b(blob.opened.blob, placement);
-                        for (const InstructionPath& path : instruction_paths())
-                            most = std::max(most, stack_use([&] { query(path, a, b, frame); }));
-                    }
-                }
-                return most;
-            };
-            const auto pair_row = [&](auto ask) {
-                std::size_t most = 0;
-                for (const TestBlob& blob : measured) {
-                    ShapeMaker maker(blob.decoded, 7);
-                    for (int i = 0; i < 30; ++i) {
-                        const Capsule capsule = maker.capsule(true);
-                        ClosestPoint pair;
-                        most = std::max(most, stack_use([&] { pair = ask(blob.opened.blob, capsule); }));
-                    }
-                }
-                return most;
-            };
-            const Row rows[] = {
-                {"open", 1024,
-                 most_stack(measured, [](const TestBlob& blob,
-                                         QueryMaker&) { return stack_use([&] { (void)open(blob.opened.bytes); }); })},
-                {"raycast", 2112, ray_row([](const Blob& blob, const Ray& ray) { (void)raycast(blob, ray); })},
-                {"raycast, every instruction set", 2112,
-                 ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
-                     (void)path.closest_hit(detail::data_of(blob), ray, nullptr);
-                 })},
-                {"closest_point, every instruction set", 4096,
-                 point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
-                                    const detail::RoundedPoint& point) { path.closest_triangle(blob, point, found); })},
-                {"raycast, a rounded ray", 2432, ray_row([&](const Blob& blob, const Ray& ray) {
-                     (void)raycast(blob, round_ray(blob.lattice(), ray));
-                 })},
-                {"occluded", 1984, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
-                {"raycast, a batch", 12288,
-                 batch_row([&](const Blob& blob, const Rays& rays) { (void)raycast(blob, rays, hits); })},
-                {"occluded, a batch", 12288,
-                 batch_row([&](const Blob& blob, const Rays& rays) { (void)occluded(blob, rays, answers); })},
-                {"raycast, arrays", 17408, batch_row([&](const Blob& blob, const Rays& rays) {
-                     const RayArrays arrays = {{&rays[0].origin, sizeof(Ray)}, {&rays[0].direction, sizeof(Ray)}};
-                     (void)raycast(blob, arrays, hits);
-                 })},
-                {"for_each_hit", 2240, ray_row([](const Blob& blob, const Ray& ray) {
-                     (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
-                 })},
-                {"for_each_crossing", 2240, ray_row([](const Blob& blob, const Ray& ray) {
-                     (void)for_each_crossing(blob, ray, [](const RayHit&) { return Visit::next; });
-                 })},
-                {"closest_hits", 2304,
-                 ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
-                {"find_contacts, a capsule", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
-                     std::array<Contact, 8> contacts;
-                     (void)find_contacts(blob, capsule, capsule.radius, contacts);
-                     return ClosestPoint();
-                 })},
-                {"find_contacts, a box", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
-                     std::array<Contact, 8> contacts;
-                     const float half = capsule.radius;
-                     (void)find_contacts(blob,
-                                         OrientedBox{capsule.from, {{half, half, 0}, {-half, half, 0}, {0, 0, half}}},
-                                         half, contacts);
-                     return ClosestPoint();
-                 })},
-                {"find_contacts, a hull", 7424, pair_row([](const Blob& blob, const Capsule& capsule) {
-                     std::array<Contact, 8> contacts;
-                     std::array<Vec3, max_hull_vertices> vertices;
-                     Random random(3);
-                     for (Vec3& vertex : vertices) {
-                         const Vec3 off = random.in_cube(capsule.radius);
-                         vertex = {capsule.from.x + off.x, capsule.from.y + off.y, capsule.from.z + off.z};
-                     }
-                     (void)find_contacts(blob, ConvexHull{vertices}, capsule.radius, contacts);
-                     return ClosestPoint();
-                 })},
-                {"overlaps, two blobs", 6656,
-                 placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
-                               const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
-                 2},
-                {"collect_contacts, resumed", 6912,
-                 placed_row(
-                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                         PairContact contacts[1];
-                         const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
-                         (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
-                     }),
-                 2},
-                {"collect_touches", 7168,
-                 placed_row(
-                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                         PairTouch touches[2];
-                         (void)collect_touches(a, b, touches, WorkLimit(20'000));
-                     }),
-                 2},
-                {"pair_touch", 6656,
-                 placed_row(
-                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                         (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
-                     }),
-                 2},
-                {"distance, two blobs", 6912,
-                 placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
-                               const detail::PairFrame&) { (void)distance(a, b, WorkLimit(20'000), 1e30f); }),
-                 2},
-                {"pairs of triangles, every instruction set", 6656,
-                 placed_row([](const InstructionPath& path, const PlacedBlob&, const PlacedBlob&,
-                               const detail::PairFrame& frame) {
-                     std::uint64_t work = 20'000;
-                     const auto go_on = [](const detail::TrianglePair&) { return Visit::next; };
-                     (void)path.touching_pairs(frame, go_on, work);
-                     detail::FoundTriangles closest;
-                     bool is_found = false;
-                     (void)path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found,
-                                             work);
-                 }),
-                 2},
-                {"sweep, a sphere", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
-                {"sweep, a capsule", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
-                {"sweep, a box", 6144, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
-                {"sweep, an oriented box", 8192,
-                 sweep_row([](SweepMaker& maker) { return maker.awkward_oriented_box(); })},
-                {"sweep, a hull", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_hull(); })},
-                {"overlaps", 2816,
-                 sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
-                {"for_each_overlap", 2944, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     (void)for_each_overlap(blob, sphere, [](TriangleId) {});
-                 })},
-                {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     (void)overlaps(blob, sphere, Accuracy{sphere.radius});
-                     (void)distance_bounds(blob, sphere.center, sphere.radius, Accuracy{sphere.radius}).status;
-                 })},
-                {"occluded with an accuracy", 2176, ray_row([](const Blob& blob, const Ray& ray) {
-                     (void)occluded(blob, ray, Accuracy{0.01f * (blob.bounds().max.x - blob.bounds().min.x)});
-                 })},
-                {"overlaps and pages, a capsule", 3584,
-                 volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-                {"overlaps and pages, a box", 2560, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
-                {"overlaps and pages, an oriented box", 3456,
-                 volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
-                {"overlaps and pages, a cone", 3584, volume_row([](ShapeMaker& maker) {
-                     const Capsule c = maker.capsule(true);
-                     const Vec3 axis = {c.to.x - c.from.x, c.to.y - c.from.y, c.to.z - c.from.z};
-                     return Cone{c.from, axis, c.radius};
-                 })},
-                {"overlaps and pages, a triangle", 2560,
-                 volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
-                {"overlaps and pages, planes", 3200, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
-                {"closest_point", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     nearest = closest_point(blob, sphere.center, sphere.radius);
-                 })},
-                {"closest_triangles", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     (void)closest_triangles(blob, sphere.center, few, sphere.radius).status;
-                 })},
-                {"closest_point, a segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule) {
-                     return closest_point(blob, Segment{capsule.from, capsule.to}, capsule.radius);
-                 })},
-                {"closest_point, a box", 3136, pair_row([](const Blob& blob, const Capsule& capsule) {
-                     const Vec3& a = capsule.from;
-                     const Vec3& b = capsule.to;
-                     const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-                     const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-                     return closest_point(blob, Box{min, max}, capsule.radius);
-                 })},
-                {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     inside = contains(blob, sphere.center).yes();
-                 })},
-                {"winding_number", 3072, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     (void)winding_number(blob, sphere.center, 8).status;
-                 })},
-                {"signed_distance", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     nearest = signed_distance(blob, sphere.center, sphere.radius);
-                 })},
-                {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
-                     (void)for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
-                 })},
-                {"fix_internal_edge_normal", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     (void)fix_internal_edge_normal(blob, {blob.triangle_count() / 2}, Feature::edge_ca, sphere.center);
-                 })},
-                {"triangle_at", 768, sphere_row([](const Blob& blob, const Sphere&) {
-                     (void)triangle_at(blob, {blob.triangle_count() / 2});
-                 })},
-                {"oriented_bounds", 256,
-                 sphere_row([](const Blob& blob, const Sphere&) { (void)oriented_bounds(blob); })},
-            };
-            for (const Row& row : rows) {
-                // The vertices of a predicted strip, decoded, and what decodes them; of two leaves in pairs of blobs.
-                const std::size_t budget = row.budget + (are_predicted ? 512 + row.leaves * 1024 : 0);
-                MESSAGE(std::string(row.query), std::string(are_predicted ? ", predicted: " : ": "), row.most,
-                        " bytes of stack, budget ", budget);
-                CHECK_MESSAGE(row.most <= budget, std::string(row.query));
             }
-        }
-    }
-
-    TEST_CASE("promise: refits and what belongs to them stay within their stack budgets") {
-        if (sanitized) {
-            MESSAGE("SKIPPED: the sanitizers give frames other sizes");
-            return;
-        }
-        Mesh sparse = make_torus(12, 8, 3.0, 1.0);
-        sparse.positions.resize(70'000, sparse.positions[0]);  // numbers of four bytes
-        Mesh far = make_far_sphere();
-        std::size_t most_of_refit = 0, most_of_others = 0;
-        for (const Mesh& mesh : {make_torus(12, 8, 3.0, 1.0), sparse, far}) {
-            for (const unsigned bits : {16u, 24u}) {
-                DeformedMesh deformed(mesh, bits);
-                std::vector<std::byte> whole(deformed.baked.size());
-                for (const std::vector<Vec3>& pose : every_pose(mesh)) {
-                    bool is_ok = false;
-                    most_of_refit = std::max(
-                        most_of_refit, stack_use([&] { is_ok = static_cast<bool>(refit(deformed.deformable, pose)); }));
-                    CHECK(is_ok);
+            return most;
+        };
+        const auto placed_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : measured) {
+                PlacementMaker maker(blob.decoded, blob.decoded, 8);
+                for (int i = 0; i < 6; ++i) {
+                    const Transform placement = i % 2 == 0 ? maker.random() : maker.adversarial();
+                    TestPairFrame frame;
+                    const auto& data = detail::data_of(blob.opened.blob);
+                    if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
+                    const PlacedBlob a(blob.opened.blob), b(blob.opened.blob, placement);
+                    for (const InstructionPath& path : instruction_paths())
+                        most = std::max(most, stack_use([&] { query(path, a, b, frame); }));
                 }
-                const auto measure = [&](auto call) { most_of_others = std::max(most_of_others, stack_use(call)); };
-                measure([&] { (void)seal(deformed.deformable, whole); });
-                measure([&] { (void)create_deformable(deformed.still, deformed.memory); });
             }
+            return most;
+        };
+        const auto pair_row = [&](auto ask) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : measured) {
+                ShapeMaker maker(blob.decoded, 7);
+                for (int i = 0; i < 30; ++i) {
+                    const Capsule capsule = maker.capsule(true);
+                    ClosestPoint pair;
+                    most = std::max(most, stack_use([&] { pair = ask(blob.opened.blob, capsule); }));
+                }
+            }
+            return most;
+        };
+        const Row rows[] = {
+            {"open", 1024,
+             most_stack(measured, [](const TestBlob& blob,
+                                     QueryMaker&) { return stack_use([&] { (void)open(blob.opened.bytes); }); })},
+            {"raycast", 2112, ray_row([](const Blob& blob, const Ray& ray) { (void)raycast(blob, ray); })},
+            {"raycast, every instruction set", 2112,
+             ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
+                 (void)path.closest_hit(detail::data_of(blob), ray, nullptr);
+             })},
+            {"closest_point, every instruction set", 4096,
+             point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
+                                const detail::RoundedPoint& point) { path.closest_triangle(blob, point, found); })},
+            {"raycast, a rounded ray", 2432,
+             ray_row([&](const Blob& blob, const Ray& ray) { (void)raycast(blob, round_ray(blob.lattice(), ray)); })},
+            {"occluded", 1984, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"raycast, a batch", 12288,
+             batch_row([&](const Blob& blob, const Rays& rays) { (void)raycast(blob, rays, hits); })},
+            {"occluded, a batch", 12288,
+             batch_row([&](const Blob& blob, const Rays& rays) { (void)occluded(blob, rays, answers); })},
+            {"raycast, arrays", 17408, batch_row([&](const Blob& blob, const Rays& rays) {
+                 const RayArrays arrays = {{&rays[0].origin, sizeof(Ray)}, {&rays[0].direction, sizeof(Ray)}};
+                 (void)raycast(blob, arrays, hits);
+             })},
+            {"for_each_hit", 2240, ray_row([](const Blob& blob, const Ray& ray) {
+                 (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
+             })},
+            {"for_each_crossing", 2240, ray_row([](const Blob& blob, const Ray& ray) {
+                 (void)for_each_crossing(blob, ray, [](const RayHit&) { return Visit::next; });
+             })},
+            {"closest_hits", 2304,
+             ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
+            {"find_contacts, a capsule", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
+                 std::array<Contact, 8> contacts;
+                 (void)find_contacts(blob, capsule, capsule.radius, contacts);
+                 return ClosestPoint();
+             })},
+            {"find_contacts, a box", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
+                 std::array<Contact, 8> contacts;
+                 const float half = capsule.radius;
+                 (void)find_contacts(blob, OrientedBox{capsule.from, {{half, half, 0}, {-half, half, 0}, {0, 0, half}}},
+                                     half, contacts);
+                 return ClosestPoint();
+             })},
+            {"find_contacts, a hull", 7424, pair_row([](const Blob& blob, const Capsule& capsule) {
+                 std::array<Contact, 8> contacts;
+                 std::array<Vec3, max_hull_vertices> vertices;
+                 Random random(3);
+                 for (Vec3& vertex : vertices) {
+                     const Vec3 off = random.in_cube(capsule.radius);
+                     vertex = {capsule.from.x + off.x, capsule.from.y + off.y, capsule.from.z + off.z};
+                 }
+                 (void)find_contacts(blob, ConvexHull{vertices}, capsule.radius, contacts);
+                 return ClosestPoint();
+             })},
+            {"overlaps, two blobs", 6656,
+             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                 (void)overlaps(a, b, WorkLimit::unlimited());
+             }),
+             2},
+            {"collect_contacts, resumed", 6912,
+             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                 PairContact contacts[1];
+                 const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
+                 (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
+             }),
+             2},
+            {"collect_touches", 7168,
+             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                 PairTouch touches[2];
+                 (void)collect_touches(a, b, touches, WorkLimit(20'000));
+             }),
+             2},
+            {"pair_touch", 6656,
+             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                 (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
+             }),
+             2},
+            {"distance, two blobs", 6912,
+             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                 (void)distance(a, b, WorkLimit(20'000), 1e30f);
+             }),
+             2},
+            {"pairs of triangles, every instruction set", 6656,
+             placed_row([](const InstructionPath& path, const PlacedBlob&, const PlacedBlob&,
+                           const detail::PairFrame& frame) {
+                 std::uint64_t work = 20'000;
+                 const auto go_on = [](const detail::TrianglePair&) { return Visit::next; };
+                 (void)path.touching_pairs(frame, go_on, work);
+                 detail::FoundTriangles closest;
+                 bool is_found = false;
+                 (void)path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
+             }),
+             2},
+            {"sweep, a sphere", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
+            {"sweep, a capsule", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
+            {"sweep, a box", 6144, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
+            {"sweep, an oriented box", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_oriented_box(); })},
+            {"sweep, a hull", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_hull(); })},
+            {"overlaps", 2816,
+             sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
+            {"for_each_overlap", 2944, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 (void)for_each_overlap(blob, sphere, [](TriangleId) {});
+             })},
+            {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 (void)overlaps(blob, sphere, Accuracy{sphere.radius});
+                 (void)distance_bounds(blob, sphere.center, sphere.radius, Accuracy{sphere.radius}).status;
+             })},
+            {"occluded with an accuracy", 2176, ray_row([](const Blob& blob, const Ray& ray) {
+                 (void)occluded(blob, ray, Accuracy{0.01f * (blob.bounds().max.x - blob.bounds().min.x)});
+             })},
+            {"overlaps and pages, a capsule", 3584, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
+            {"overlaps and pages, a box", 2560, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+            {"overlaps and pages, an oriented box", 3456,
+             volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
+            {"overlaps and pages, a cone", 3584, volume_row([](ShapeMaker& maker) {
+                 const Capsule c = maker.capsule(true);
+                 const Vec3 axis = {c.to.x - c.from.x, c.to.y - c.from.y, c.to.z - c.from.z};
+                 return Cone{c.from, axis, c.radius};
+             })},
+            {"overlaps and pages, a triangle", 2560, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
+            {"overlaps and pages, planes", 3200, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
+            {"closest_point", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 nearest = closest_point(blob, sphere.center, sphere.radius);
+             })},
+            {"closest_triangles", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 (void)closest_triangles(blob, sphere.center, few, sphere.radius).status;
+             })},
+            {"closest_point, a segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule) {
+                 return closest_point(blob, Segment{capsule.from, capsule.to}, capsule.radius);
+             })},
+            {"closest_point, a box", 3136, pair_row([](const Blob& blob, const Capsule& capsule) {
+                 const Vec3& a = capsule.from;
+                 const Vec3& b = capsule.to;
+                 const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+                 const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+                 return closest_point(blob, Box{min, max}, capsule.radius);
+             })},
+            {"contains", 1536,
+             sphere_row([&](const Blob& blob, const Sphere& sphere) { inside = contains(blob, sphere.center).yes(); })},
+            {"winding_number", 3072, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 (void)winding_number(blob, sphere.center, 8).status;
+             })},
+            {"signed_distance", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 nearest = signed_distance(blob, sphere.center, sphere.radius);
+             })},
+            {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
+                 (void)for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
+             })},
+            {"fix_internal_edge_normal", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 (void)fix_internal_edge_normal(blob, {blob.triangle_count() / 2}, Feature::edge_ca, sphere.center);
+             })},
+            {"triangle_at", 768,
+             sphere_row([](const Blob& blob, const Sphere&) { (void)triangle_at(blob, {blob.triangle_count() / 2}); })},
+            {"oriented_bounds", 256, sphere_row([](const Blob& blob, const Sphere&) { (void)oriented_bounds(blob); })},
+        };
+        for (const Row& row : rows) {
+            // The vertices of a predicted strip, decoded, and what decodes them; of two leaves in pairs of blobs.
+            const std::size_t budget = row.budget + (are_predicted ? 512 + row.leaves * 1024 : 0);
+            MESSAGE(std::string(row.query), std::string(are_predicted ? ", predicted: " : ": "), row.most,
+                    " bytes of stack, budget ", budget);
+            CHECK_MESSAGE(row.most <= budget, std::string(row.query));
         }
-        MESSAGE("refit: ", most_of_refit, " bytes of stack; seal and create_deformable: ", most_of_others);
-        CHECK(most_of_refit <= 1300);
-        CHECK(most_of_others <= 512);
     }
 }
+
+TEST_CASE("promise: refits and what belongs to them stay within their stack budgets") {
+    if (sanitized) {
+        MESSAGE("SKIPPED: the sanitizers give frames other sizes");
+        return;
+    }
+    Mesh sparse = make_torus(12, 8, 3.0, 1.0);
+    sparse.positions.resize(70'000, sparse.positions[0]);  // numbers of four bytes
+    Mesh far = make_far_sphere();
+    std::size_t most_of_refit = 0, most_of_others = 0;
+    for (const Mesh& mesh : {make_torus(12, 8, 3.0, 1.0), sparse, far}) {
+        for (const unsigned bits : {16u, 24u}) {
+            DeformedMesh deformed(mesh, bits);
+            std::vector<std::byte> whole(deformed.baked.size());
+            for (const std::vector<Vec3>& pose : every_pose(mesh)) {
+                bool is_ok = false;
+                most_of_refit = std::max(
+                    most_of_refit, stack_use([&] { is_ok = static_cast<bool>(refit(deformed.deformable, pose)); }));
+                CHECK(is_ok);
+            }
+            const auto measure = [&](auto call) { most_of_others = std::max(most_of_others, stack_use(call)); };
+            measure([&] { (void)seal(deformed.deformable, whole); });
+            measure([&] { (void)create_deformable(deformed.still, deformed.memory); });
+        }
+    }
+    MESSAGE("refit: ", most_of_refit, " bytes of stack; seal and create_deformable: ", most_of_others);
+    CHECK(most_of_refit <= 1300);
+    CHECK(most_of_others <= 512);
+}
+
+}  // namespace
+}  // namespace espalier::tests::stack_test

@@ -19,9 +19,7 @@
 #include "support/queries/ray_maker.hpp"
 #include "tree_support.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::builders_test {
 namespace {
 
 struct NamedBuilder {
@@ -71,125 +69,122 @@ bool is_same(const baker::BinaryTree& a, const baker::BinaryTree& b) {
            std::memcmp(a.nodes.get(), b.nodes.get(), a.node_count() * sizeof(baker::BinaryNode)) == 0;
 }
 
-}  // namespace
-
-TEST_SUITE("builders") {
-    TEST_CASE("builder: no triangles give an empty tree") {
-        for (const NamedBuilder& named : builders) {
-            CAPTURE(named.name);
-            CHECK(baker::build({}, named.builder, baker::build_settings(Effort::normal, 1)).triangles.empty());
-        }
+TEST_CASE("builder: no triangles give an empty tree") {
+    for (const NamedBuilder& named : builders) {
+        CAPTURE(named.name);
+        CHECK(baker::build({}, named.builder, baker::build_settings(Effort::normal, 1)).triangles.empty());
     }
+}
 
-    TEST_CASE("builder: awkward small inputs give a sound tree within the height of the format") {
-        std::vector<baker::LatticeMesh> meshes;
-        for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 19u, 20u, 21u}) {
-            meshes.push_back(mixed_sizes(count, count));
-            meshes.push_back(identical_triangles(count));
-        }
-        meshes.push_back(mixed_sizes(10'000, 1));
-        meshes.push_back(concentric_triangles(5'000));
-        meshes.push_back(exponential_stairs(1));
-        meshes.push_back(exponential_stairs(100));
-        meshes.push_back(nearly_equal_boxes(5'000));
-        for (const NamedBuilder& named : builders) {
-            CAPTURE(named.name);
-            for (const baker::LatticeMesh& mesh : meshes) {
-                CAPTURE(mesh.triangles.size());
-                for (const Effort effort : every_effort) {
-                    const auto tree = baker::build(mesh, named.builder, baker::build_settings(effort, 1));
-                    CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
-                }
-            }
-        }
+TEST_CASE("builder: awkward small inputs give a sound tree within the height of the format") {
+    std::vector<baker::LatticeMesh> meshes;
+    for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 19u, 20u, 21u}) {
+        meshes.push_back(mixed_sizes(count, count));
+        meshes.push_back(identical_triangles(count));
     }
-
-    TEST_CASE("builder: 100000 identical triangles give a sound tree within the height of the format") {
-        const baker::LatticeMesh mesh = identical_triangles(100'000);
-        for (const NamedBuilder& named : builders) {
-            CAPTURE(named.name);
-            const auto tree = baker::build(mesh, named.builder, baker::build_settings(Effort::normal, 1));
-            CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
-        }
-    }
-
-    TEST_CASE("builder: every builder falls back to balanced splits where its tree would become too high") {
-        for (const baker::LatticeMesh& mesh :
-             {nearly_equal_boxes(1'025), exponential_stairs(40), mixed_sizes(1'000, 3)}) {
-            const unsigned balanced = balanced_height_of(mesh.triangles.size());
-            for (const NamedBuilder& named : builders) {
-                CAPTURE(named.name);
-                baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
-                const unsigned free_height = height_of_sound_tree(mesh, baker::build(mesh, named.builder, settings));
-                REQUIRE(free_height > balanced);  // or this claim would test nothing
-                for (settings.most_height = 0; settings.most_height <= free_height; ++settings.most_height) {
-                    const auto tree = baker::build(mesh, named.builder, settings);
-                    const unsigned height = height_of_sound_tree(mesh, tree);
-                    CHECK(height <= std::max(settings.most_height, balanced));
-                    if (settings.most_height == free_height) CHECK(height == free_height);
-                }
-            }
-        }
-    }
-
-    TEST_CASE("builder: the tree is the same at any number of threads") {
-        for (const baker::LatticeMesh& mesh : {mixed_sizes(20'000, 7), nearly_equal_boxes(9'000)}) {
-            for (const NamedBuilder& named : builders) {
-                CAPTURE(named.name);
-                const auto one = baker::build(mesh, named.builder, baker::build_settings(Effort::fast, 1));
-                for (const unsigned threads : {2u, 3u, 16u}) {
-                    CHECK(
-                        is_same(baker::build(mesh, named.builder, baker::build_settings(Effort::fast, threads)), one));
-                }
-            }
-        }
-    }
-
-    TEST_CASE("builder: the bytes are the same with 1 and 2 threads and differ between builders") {
-        const Mesh mesh = make_terrain(60, 1);
-        std::vector<std::vector<std::byte>> blobs;
-        for (const NamedBuilder& named : builders) {
-            CAPTURE(named.name);
-            BakeOptions options;
-            options.build.builder = named.builder;
-            const auto one = bake_mesh(mesh, options);
-            options.threads = 2;
-            const auto two = bake_mesh(mesh, options);
-            REQUIRE(one);
-            REQUIRE(two);
-            CHECK(one.bytes == two.bytes);
-            const VerifyReport verified = verify(one.bytes);
-            if (!verified) FAIL_CHECK(verified.message);
-            CHECK(std::find(blobs.begin(), blobs.end(), one.bytes) == blobs.end());
-            blobs.push_back(one.bytes);
-        }
-    }
-
-    TEST_CASE("builder: rays and spheres and closest points equal the loop for every builder") {
-        for (const Mesh& mesh : {make_soup(400, 4), make_coplanar_stacks(300, 2), make_needle_fan(200)}) {
-            for (const NamedBuilder& named : builders) {
-                CAPTURE(named.name);
-                BakeOptions options;
-                options.build.builder = named.builder;
-                const OpenedBlob opened(mesh, options);
-                const DecodedBlob decoded = decode(opened.bytes);
-                const TriangleLoop loop(decoded);
-                QueryMaker maker(decoded, 500);
-                std::uint64_t hits = 0;
-                for (std::uint64_t i = 0; i < scaled(150); ++i) {
-                    Ray ray = maker.any_ray();
-                    if (maker.random().below(4) == 0) maker.restrict(ray);
-                    const auto difference = ray_difference(opened.blob, loop, ray, hits);
-                    REQUIRE_MESSAGE(!difference, *difference);
-                }
-                CHECK(hits > 0);
-                std::uint64_t found = 0;
-                for (std::uint64_t i = 0; i < scaled(40); ++i) {
-                    const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
-                    REQUIRE_MESSAGE(!difference, *difference);
-                }
-                CHECK(found > 0);
+    meshes.push_back(mixed_sizes(10'000, 1));
+    meshes.push_back(concentric_triangles(5'000));
+    meshes.push_back(exponential_stairs(1));
+    meshes.push_back(exponential_stairs(100));
+    meshes.push_back(nearly_equal_boxes(5'000));
+    for (const NamedBuilder& named : builders) {
+        CAPTURE(named.name);
+        for (const baker::LatticeMesh& mesh : meshes) {
+            CAPTURE(mesh.triangles.size());
+            for (const Effort effort : every_effort) {
+                const auto tree = baker::build(mesh, named.builder, baker::build_settings(effort, 1));
+                CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
             }
         }
     }
 }
+
+TEST_CASE("builder: 100000 identical triangles give a sound tree within the height of the format") {
+    const baker::LatticeMesh mesh = identical_triangles(100'000);
+    for (const NamedBuilder& named : builders) {
+        CAPTURE(named.name);
+        const auto tree = baker::build(mesh, named.builder, baker::build_settings(Effort::normal, 1));
+        CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
+    }
+}
+
+TEST_CASE("builder: every builder falls back to balanced splits where its tree would become too high") {
+    for (const baker::LatticeMesh& mesh : {nearly_equal_boxes(1'025), exponential_stairs(40), mixed_sizes(1'000, 3)}) {
+        const unsigned balanced = balanced_height_of(mesh.triangles.size());
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
+            const unsigned free_height = height_of_sound_tree(mesh, baker::build(mesh, named.builder, settings));
+            REQUIRE(free_height > balanced);  // or this claim would test nothing
+            for (settings.most_height = 0; settings.most_height <= free_height; ++settings.most_height) {
+                const auto tree = baker::build(mesh, named.builder, settings);
+                const unsigned height = height_of_sound_tree(mesh, tree);
+                CHECK(height <= std::max(settings.most_height, balanced));
+                if (settings.most_height == free_height) CHECK(height == free_height);
+            }
+        }
+    }
+}
+
+TEST_CASE("builder: the tree is the same at any number of threads") {
+    for (const baker::LatticeMesh& mesh : {mixed_sizes(20'000, 7), nearly_equal_boxes(9'000)}) {
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            const auto one = baker::build(mesh, named.builder, baker::build_settings(Effort::fast, 1));
+            for (const unsigned threads : {2u, 3u, 16u}) {
+                CHECK(is_same(baker::build(mesh, named.builder, baker::build_settings(Effort::fast, threads)), one));
+            }
+        }
+    }
+}
+
+TEST_CASE("builder: the bytes are the same with 1 and 2 threads and differ between builders") {
+    const Mesh mesh = make_terrain(60, 1);
+    std::vector<std::vector<std::byte>> blobs;
+    for (const NamedBuilder& named : builders) {
+        CAPTURE(named.name);
+        BakeOptions options;
+        options.build.builder = named.builder;
+        const auto one = bake_mesh(mesh, options);
+        options.threads = 2;
+        const auto two = bake_mesh(mesh, options);
+        REQUIRE(one);
+        REQUIRE(two);
+        CHECK(one.bytes == two.bytes);
+        const VerifyReport verified = verify(one.bytes);
+        if (!verified) FAIL_CHECK(verified.message);
+        CHECK(std::find(blobs.begin(), blobs.end(), one.bytes) == blobs.end());
+        blobs.push_back(one.bytes);
+    }
+}
+
+TEST_CASE("builder: rays and spheres and closest points equal the loop for every builder") {
+    for (const Mesh& mesh : {make_soup(400, 4), make_coplanar_stacks(300, 2), make_needle_fan(200)}) {
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            BakeOptions options;
+            options.build.builder = named.builder;
+            const OpenedBlob opened(mesh, options);
+            const DecodedBlob decoded = decode(opened.bytes);
+            const TriangleLoop loop(decoded);
+            QueryMaker maker(decoded, 500);
+            std::uint64_t hits = 0;
+            for (std::uint64_t i = 0; i < scaled(150); ++i) {
+                Ray ray = maker.any_ray();
+                if (maker.random().below(4) == 0) maker.restrict(ray);
+                const auto difference = ray_difference(opened.blob, loop, ray, hits);
+                REQUIRE_MESSAGE(!difference, *difference);
+            }
+            CHECK(hits > 0);
+            std::uint64_t found = 0;
+            for (std::uint64_t i = 0; i < scaled(40); ++i) {
+                const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
+                REQUIRE_MESSAGE(!difference, *difference);
+            }
+            CHECK(found > 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::builders_test

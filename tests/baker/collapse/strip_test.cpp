@@ -20,9 +20,7 @@
 #include "support/meshes/strip_shapes.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::strip_test {
 namespace {
 
 baker::LatticeMesh lattice_mesh_of(const Mesh& mesh) {
@@ -107,134 +105,132 @@ BakeOptions with_large_leaves(Profile profile, unsigned bits) {
     return options;
 }
 
-}  // namespace
-
-TEST_SUITE("strip") {
-    TEST_CASE("strip: a strip holds each triangle once with its winding and within two entries for each") {
-        for (const Mesh& mesh : strip_shapes()) check_strips_of(mesh);
-        for (const Mesh& mesh : {make_icosphere(3, 100.0, {100, 100, 100}), make_torus(30, 12, 60.0, 20.0),
-                                 make_terrain(20, 4), make_soup(300, 8), make_coplanar_stacks(300, 5),
-                                 make_needle_fan(300), make_uv_sphere(12, 40, 100.0, {100, 100, 100})}) {
-            check_strips_of(mesh);
-        }
+TEST_CASE("strip: a strip holds each triangle once with its winding and within two entries for each") {
+    for (const Mesh& mesh : strip_shapes()) check_strips_of(mesh);
+    for (const Mesh& mesh : {make_icosphere(3, 100.0, {100, 100, 100}), make_torus(30, 12, 60.0, 20.0),
+                             make_terrain(20, 4), make_soup(300, 8), make_coplanar_stacks(300, 5), make_needle_fan(300),
+                             make_uv_sphere(12, 40, 100.0, {100, 100, 100})}) {
+        check_strips_of(mesh);
     }
+}
 
-    TEST_CASE("strip: a fan or band becomes one path and separate triangles one path each") {
-        CHECK(check_strips_of(make_fan(50, false)) == 50 + 2);
-        CHECK(check_strips_of(make_fan(50, true)) == 50 + 2);
-        CHECK(check_strips_of(make_band(50, false)) == 50 + 2);
-        CHECK(check_strips_of(make_band(50, true)) == 50 + 2);
-        CHECK(check_strips_of(make_disjoint(18)) == 3 * 18);
-    }
+TEST_CASE("strip: a fan or band becomes one path and separate triangles one path each") {
+    CHECK(check_strips_of(make_fan(50, false)) == 50 + 2);
+    CHECK(check_strips_of(make_fan(50, true)) == 50 + 2);
+    CHECK(check_strips_of(make_band(50, false)) == 50 + 2);
+    CHECK(check_strips_of(make_band(50, true)) == 50 + 2);
+    CHECK(check_strips_of(make_disjoint(18)) == 3 * 18);
+}
 
-    TEST_CASE("strip: a triangle that meets another from the same side is no neighbour") {
-        // Three triangles run up the edge and two run down: two pairs and one alone.
-        Mesh mesh;
-        mesh.name = "book";
-        mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
-        mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 0, 5}, {1, 0, 6}};
-        CHECK(check_strips_of(mesh) == 5 + 2 * 3);
-    }
+TEST_CASE("strip: a triangle that meets another from the same side is no neighbour") {
+    // Three triangles run up the edge and two run down: two pairs and one alone.
+    Mesh mesh;
+    mesh.name = "book";
+    mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 0, 5}, {1, 0, 6}};
+    CHECK(check_strips_of(mesh) == 5 + 2 * 3);
+}
 
-    TEST_CASE("strip: shapes hard on strips bake to sound blobs that keep every corner of the source") {
-        for (const Mesh& mesh : strip_shapes()) {
-            CAPTURE(mesh.name);
-            for_each_profile([&](Profile profile) {
-                for (const unsigned bits : {10u, 16u, 24u}) {
-                    CAPTURE(bits);
-                    const auto result = bake_mesh(mesh, with_large_leaves(profile, bits));
-                    REQUIRE(result);
-                    const VerifyReport verified = verify(result.bytes);
-                    if (!verified) FAIL_CHECK(verified.message);
-                    const DecodedBlob decoded = decode(result.bytes);
-                    CHECK(std::set(decoded.original_ids.begin(), decoded.original_ids.end()).size() ==
-                          decoded.triangles.size());
-                    for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-                        const auto corners = world_corners(decoded, decoded.triangles[i]);
-                        const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
-                        for (std::size_t corner = 0; corner < 3; ++corner) {
-                            const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
-                            REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-                            REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-                            REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
-                        }
+TEST_CASE("strip: shapes hard on strips bake to sound blobs that keep every corner of the source") {
+    for (const Mesh& mesh : strip_shapes()) {
+        CAPTURE(mesh.name);
+        for_each_profile([&](Profile profile) {
+            for (const unsigned bits : {10u, 16u, 24u}) {
+                CAPTURE(bits);
+                const auto result = bake_mesh(mesh, with_large_leaves(profile, bits));
+                REQUIRE(result);
+                const VerifyReport verified = verify(result.bytes);
+                if (!verified) FAIL_CHECK(verified.message);
+                const DecodedBlob decoded = decode(result.bytes);
+                CHECK(std::set(decoded.original_ids.begin(), decoded.original_ids.end()).size() ==
+                      decoded.triangles.size());
+                for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+                    const auto corners = world_corners(decoded, decoded.triangles[i]);
+                    const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
+                    for (std::size_t corner = 0; corner < 3; ++corner) {
+                        const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
+                        REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+                        REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+                        REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
                     }
-                }
-            });
-        }
-    }
-
-    TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set") {
-        for (const Mesh& mesh : strip_shapes()) {
-            CAPTURE(mesh.name);
-            for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
-                CAPTURE(name_of(profile));
-                for (const unsigned bits : {12u, 24u}) {
-                    const OpenedBlob opened(mesh, with_large_leaves(profile, bits));
-                    const DecodedBlob decoded = decode(opened.bytes);
-                    const TriangleLoop loop(decoded);
-                    QueryMaker maker(decoded, 700 + bits);
-                    std::uint64_t hits = 0;
-                    for (std::uint64_t i = 0; i < scaled(60); ++i) {
-                        const auto ray = ray_difference(opened.blob, loop, maker.any_ray(), hits);
-                        REQUIRE_MESSAGE(!ray, *ray);
-                        const auto sphere = sphere_difference(opened.blob, loop, maker.sphere(), hits);
-                        REQUIRE_MESSAGE(!sphere, *sphere);
-                    }
-                    CHECK(hits > 0);
                 }
             }
-        }
-    }
-
-    TEST_CASE("strip: a fan of 50 triangles is one leaf whose pivot serves more windows than lanes") {
-        const auto result = bake_mesh(make_fan(50, false), with_large_leaves(Profile::small, 16));
-        REQUIRE(result);
-        const DecodedBlob decoded = decode(result.bytes);
-        REQUIRE(decoded.triangles_in_leaf.size() == 1);
-        CHECK(decoded.triangles_in_leaf[0] == 50);
-        const std::size_t descriptor =
-            format::header::bytes + format::packed_node::bytes + format::strip_leaf::descriptors_at;
-        const std::size_t marks = descriptor + format::strip_leaf::descriptor_bytes;
-        unsigned pivots = 0;
-        for (unsigned entry = 0; entry < 49; ++entry) {
-            pivots += std::to_integer<unsigned>(result.bytes[marks + entry / 8]) >> (entry % 8) & 1u;
-        }
-        CHECK(pivots <= 2);
-    }
-
-    TEST_CASE("strip: of strips with equally many entries it is the one in the order of the source") {
-        // Around its center a closed fan can be cut anywhere.
-        for (std::size_t cut = 0; cut < 7; ++cut) {
-            CAPTURE(cut);
-            Mesh mesh = make_fan(7, true);
-            std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(cut),
-                        mesh.triangles.end());
-            BakeOptions options = with_large_leaves(Profile::small, 16);
-            options.original_ids = true;
-            const auto result = bake_mesh(mesh, options);
-            REQUIRE(result);
-            std::vector<std::uint32_t> ids = decode(result.bytes).original_ids;
-            REQUIRE(ids.size() == 7);
-            if (ids[0] != 0) std::reverse(ids.begin(), ids.end());
-            CHECK(ids == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
-        }
-    }
-
-    TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
-        const Mesh mesh = make_terrain(60, 3);
-        for_each_profile([&](Profile profile) {
-            const unsigned most = profile == Profile::fast       ? format::plain_leaf::max_triangles
-                                  : profile == Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
-                                  : profile == Profile::small    ? format::strip_leaf::max_small_entries - 2
-                                                                 : format::predicted_strip::max_entries - 2;
-            const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));
-            REQUIRE(result);
-            const DecodedBlob decoded = decode(result.bytes);
-            const unsigned largest =
-                *std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end());
-            CHECK(largest <= most);
-            CHECK(largest >= most * 3 / 4);
         });
     }
 }
+
+TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set") {
+    for (const Mesh& mesh : strip_shapes()) {
+        CAPTURE(mesh.name);
+        for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
+            CAPTURE(name_of(profile));
+            for (const unsigned bits : {12u, 24u}) {
+                const OpenedBlob opened(mesh, with_large_leaves(profile, bits));
+                const DecodedBlob decoded = decode(opened.bytes);
+                const TriangleLoop loop(decoded);
+                QueryMaker maker(decoded, 700 + bits);
+                std::uint64_t hits = 0;
+                for (std::uint64_t i = 0; i < scaled(60); ++i) {
+                    const auto ray = ray_difference(opened.blob, loop, maker.any_ray(), hits);
+                    REQUIRE_MESSAGE(!ray, *ray);
+                    const auto sphere = sphere_difference(opened.blob, loop, maker.sphere(), hits);
+                    REQUIRE_MESSAGE(!sphere, *sphere);
+                }
+                CHECK(hits > 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("strip: a fan of 50 triangles is one leaf whose pivot serves more windows than lanes") {
+    const auto result = bake_mesh(make_fan(50, false), with_large_leaves(Profile::small, 16));
+    REQUIRE(result);
+    const DecodedBlob decoded = decode(result.bytes);
+    REQUIRE(decoded.triangles_in_leaf.size() == 1);
+    CHECK(decoded.triangles_in_leaf[0] == 50);
+    const std::size_t descriptor =
+        format::header::bytes + format::packed_node::bytes + format::strip_leaf::descriptors_at;
+    const std::size_t marks = descriptor + format::strip_leaf::descriptor_bytes;
+    unsigned pivots = 0;
+    for (unsigned entry = 0; entry < 49; ++entry) {
+        pivots += std::to_integer<unsigned>(result.bytes[marks + entry / 8]) >> (entry % 8) & 1u;
+    }
+    CHECK(pivots <= 2);
+}
+
+TEST_CASE("strip: of strips with equally many entries it is the one in the order of the source") {
+    // Around its center a closed fan can be cut anywhere.
+    for (std::size_t cut = 0; cut < 7; ++cut) {
+        CAPTURE(cut);
+        Mesh mesh = make_fan(7, true);
+        std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(cut),
+                    mesh.triangles.end());
+        BakeOptions options = with_large_leaves(Profile::small, 16);
+        options.original_ids = true;
+        const auto result = bake_mesh(mesh, options);
+        REQUIRE(result);
+        std::vector<std::uint32_t> ids = decode(result.bytes).original_ids;
+        REQUIRE(ids.size() == 7);
+        if (ids[0] != 0) std::reverse(ids.begin(), ids.end());
+        CHECK(ids == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
+    }
+}
+
+TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
+    const Mesh mesh = make_terrain(60, 3);
+    for_each_profile([&](Profile profile) {
+        const unsigned most = profile == Profile::fast       ? format::plain_leaf::max_triangles
+                              : profile == Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
+                              : profile == Profile::small    ? format::strip_leaf::max_small_entries - 2
+                                                             : format::predicted_strip::max_entries - 2;
+        const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));
+        REQUIRE(result);
+        const DecodedBlob decoded = decode(result.bytes);
+        const unsigned largest = *std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end());
+        CHECK(largest <= most);
+        CHECK(largest >= most * 3 / 4);
+    });
+}
+
+}  // namespace
+}  // namespace espalier::tests::strip_test

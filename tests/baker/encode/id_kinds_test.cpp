@@ -14,9 +14,7 @@
 #include "support/base/answer_hash.hpp"
 #include "support/base/random.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::id_kinds_test {
 namespace {
 
 namespace ids = format::ids;
@@ -223,115 +221,114 @@ Numbers sixty_four_kinds(std::size_t count) {
     return numbers;
 }
 
-}  // namespace
-
-TEST_SUITE("id kinds") {
-    TEST_CASE("ids: sections lead to their numbers by steps of the kinds that take fewest bits") {
-        for (const unsigned number_bits : {1u, 2u, 7u, 17u, 32u}) {
-            CAPTURE(number_bits);
-            for (const Numbers& numbers : all_orders(number_bits)) {
-                CAPTURE(numbers.size());
-                const Section section = written(numbers, number_bits);
-                REQUIRE(section.read == numbers);
-                // Each row is of one kind with all rows that end like it, and some kind takes every step.
-                bool takes_all = false;
-                for (std::size_t i = 0; i < section.rows.size(); ++i) {
-                    const Row& row = section.rows[i];
-                    REQUIRE(row.prefix <= section.kind_bits);
-                    REQUIRE(row.width <= number_bits);
-                    REQUIRE(row.offset <= mask_of(number_bits));
-                    takes_all = takes_all || row.width == number_bits;
-                    for (std::size_t j = i % (std::size_t{1} << row.prefix); j < section.rows.size();
-                         j += std::size_t{1} << row.prefix)
-                        REQUIRE(section.rows[j] == row);
+TEST_CASE("ids: sections lead to their numbers by steps of the kinds that take fewest bits") {
+    for (const unsigned number_bits : {1u, 2u, 7u, 17u, 32u}) {
+        CAPTURE(number_bits);
+        for (const Numbers& numbers : all_orders(number_bits)) {
+            CAPTURE(numbers.size());
+            const Section section = written(numbers, number_bits);
+            REQUIRE(section.read == numbers);
+            // Each row is of one kind with all rows that end like it, and some kind takes every step.
+            bool takes_all = false;
+            for (std::size_t i = 0; i < section.rows.size(); ++i) {
+                const Row& row = section.rows[i];
+                REQUIRE(row.prefix <= section.kind_bits);
+                REQUIRE(row.width <= number_bits);
+                REQUIRE(row.offset <= mask_of(number_bits));
+                takes_all = takes_all || row.width == number_bits;
+                for (std::size_t j = i % (std::size_t{1} << row.prefix); j < section.rows.size();
+                     j += std::size_t{1} << row.prefix)
+                    REQUIRE(section.rows[j] == row);
+            }
+            REQUIRE(takes_all);
+            // The fewest bits for each step, by the kinds that there are.
+            std::size_t fewest = 0;
+            std::vector<std::uint32_t> recent;
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                if (i % ids::block_triangles == 0) {
+                    recent.assign(ids::recent_numbers, numbers[i]);
+                    continue;
                 }
-                REQUIRE(takes_all);
-                // The fewest bits for each step, by the kinds that there are.
-                std::size_t fewest = 0;
-                std::vector<std::uint32_t> recent;
-                for (std::size_t i = 0; i < numbers.size(); ++i) {
-                    if (i % ids::block_triangles == 0) {
-                        recent.assign(ids::recent_numbers, numbers[i]);
-                        continue;
-                    }
-                    const Row* best = nullptr;
-                    for (const Row& row : section.rows)
-                        if (row.reaches(numbers[i], recent, mask_of(number_bits)) &&
-                            (best == nullptr || row.prefix + row.width < best->prefix + best->width))
-                            best = &row;
-                    REQUIRE(best != nullptr);
-                    fewest += best->prefix + best->width;
-                    best->follow(numbers[i], recent);
-                }
-                CHECK(section.step_bits <= fewest + numbers.size());
+                const Row* best = nullptr;
+                for (const Row& row : section.rows)
+                    if (row.reaches(numbers[i], recent, mask_of(number_bits)) &&
+                        (best == nullptr || row.prefix + row.width < best->prefix + best->width))
+                        best = &row;
+                REQUIRE(best != nullptr);
+                fewest += best->prefix + best->width;
+                best->follow(numbers[i], recent);
             }
+            CHECK(section.step_bits <= fewest + numbers.size());
         }
-    }
-
-    TEST_CASE("ids: a second kind is written just where it saves more than it takes") {
-        for (const unsigned number_bits : {3u, 9u, 20u, 32u}) {
-            for (std::size_t count = 1; count < 70; ++count) {
-                CAPTURE(number_bits);
-                CAPTURE(count);
-                const Section section = written(rows_by_turns(1, 5, count, number_bits), number_bits);
-                const std::size_t kind = 8 * ids::kind_bytes, steps = steps_of(count);
-                CHECK(section.bits() == std::min(kind + steps * number_bits, 2 * kind + steps));
-            }
-        }
-    }
-
-    TEST_CASE("ids: rows that are gone on with in any order take less than half of the bits of whole numbers") {
-        const std::size_t count = 10 * ids::block_triangles;
-        for (unsigned rows = 1; rows <= ids::recent_numbers; ++rows) {
-            for (const std::uint32_t step : {1u, 0u - 1u}) {
-                CAPTURE(rows);
-                CAPTURE(step);
-                CHECK(2 * written(rows_by_turns(rows, step, count, 20), 20).bits() < 20 * steps_of(count));
-            }
-        }
-    }
-
-    TEST_CASE("ids: steps of one range take hardly more bits than with a kind made for it") {
-        for (unsigned width = 1; width < 12; ++width) {
-            const auto reach = std::int32_t{1} << width;
-            for (const std::int32_t low : {1, -reach, -reach / 2}) {
-                CAPTURE(width);
-                CAPTURE(low);
-                const Numbers numbers = steps_within(low, low + reach - 1, 5000, 16);
-                const Row row = {static_cast<std::uint32_t>(low) & mask_of(16), width, 1, 0, 0};
-                CHECK(written(numbers, 16).bits() <= bits_with(row, numbers, 16));
-            }
-        }
-    }
-
-    TEST_CASE("ids: sections have the same bytes on every machine") {
-        struct Expected {
-            unsigned number_bits;
-            std::uint64_t hash;
-        };
-        for (const Expected& expected :
-             {Expected{1, 14786268959573883455u}, Expected{2, 3992030328294083517u}, Expected{7, 2913570424624544776u},
-              Expected{17, 1028908942106504349u}, Expected{32, 5360633111081118260u}}) {
-            CAPTURE(expected.number_bits);
-            AnswerHash hash;
-            for (const Numbers& numbers : all_orders(expected.number_bits))
-                for (const std::byte byte : written(numbers, expected.number_bits).bytes)
-                    hash.add(std::to_integer<std::uint32_t>(byte));
-            CHECK(hash.value() == expected.hash);
-        }
-    }
-
-    TEST_CASE("ids: the most rows of kinds are used where they save bits") {
-        CHECK(written(sixty_four_kinds(6000), 32).kind_bits == ids::max_kind_bits);
-    }
-
-    TEST_CASE("ids: sections of few numbers have the same bytes on every machine") {
-        AnswerHash hash;
-        for (const unsigned number_bits : {2u, 6u, 8u}) {
-            for (std::uint32_t seed = 0; seed < 4000; seed += 100)
-                for (const std::byte byte : written(drawn(seed + number_bits, number_bits), number_bits).bytes)
-                    hash.add(std::to_integer<std::uint32_t>(byte));
-        }
-        CHECK(hash.value() == 17087228887965764738u);
     }
 }
+
+TEST_CASE("ids: a second kind is written just where it saves more than it takes") {
+    for (const unsigned number_bits : {3u, 9u, 20u, 32u}) {
+        for (std::size_t count = 1; count < 70; ++count) {
+            CAPTURE(number_bits);
+            CAPTURE(count);
+            const Section section = written(rows_by_turns(1, 5, count, number_bits), number_bits);
+            const std::size_t kind = 8 * ids::kind_bytes, steps = steps_of(count);
+            CHECK(section.bits() == std::min(kind + steps * number_bits, 2 * kind + steps));
+        }
+    }
+}
+
+TEST_CASE("ids: rows that are gone on with in any order take less than half of the bits of whole numbers") {
+    const std::size_t count = 10 * ids::block_triangles;
+    for (unsigned rows = 1; rows <= ids::recent_numbers; ++rows) {
+        for (const std::uint32_t step : {1u, 0u - 1u}) {
+            CAPTURE(rows);
+            CAPTURE(step);
+            CHECK(2 * written(rows_by_turns(rows, step, count, 20), 20).bits() < 20 * steps_of(count));
+        }
+    }
+}
+
+TEST_CASE("ids: steps of one range take hardly more bits than with a kind made for it") {
+    for (unsigned width = 1; width < 12; ++width) {
+        const auto reach = std::int32_t{1} << width;
+        for (const std::int32_t low : {1, -reach, -reach / 2}) {
+            CAPTURE(width);
+            CAPTURE(low);
+            const Numbers numbers = steps_within(low, low + reach - 1, 5000, 16);
+            const Row row = {static_cast<std::uint32_t>(low) & mask_of(16), width, 1, 0, 0};
+            CHECK(written(numbers, 16).bits() <= bits_with(row, numbers, 16));
+        }
+    }
+}
+
+TEST_CASE("ids: sections have the same bytes on every machine") {
+    struct Expected {
+        unsigned number_bits;
+        std::uint64_t hash;
+    };
+    for (const Expected& expected :
+         {Expected{1, 14786268959573883455u}, Expected{2, 3992030328294083517u}, Expected{7, 2913570424624544776u},
+          Expected{17, 1028908942106504349u}, Expected{32, 5360633111081118260u}}) {
+        CAPTURE(expected.number_bits);
+        AnswerHash hash;
+        for (const Numbers& numbers : all_orders(expected.number_bits))
+            for (const std::byte byte : written(numbers, expected.number_bits).bytes)
+                hash.add(std::to_integer<std::uint32_t>(byte));
+        CHECK(hash.value() == expected.hash);
+    }
+}
+
+TEST_CASE("ids: the most rows of kinds are used where they save bits") {
+    CHECK(written(sixty_four_kinds(6000), 32).kind_bits == ids::max_kind_bits);
+}
+
+TEST_CASE("ids: sections of few numbers have the same bytes on every machine") {
+    AnswerHash hash;
+    for (const unsigned number_bits : {2u, 6u, 8u}) {
+        for (std::uint32_t seed = 0; seed < 4000; seed += 100)
+            for (const std::byte byte : written(drawn(seed + number_bits, number_bits), number_bits).bytes)
+                hash.add(std::to_integer<std::uint32_t>(byte));
+    }
+    CHECK(hash.value() == 17087228887965764738u);
+}
+
+}  // namespace
+}  // namespace espalier::tests::id_kinds_test

@@ -11,9 +11,7 @@
 #include "support/base/random.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::error_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -76,139 +74,138 @@ double sampled_error(const Mesh& mesh, const DecodedBlob& baked, unsigned sample
     return largest;
 }
 
-}  // namespace
-
-TEST_SUITE("error") {
-    TEST_CASE("error: no point of the source is farther from the baked surface than max_error") {
-        for (const Mesh& mesh : {make_icosphere(2, 1.0, {3, 0, 0}), make_soup(40, 9), make_needle_fan(40),
-                                 make_slivers(40, 3), make_terrain(7, 1)}) {
-            for (const unsigned bits : {2u, 3u, 4u, 6u, 9u}) {
-                CAPTURE(mesh.name);
-                CAPTURE(bits);
-                const auto result = bake_mesh(mesh, with_bits(bits));
-                REQUIRE(result);
-                if (result.report.tree.triangles == 0) continue;
-                const double sampled = sampled_error(mesh, decode(result.bytes), 6);
-                CHECK(sampled <= result.report.lattice.max_error * (1 + 1e-9));
-            }
-        }
-    }
-
-    TEST_CASE("error: without dropped triangles max_error is the largest move of a vertex rounded up") {
-        for (unsigned seed = 0; seed < 40; ++seed) {
-            const Mesh mesh = make_terrain(6, seed);
-            BakeOptions options = with_bits(10 + seed % 5);
-            options.profile = Profile::fast;  // which keeps the order of corners
-            options.original_ids = true;
-            const auto result = bake_mesh(mesh, options);
+TEST_CASE("error: no point of the source is farther from the baked surface than max_error") {
+    for (const Mesh& mesh : {make_icosphere(2, 1.0, {3, 0, 0}), make_soup(40, 9), make_needle_fan(40),
+                             make_slivers(40, 3), make_terrain(7, 1)}) {
+        for (const unsigned bits : {2u, 3u, 4u, 6u, 9u}) {
+            CAPTURE(mesh.name);
+            CAPTURE(bits);
+            const auto result = bake_mesh(mesh, with_bits(bits));
             REQUIRE(result);
-            REQUIRE(result.report.tree.triangles == mesh.triangles.size());
-            const DecodedBlob decoded = decode(result.bytes);
-            double largest = 0.0;
-            for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-                const auto corners = world_corners(decoded, decoded.triangles[i]);
-                for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
-                    largest = std::max(largest, length(minus(corners[corner],
-                                                             {double(source.x), double(source.y), double(source.z)})));
-                }
-            }
-            CHECK(result.report.lattice.max_error >= largest);
-            CHECK(result.report.lattice.max_error <= largest * (1 + 1e-6));
+            if (result.report.tree.triangles == 0) continue;
+            const double sampled = sampled_error(mesh, decode(result.bytes), 6);
+            CHECK(sampled <= result.report.lattice.max_error * (1 + 1e-9));
         }
-    }
-
-    TEST_CASE("error: max_error is rounded up to float32 and never subnormal") {
-        using baker::round_up_to_float;
-        CHECK(round_up_to_float(0.0) == 0.0f);
-        CHECK(round_up_to_float(1.0) == 1.0f);
-        CHECK(round_up_to_float(1.0 + 0x1p-50) == 1.0f + 0x1p-23f);
-        CHECK(round_up_to_float(1.0 + 0x1p-23 - 0x1p-50) == 1.0f + 0x1p-23f);
-        CHECK(round_up_to_float(1e-300) == std::numeric_limits<float>::min());
-        CHECK(round_up_to_float(0x1p-140) == std::numeric_limits<float>::min());
-        CHECK(round_up_to_float(0x1.fffffep127) == std::numeric_limits<float>::max());
-        CHECK(round_up_to_float(0x1.ffffff8p127) == std::numeric_limits<float>::infinity());
-    }
-
-    TEST_CASE("error: a mesh on the lattice has none") {
-        const auto result = bake_mesh(make_cube(-3.0f, 5.0f));
-        REQUIRE(result);
-        CHECK(result.report.lattice.max_error == 0.0);
-    }
-
-    TEST_CASE("error: a speck that vanishes far from the rest counts with its distance") {
-        Mesh mesh = make_cube(0.0f, 100.0f);
-        const Mesh speck = make_cube(349.999f, 350.0f);
-        append(mesh, speck);
-        const auto result = bake_mesh(mesh, with_bits(8));
-        REQUIRE(result);
-        CHECK(result.report.findings.collapsed.count == 12);
-        const double distance = 250.0 * std::sqrt(3.0);
-        CHECK(result.report.lattice.max_error >= distance);
-        CHECK(result.report.lattice.max_error <= distance * 1.02);
-        // A tolerance keeps the speck instead.
-        const auto kept = bake_mesh(mesh, with_tolerance(1.0));
-        REQUIRE(kept);
-        CHECK(kept.report.tree.triangles == 24);
-    }
-
-    TEST_CASE("error: a triangle that collapses across empty space counts with its farthest point") {
-        // Between two cubes, a sliver whose middle is 450 away from both.
-        Mesh mesh = make_cube(0.0f, 100.0f);
-        Mesh other = make_cube(0.0f, 100.0f);
-        for (Vec3& point : other.positions) point.x += 1000.0f;
-        append(mesh, other);
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {{100, 50, 50}, {1000, 50, 50}, {500, 50.01f, 50}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        const auto result = bake_mesh(mesh, with_bits(8));
-        REQUIRE(result);
-        CHECK(result.report.findings.collapsed.count == 1);
-        CHECK(result.report.lattice.max_error >= 450.0);
-        CHECK(result.report.lattice.max_error <= 450.0 * 1.02 + 8.0);
-    }
-
-    TEST_CASE("error: triangles that collapse onto kept edges and vertices add none") {
-        // A fine fan along the cube's edge, so thin that it becomes that edge.
-        Mesh mesh = make_cube(0.0f, 128.0f);
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {128, 0, 0}, {64, 0.001f, 0.001f}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        mesh.triangles.push_back({first, first, first + 1});
-        const auto result = bake_mesh(mesh, with_bits(8));
-        REQUIRE(result);
-        CHECK(result.report.findings.collapsed.count == 1);
-        CHECK(result.report.findings.zero_area.count == 1);
-        CHECK(result.report.lattice.max_error <= 0.0015);
-        CHECK(result.report.lattice.max_error >= 0.001);
-    }
-
-    TEST_CASE("error: a source triangle without area counts with its distance and the tolerance names it") {
-        Mesh mesh = make_cube(0.0f, 1.0f);
-        mesh.name = "cube";
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back({11.0f, 0.5f, 0.5f});
-        mesh.triangles.push_back({first, first, first});
-        const auto result = bake_mesh(mesh);
-        REQUIRE(result);
-        CHECK(result.report.findings.zero_area.count == 1);
-        CHECK(result.report.bounds.extent == 1.0);
-        CHECK(result.report.lattice.max_error >= 10.0);
-        CHECK(result.report.lattice.max_error <= 10.001);
-        const auto refused = bake_mesh(mesh, with_tolerance(0.01));
-        REQUIRE(!refused);
-        CHECK(contains(refused.message, "cube, triangle 12:"));
-        CHECK(contains(refused.message, "remove it"));
-    }
-
-    TEST_CASE("error: a mesh that vanishes whole gives an empty blob and no error") {
-        Mesh mesh;
-        mesh.positions = {{0, 0, 0}, {1, 0.2f, 0}, {0.5f, 0.1f, 0.1f}};
-        mesh.triangles = {{0, 1, 2}};
-        const auto result = bake_mesh(mesh, with_bits(1));
-        REQUIRE(result);
-        CHECK(result.report.tree.triangles == 0);
-        CHECK(result.report.findings.collapsed.count == 1);
-        CHECK(result.report.lattice.max_error == 0.0);
     }
 }
+
+TEST_CASE("error: without dropped triangles max_error is the largest move of a vertex rounded up") {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Mesh mesh = make_terrain(6, seed);
+        BakeOptions options = with_bits(10 + seed % 5);
+        options.profile = Profile::fast;  // which keeps the order of corners
+        options.original_ids = true;
+        const auto result = bake_mesh(mesh, options);
+        REQUIRE(result);
+        REQUIRE(result.report.tree.triangles == mesh.triangles.size());
+        const DecodedBlob decoded = decode(result.bytes);
+        double largest = 0.0;
+        for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+            const auto corners = world_corners(decoded, decoded.triangles[i]);
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
+                largest = std::max(
+                    largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
+            }
+        }
+        CHECK(result.report.lattice.max_error >= largest);
+        CHECK(result.report.lattice.max_error <= largest * (1 + 1e-6));
+    }
+}
+
+TEST_CASE("error: max_error is rounded up to float32 and never subnormal") {
+    using baker::round_up_to_float;
+    CHECK(round_up_to_float(0.0) == 0.0f);
+    CHECK(round_up_to_float(1.0) == 1.0f);
+    CHECK(round_up_to_float(1.0 + 0x1p-50) == 1.0f + 0x1p-23f);
+    CHECK(round_up_to_float(1.0 + 0x1p-23 - 0x1p-50) == 1.0f + 0x1p-23f);
+    CHECK(round_up_to_float(1e-300) == std::numeric_limits<float>::min());
+    CHECK(round_up_to_float(0x1p-140) == std::numeric_limits<float>::min());
+    CHECK(round_up_to_float(0x1.fffffep127) == std::numeric_limits<float>::max());
+    CHECK(round_up_to_float(0x1.ffffff8p127) == std::numeric_limits<float>::infinity());
+}
+
+TEST_CASE("error: a mesh on the lattice has none") {
+    const auto result = bake_mesh(make_cube(-3.0f, 5.0f));
+    REQUIRE(result);
+    CHECK(result.report.lattice.max_error == 0.0);
+}
+
+TEST_CASE("error: a speck that vanishes far from the rest counts with its distance") {
+    Mesh mesh = make_cube(0.0f, 100.0f);
+    const Mesh speck = make_cube(349.999f, 350.0f);
+    append(mesh, speck);
+    const auto result = bake_mesh(mesh, with_bits(8));
+    REQUIRE(result);
+    CHECK(result.report.findings.collapsed.count == 12);
+    const double distance = 250.0 * std::sqrt(3.0);
+    CHECK(result.report.lattice.max_error >= distance);
+    CHECK(result.report.lattice.max_error <= distance * 1.02);
+    // A tolerance keeps the speck instead.
+    const auto kept = bake_mesh(mesh, with_tolerance(1.0));
+    REQUIRE(kept);
+    CHECK(kept.report.tree.triangles == 24);
+}
+
+TEST_CASE("error: a triangle that collapses across empty space counts with its farthest point") {
+    // Between two cubes, a sliver whose middle is 450 away from both.
+    Mesh mesh = make_cube(0.0f, 100.0f);
+    Mesh other = make_cube(0.0f, 100.0f);
+    for (Vec3& point : other.positions) point.x += 1000.0f;
+    append(mesh, other);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{100, 50, 50}, {1000, 50, 50}, {500, 50.01f, 50}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const auto result = bake_mesh(mesh, with_bits(8));
+    REQUIRE(result);
+    CHECK(result.report.findings.collapsed.count == 1);
+    CHECK(result.report.lattice.max_error >= 450.0);
+    CHECK(result.report.lattice.max_error <= 450.0 * 1.02 + 8.0);
+}
+
+TEST_CASE("error: triangles that collapse onto kept edges and vertices add none") {
+    // A fine fan along the cube's edge, so thin that it becomes that edge.
+    Mesh mesh = make_cube(0.0f, 128.0f);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {128, 0, 0}, {64, 0.001f, 0.001f}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first, first + 1});
+    const auto result = bake_mesh(mesh, with_bits(8));
+    REQUIRE(result);
+    CHECK(result.report.findings.collapsed.count == 1);
+    CHECK(result.report.findings.zero_area.count == 1);
+    CHECK(result.report.lattice.max_error <= 0.0015);
+    CHECK(result.report.lattice.max_error >= 0.001);
+}
+
+TEST_CASE("error: a source triangle without area counts with its distance and the tolerance names it") {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    mesh.name = "cube";
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({11.0f, 0.5f, 0.5f});
+    mesh.triangles.push_back({first, first, first});
+    const auto result = bake_mesh(mesh);
+    REQUIRE(result);
+    CHECK(result.report.findings.zero_area.count == 1);
+    CHECK(result.report.bounds.extent == 1.0);
+    CHECK(result.report.lattice.max_error >= 10.0);
+    CHECK(result.report.lattice.max_error <= 10.001);
+    const auto refused = bake_mesh(mesh, with_tolerance(0.01));
+    REQUIRE(!refused);
+    CHECK(contains(refused.message, "cube, triangle 12:"));
+    CHECK(contains(refused.message, "remove it"));
+}
+
+TEST_CASE("error: a mesh that vanishes whole gives an empty blob and no error") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0.2f, 0}, {0.5f, 0.1f, 0.1f}};
+    mesh.triangles = {{0, 1, 2}};
+    const auto result = bake_mesh(mesh, with_bits(1));
+    REQUIRE(result);
+    CHECK(result.report.tree.triangles == 0);
+    CHECK(result.report.findings.collapsed.count == 1);
+    CHECK(result.report.lattice.max_error == 0.0);
+}
+
+}  // namespace
+}  // namespace espalier::tests::error_test

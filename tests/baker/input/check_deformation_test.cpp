@@ -10,9 +10,7 @@
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::check_deformation_test {
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -30,85 +28,84 @@ void check_refused(const BakeResult& result, BakeStatus status, std::initializer
     for (const char* part : parts) CHECK_MESSAGE(contains(result.message, part), result.message);
 }
 
-}  // namespace
-
-TEST_SUITE("check deformation") {
-    TEST_CASE("deformation: options that exclude a deformable blob are refused") {
-        const Mesh mesh = make_plane_grid(3);
-        for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
-            BakeOptions options = deforming();
-            options.profile = profile;
-            check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"deformable", "profile fast"});
-        }
+TEST_CASE("deformation: options that exclude a deformable blob are refused") {
+    const Mesh mesh = make_plane_grid(3);
+    for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
         BakeOptions options = deforming();
-        options.build.builder = Builder::spatial_splits;
-        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"spatial_splits"});
+        options.profile = profile;
+        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"deformable", "profile fast"});
+    }
+    BakeOptions options = deforming();
+    options.build.builder = Builder::spatial_splits;
+    check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"spatial_splits"});
+    options = deforming();
+    options.drop_bad_triangles = true;
+    check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"drop_bad_triangles"});
+    options = deforming();
+    options.flat_angle = 5.0;
+    check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"edge flags", "one pose"});
+    for (unsigned kind = 0; kind < 3; ++kind) {
         options = deforming();
-        options.drop_bad_triangles = true;
-        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"drop_bad_triangles"});
-        options = deforming();
-        options.flat_angle = 5.0;
-        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"edge flags", "one pose"});
-        for (unsigned kind = 0; kind < 3; ++kind) {
-            options = deforming();
-            options.bounds = {kind == 0, kind == 1, kind == 2};
-            check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"bounds", "one pose"});
-        }
-    }
-
-    TEST_CASE("deformation: a range that is not a box is refused with its axis") {
-        const Mesh mesh = make_plane_grid(3);
-        const auto with_range = [&](Vec3 low, Vec3 high) {
-            BakeOptions options = deforming();
-            options.deformation->range = Box{low, high};
-            return bake_mesh(mesh, options);
-        };
-        check_refused(with_range({0, 2, 0}, {1, 1, 1}), BakeStatus::invalid_options, {"from 2 to 1 on y"});
-        for (const float bad : {not_a_number, infinity, -infinity}) {
-            check_refused(with_range({0, 0, bad}, {1, 1, 1}), BakeStatus::invalid_options, {"not finite"});
-            check_refused(with_range({0, 0, 0}, {bad, 1, 1}), BakeStatus::invalid_options, {"not finite"});
-        }
-        Mesh point = make_plane_grid(1);
-        for (Vec3& p : point.positions) p = {1.0f, 2.0f, 3.0f};
-        check_refused(bake_mesh(point, deforming()), BakeStatus::invalid_options, {"range of motion is a point"});
-        BakeOptions options = deforming();
-        options.deformation->range = Box{{0, 0, 0}, {3, 3, 3}};
-        CHECK(bake_mesh(point, options));
-    }
-
-    TEST_CASE("deformation: positions that are not finite are refused with mesh and vertex") {
-        Mesh mesh = make_plane_grid(3);
-        mesh.name = "cloth.obj";
-        const Mesh first = make_cube(0.0f, 1.0f);
-        mesh.positions.push_back({0.0f, not_a_number, 0.0f});  // of no triangle
-        const std::string vertex = "cloth.obj, vertex " + std::to_string(mesh.positions.size() - 1) + " has y = NaN";
-        check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {vertex.c_str()});
-        check_refused(bake_meshes({&first, &mesh}, deforming()), BakeStatus::invalid_mesh, {vertex.c_str()});
-        mesh.positions.back() = {0.0f, 0.0f, -infinity};
-        check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {"z = -infinity"});
-    }
-
-    TEST_CASE("deformation: poses that do not fit are refused with their number") {
-        const Mesh mesh = make_plane_grid(3);
-        BakeOptions options = deforming();
-        options.deformation->poses = {mesh.positions, mesh.positions};
-        options.deformation->poses[1].pop_back();
-        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_mesh,
-                      {"pose 2 of 2 has 15 positions", "the meshes have 16"});
-        options.deformation->poses[1] = mesh.positions;
-        options.deformation->poses[0][7].x = infinity;
-        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_mesh, {"pose 1 of 2, position 7 has x = infinity"});
-    }
-
-    TEST_CASE("deformation: meshes without a triangle and meshes that are too far away are refused") {
-        Mesh mesh = make_plane_grid(3);
-        BakeOptions options = deforming();
-        options.resolution = Resolution::step(-100);
-        for (Vec3& p : mesh.positions) p = {0x1p40f, p.x * 0x1p-80f, p.y * 0x1p-80f};
-        check_refused(bake_mesh(mesh, options), BakeStatus::too_fine, {"2^127 steps"});
-        mesh.triangles.clear();
-        mesh.materials.clear();
-        check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {"no triangle"});
-        check_refused(bake({}, deforming()), BakeStatus::invalid_mesh, {"no triangle"});
+        options.bounds = {kind == 0, kind == 1, kind == 2};
+        check_refused(bake_mesh(mesh, options), BakeStatus::invalid_options, {"bounds", "one pose"});
     }
 }
+
+TEST_CASE("deformation: a range that is not a box is refused with its axis") {
+    const Mesh mesh = make_plane_grid(3);
+    const auto with_range = [&](Vec3 low, Vec3 high) {
+        BakeOptions options = deforming();
+        options.deformation->range = Box{low, high};
+        return bake_mesh(mesh, options);
+    };
+    check_refused(with_range({0, 2, 0}, {1, 1, 1}), BakeStatus::invalid_options, {"from 2 to 1 on y"});
+    for (const float bad : {not_a_number, infinity, -infinity}) {
+        check_refused(with_range({0, 0, bad}, {1, 1, 1}), BakeStatus::invalid_options, {"not finite"});
+        check_refused(with_range({0, 0, 0}, {bad, 1, 1}), BakeStatus::invalid_options, {"not finite"});
+    }
+    Mesh point = make_plane_grid(1);
+    for (Vec3& p : point.positions) p = {1.0f, 2.0f, 3.0f};
+    check_refused(bake_mesh(point, deforming()), BakeStatus::invalid_options, {"range of motion is a point"});
+    BakeOptions options = deforming();
+    options.deformation->range = Box{{0, 0, 0}, {3, 3, 3}};
+    CHECK(bake_mesh(point, options));
+}
+
+TEST_CASE("deformation: positions that are not finite are refused with mesh and vertex") {
+    Mesh mesh = make_plane_grid(3);
+    mesh.name = "cloth.obj";
+    const Mesh first = make_cube(0.0f, 1.0f);
+    mesh.positions.push_back({0.0f, not_a_number, 0.0f});  // of no triangle
+    const std::string vertex = "cloth.obj, vertex " + std::to_string(mesh.positions.size() - 1) + " has y = NaN";
+    check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {vertex.c_str()});
+    check_refused(bake_meshes({&first, &mesh}, deforming()), BakeStatus::invalid_mesh, {vertex.c_str()});
+    mesh.positions.back() = {0.0f, 0.0f, -infinity};
+    check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {"z = -infinity"});
+}
+
+TEST_CASE("deformation: poses that do not fit are refused with their number") {
+    const Mesh mesh = make_plane_grid(3);
+    BakeOptions options = deforming();
+    options.deformation->poses = {mesh.positions, mesh.positions};
+    options.deformation->poses[1].pop_back();
+    check_refused(bake_mesh(mesh, options), BakeStatus::invalid_mesh,
+                  {"pose 2 of 2 has 15 positions", "the meshes have 16"});
+    options.deformation->poses[1] = mesh.positions;
+    options.deformation->poses[0][7].x = infinity;
+    check_refused(bake_mesh(mesh, options), BakeStatus::invalid_mesh, {"pose 1 of 2, position 7 has x = infinity"});
+}
+
+TEST_CASE("deformation: meshes without a triangle and meshes that are too far away are refused") {
+    Mesh mesh = make_plane_grid(3);
+    BakeOptions options = deforming();
+    options.resolution = Resolution::step(-100);
+    for (Vec3& p : mesh.positions) p = {0x1p40f, p.x * 0x1p-80f, p.y * 0x1p-80f};
+    check_refused(bake_mesh(mesh, options), BakeStatus::too_fine, {"2^127 steps"});
+    mesh.triangles.clear();
+    mesh.materials.clear();
+    check_refused(bake_mesh(mesh, deforming()), BakeStatus::invalid_mesh, {"no triangle"});
+    check_refused(bake({}, deforming()), BakeStatus::invalid_mesh, {"no triangle"});
+}
+
+}  // namespace
+}  // namespace espalier::tests::check_deformation_test

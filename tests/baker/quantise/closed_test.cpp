@@ -15,9 +15,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/meshes/watertight.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::closed_test {
 namespace {
 
 void require_sound(const Mesh& mesh, const BakeOptions& options, std::uint64_t points, Random& random,
@@ -47,229 +45,228 @@ Mesh make_needed_twice() {
     return mesh;
 }
 
-}  // namespace
+TEST_CASE("closed: a sliver that collapses to a line leaves a closed surface with an inside") {
+    const Mesh mesh = make_sliver_pyramid();
+    const auto baked = bake_mesh(mesh, with_bits(16));
+    REQUIRE(baked);
+    CHECK(baked.report.findings.collapsed.count == 1);
+    CHECK(baked.report.closed);
+    CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
+    const OpenedBlob opened(baked.bytes);
+    CHECK(contains(opened.blob, {0.1f, 0.1f, 0.1f}).yes());
+    CHECK(contains(opened.blob, {0.5f, 0.5f, 0.5f}).no());
+    const ClosestPoint nearest = signed_distance(opened.blob, {0.125f, 0.125f, 0.25f}, 10.0f);
+    CHECK(nearest);
+    CHECK(nearest.distance == -0.125f);
+    ClosedTally tally;
+    Random random(2400);
+    for (const unsigned bits : {1u, 8u, 10u, 12u, 16u, 20u, 24u})
+        require_sound(mesh, with_bits(bits), scaled(200), random, tally);
+}
 
-TEST_SUITE("closed") {
-    TEST_CASE("closed: a sliver that collapses to a line leaves a closed surface with an inside") {
-        const Mesh mesh = make_sliver_pyramid();
-        const auto baked = bake_mesh(mesh, with_bits(16));
-        REQUIRE(baked);
-        CHECK(baked.report.findings.collapsed.count == 1);
-        CHECK(baked.report.closed);
-        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
-        const OpenedBlob opened(baked.bytes);
-        CHECK(contains(opened.blob, {0.1f, 0.1f, 0.1f}).yes());
-        CHECK(contains(opened.blob, {0.5f, 0.5f, 0.5f}).no());
-        const ClosestPoint nearest = signed_distance(opened.blob, {0.125f, 0.125f, 0.25f}, 10.0f);
-        CHECK(nearest);
-        CHECK(nearest.distance == -0.125f);
-        ClosedTally tally;
-        Random random(2400);
-        for (const unsigned bits : {1u, 8u, 10u, 12u, 16u, 20u, 24u})
-            require_sound(mesh, with_bits(bits), scaled(200), random, tally);
-    }
-
-    TEST_CASE("closed: watertight meshes with slivers stay closed and contains is exact") {
-        ClosedTally tally;
-        Random random(2410);
-        for (std::uint64_t i = 0; i < scaled(40); ++i) {
-            const Mesh mesh = make_watertight(random);
-            for (const unsigned bits : {8u, 10u, 12u, 16u}) {
-                BakeOptions options = with_profile(every_profile[(i + bits) % every_profile.size()]);
-                options.resolution = Resolution::bits(bits);
-                require_sound(mesh, options, 40, random, tally);
-            }
-        }
-        MESSAGE(tally.text());
-        if (!asks_enough()) return;
-        CHECK(tally.edges_not_in_pairs > tally.closed / 8);
-        CHECK(tally.inside > tally.points / 20);
-        CHECK(tally.other_windings > 0);
-        CHECK(tally.on_surface > tally.points / 20);
-    }
-
-    TEST_CASE("closed: a hole of one lattice step is found wherever it is") {
-        Random random(2420);
-        ClosedTally tally;
-        for (std::uint64_t i = 0; i < scaled(20); ++i) {
-            Mesh mesh = make_watertight(random);
-            const std::size_t hole = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
-            if (random.coin()) mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
-            else std::swap(mesh.triangles[hole][0], mesh.triangles[hole][1]);
-            for (const unsigned bits : {8u, 12u, 16u}) require_sound(mesh, with_bits(bits), 4, random, tally);
-        }
-        CHECK(tally.closed < tally.bakes);  // what collapses leaves no hole
-    }
-
-    TEST_CASE("closed: long edges cancel with short ones on the same line and with no others") {
-        // Two flat quadrilaterals, back to back. The edge of one is in two parts, of the other in three.
-        const auto folded = [](float third) {
-            Mesh mesh;
-            mesh.positions = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}, {2, 0, 0}, {third, 0, 0}, {3, 0, 0}};
-            mesh.triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}};
-            return mesh;
-        };
-        CHECK(bake_mesh(folded(4.0f)).report.closed);
-        CHECK(bake_mesh(folded(5.0f)).report.closed);
-        Mesh bent = folded(4.0f);
-        bent.positions[5].z = 1.0f;
-        CHECK(!bake_mesh(bent).report.closed);
-        Mesh beside = folded(4.0f);
-        beside.positions[6].y = 1.0f;
-        CHECK(!bake_mesh(beside).report.closed);
-    }
-
-    TEST_CASE("closed: edges cancel along lines of every direction") {
-        const Vec3 directions[] = {{1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {0, 1, 1},  {0, 1, -1}, {1, 0, -1},
-                                   {1, -1, 0}, {1, 2, 3}, {-2, 3, 4}, {0, -2, 3}, {0, 0, -1}, {-1, 0, 0}};
-        for (const Vec3& along : directions) {
-            const Vec3 up = along.x != 0.0f ? Vec3{0, 1, 2} : Vec3{1, 0, 0};
-            const auto place = [&](float x, float y) {
-                return Vec3{x * along.x + y * up.x, x * along.y + y * up.y, x * along.z + y * up.z};
-            };
-            Mesh mesh;
-            mesh.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)};
-            mesh.triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}};
-            CHECK(bake_mesh(mesh).report.closed);
-            mesh.positions[5] = place(3, 1);
-            CHECK(!bake_mesh(mesh).report.closed);
+TEST_CASE("closed: watertight meshes with slivers stay closed and contains is exact") {
+    ClosedTally tally;
+    Random random(2410);
+    for (std::uint64_t i = 0; i < scaled(40); ++i) {
+        const Mesh mesh = make_watertight(random);
+        for (const unsigned bits : {8u, 10u, 12u, 16u}) {
+            BakeOptions options = with_profile(every_profile[(i + bits) % every_profile.size()]);
+            options.resolution = Resolution::bits(bits);
+            require_sound(mesh, options, 40, random, tally);
         }
     }
+    MESSAGE(tally.text());
+    if (!asks_enough()) return;
+    CHECK(tally.edges_not_in_pairs > tally.closed / 8);
+    CHECK(tally.inside > tally.points / 20);
+    CHECK(tally.other_windings > 0);
+    CHECK(tally.on_surface > tally.points / 20);
+}
 
-    TEST_CASE("closed: corners of the source are one vertex exactly where their positions are equal") {
-        Random random(2430);
-        const auto is_closed = [](const Mesh& mesh) {
-            baker::Source source;
-            source.positions = mesh.positions;
-            for (const TriangleVertices& corners : mesh.triangles)
-                source.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
-            const bool result = baker::is_closed(source);
-            source.without_area = {{{1, 1, 2}, 0}};  // there and back, and an edge from a vertex to itself
-            REQUIRE(baker::is_closed(source) == result);
-            return result;
-        };
-        REQUIRE(!baker::is_closed(baker::Source()));
-        for (int i = 0; i < 300; ++i) {
-            Mesh mesh;
-            mesh.positions = {{0.0f, random.signed_unit(), random.signed_unit()},
-                              {random.signed_unit(), 0.0f, random.signed_unit()},
-                              {random.signed_unit(), random.signed_unit(), 0.0f},
-                              random.in_cube(1.0f)};
-            mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-            REQUIRE(is_closed(mesh));
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                Mesh apart = mesh;
-                apart.positions.push_back(mesh.positions[k]);
-                apart.triangles[0][static_cast<std::size_t>(std::ranges::find(mesh.triangles[0], k) -
-                                                            mesh.triangles[0].begin())] = 4;
-                Vec3& corner = apart.positions[4];
-                float* const coordinates[3] = {&corner.x, &corner.y, &corner.z};
-                REQUIRE(is_closed(apart));
-                *coordinates[k] = -0.0f;
-                REQUIRE(is_closed(apart));
-                float& moved = *coordinates[random.below(3)];
-                moved = std::nextafter(moved, 2.0f);
-                REQUIRE(!is_closed(apart));
-            }
-        }
+TEST_CASE("closed: a hole of one lattice step is found wherever it is") {
+    Random random(2420);
+    ClosedTally tally;
+    for (std::uint64_t i = 0; i < scaled(20); ++i) {
+        Mesh mesh = make_watertight(random);
+        const std::size_t hole = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
+        if (random.coin()) mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+        else std::swap(mesh.triangles[hole][0], mesh.triangles[hole][1]);
+        for (const unsigned bits : {8u, 12u, 16u}) require_sound(mesh, with_bits(bits), 4, random, tally);
     }
+    CHECK(tally.closed < tally.bakes);  // what collapses leaves no hole
+}
 
-    TEST_CASE("closed: a triangle without area in the source that gets one by rounding is a loss with bits that keep") {
-        const Mesh mesh = make_mended_cube();
-        bool was_lost = false;
-        for (unsigned bits = 2; bits <= 20; ++bits) {
-            const auto baked = bake_mesh(mesh, with_bits(bits));
-            REQUIRE(baked);
-            const BakeReport& report = baked.report;
-            CHECK(report.findings.zero_area.count == 1);
-            CHECK(report.warns_of(BakeWarning::Kind::lost_closed) == !report.closed);
-            was_lost = was_lost || report.warns_of(BakeWarning::Kind::lost_closed);
-            if (!report.warns_of(BakeWarning::Kind::lost_closed)) continue;
-            REQUIRE(report.bits_that_keep_closed > bits);
-            for (unsigned more = bits + 1; more <= report.bits_that_keep_closed; ++more)
-                CHECK(bake_mesh(mesh, with_bits(more)).report.closed == (more == report.bits_that_keep_closed));
-        }
-        CHECK(was_lost);
-    }
-
-    TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
-        const auto baked = bake_mesh(make_needed_twice());
-        REQUIRE(baked);
-        CHECK(baked.report.findings.duplicate.count == 1);
-        CHECK(!baked.report.closed);
-        CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
-        CHECK(baked.report.bits_that_keep_closed == 0);
-        const auto twice = bake_mesh(joined(make_cube(0.0f, 1.0f), make_cube(0.0f, 1.0f)));
-        CHECK(twice.report.findings.duplicate.count == 12);
-        CHECK(twice.report.closed);
-    }
-
-    TEST_CASE("closed: a closed source that collapses as a whole is lost and the report names the bits that keep it") {
-        const auto needle = [](float width) {
-            Mesh mesh;
-            mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, width, 0}, {0, 0, width}};
-            mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-            return mesh;
-        };
-        const auto thin = bake_mesh(needle(1e-7f));
-        REQUIRE(thin);
-        CHECK(thin.report.tree.triangles == 0);
-        CHECK(thin.report.warns_of(BakeWarning::Kind::lost_closed));
-        const unsigned keeping = thin.report.bits_that_keep_closed;
-        REQUIRE(keeping > thin.report.lattice.bits);
-        for (unsigned bits = thin.report.lattice.bits + 1; bits <= keeping; ++bits)
-            CHECK(bake_mesh(needle(1e-7f), with_bits(bits)).report.closed == (bits == keeping));
-        const auto too_thin = bake_mesh(needle(1e-9f));
-        CHECK(too_thin.report.warns_of(BakeWarning::Kind::lost_closed));
-        CHECK(too_thin.report.bits_that_keep_closed == 0);
-    }
-
-    TEST_CASE("closed: triangles without area alone lose nothing") {
+TEST_CASE("closed: long edges cancel with short ones on the same line and with no others") {
+    // Two flat quadrilaterals, back to back. The edge of one is in two parts, of the other in three.
+    const auto folded = [](float third) {
         Mesh mesh;
-        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-        mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
-        const auto baked = bake_mesh(mesh);
-        REQUIRE(baked);
-        CHECK(baked.report.findings.zero_area.count == 2);
-        CHECK(!baked.report.closed);
-        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
-    }
+        mesh.positions = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}, {2, 0, 0}, {third, 0, 0}, {3, 0, 0}};
+        mesh.triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}};
+        return mesh;
+    };
+    CHECK(bake_mesh(folded(4.0f)).report.closed);
+    CHECK(bake_mesh(folded(5.0f)).report.closed);
+    Mesh bent = folded(4.0f);
+    bent.positions[5].z = 1.0f;
+    CHECK(!bake_mesh(bent).report.closed);
+    Mesh beside = folded(4.0f);
+    beside.positions[6].y = 1.0f;
+    CHECK(!bake_mesh(beside).report.closed);
+}
 
-    TEST_CASE("closed: a trial bakes the same blob and leaves out what became of a closed source") {
-        const Mesh mesh = make_needed_twice();
-        const MeshView view = mesh.view();
-        const auto trial = baker::bake_trial({&view, 1}, {});
-        const auto baked = bake_mesh(mesh);
-        REQUIRE(trial);
-        CHECK(trial.bytes == baked.bytes);
-        CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
-        CHECK(!trial.report.warns_of(BakeWarning::Kind::lost_closed));
-    }
-
-    TEST_CASE("closed: a tube with open ends is open although its areas cancel") {
-        Mesh mesh = make_cube(0.0f, 1.0f);
-        std::erase_if(mesh.triangles, [&](const TriangleVertices& corners) {
-            const auto height = [&](std::size_t k) { return mesh.positions[corners[k]].z; };
-            return height(0) == height(1) && height(1) == height(2);
-        });
-        REQUIRE(mesh.triangles.size() == 8);
+TEST_CASE("closed: edges cancel along lines of every direction") {
+    const Vec3 directions[] = {{1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {0, 1, 1},  {0, 1, -1}, {1, 0, -1},
+                               {1, -1, 0}, {1, 2, 3}, {-2, 3, 4}, {0, -2, 3}, {0, 0, -1}, {-1, 0, 0}};
+    for (const Vec3& along : directions) {
+        const Vec3 up = along.x != 0.0f ? Vec3{0, 1, 2} : Vec3{1, 0, 0};
+        const auto place = [&](float x, float y) {
+            return Vec3{x * along.x + y * up.x, x * along.y + y * up.y, x * along.z + y * up.z};
+        };
+        Mesh mesh;
+        mesh.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)};
+        mesh.triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}};
+        CHECK(bake_mesh(mesh).report.closed);
+        mesh.positions[5] = place(3, 1);
         CHECK(!bake_mesh(mesh).report.closed);
     }
+}
 
-    TEST_CASE("closed: what is open in the source is not lost") {
-        Mesh mesh = make_terrain(5, 1);
-        mesh.triangles.push_back(mesh.triangles[3]);
-        const auto baked = bake_mesh(mesh);
-        CHECK(baked.report.findings.duplicate.count == 1);
-        CHECK(!baked.report.closed);
-        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
-        CHECK(bake({}, {}).report.warns_of(BakeWarning::Kind::lost_closed) == false);
-    }
-
-    TEST_CASE("closed: from 23 bits on the report warns that rays are rounded coarsely") {
-        const Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
-        for (unsigned bits = 20; bits <= 24; ++bits)
-            CHECK(bake_mesh(mesh, with_bits(bits)).report.warns_of(BakeWarning::Kind::rays_rounded_coarsely) ==
-                  (bits >= 23));
+TEST_CASE("closed: corners of the source are one vertex exactly where their positions are equal") {
+    Random random(2430);
+    const auto is_closed = [](const Mesh& mesh) {
+        baker::Source source;
+        source.positions = mesh.positions;
+        for (const TriangleVertices& corners : mesh.triangles)
+            source.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
+        const bool result = baker::is_closed(source);
+        source.without_area = {{{1, 1, 2}, 0}};  // there and back, and an edge from a vertex to itself
+        REQUIRE(baker::is_closed(source) == result);
+        return result;
+    };
+    REQUIRE(!baker::is_closed(baker::Source()));
+    for (int i = 0; i < 300; ++i) {
+        Mesh mesh;
+        mesh.positions = {{0.0f, random.signed_unit(), random.signed_unit()},
+                          {random.signed_unit(), 0.0f, random.signed_unit()},
+                          {random.signed_unit(), random.signed_unit(), 0.0f},
+                          random.in_cube(1.0f)};
+        mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+        REQUIRE(is_closed(mesh));
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            Mesh apart = mesh;
+            apart.positions.push_back(mesh.positions[k]);
+            apart.triangles[0][static_cast<std::size_t>(std::ranges::find(mesh.triangles[0], k) -
+                                                        mesh.triangles[0].begin())] = 4;
+            Vec3& corner = apart.positions[4];
+            float* const coordinates[3] = {&corner.x, &corner.y, &corner.z};
+            REQUIRE(is_closed(apart));
+            *coordinates[k] = -0.0f;
+            REQUIRE(is_closed(apart));
+            float& moved = *coordinates[random.below(3)];
+            moved = std::nextafter(moved, 2.0f);
+            REQUIRE(!is_closed(apart));
+        }
     }
 }
+
+TEST_CASE("closed: a triangle without area in the source that gets one by rounding is a loss with bits that keep") {
+    const Mesh mesh = make_mended_cube();
+    bool was_lost = false;
+    for (unsigned bits = 2; bits <= 20; ++bits) {
+        const auto baked = bake_mesh(mesh, with_bits(bits));
+        REQUIRE(baked);
+        const BakeReport& report = baked.report;
+        CHECK(report.findings.zero_area.count == 1);
+        CHECK(report.warns_of(BakeWarning::Kind::lost_closed) == !report.closed);
+        was_lost = was_lost || report.warns_of(BakeWarning::Kind::lost_closed);
+        if (!report.warns_of(BakeWarning::Kind::lost_closed)) continue;
+        REQUIRE(report.bits_that_keep_closed > bits);
+        for (unsigned more = bits + 1; more <= report.bits_that_keep_closed; ++more)
+            CHECK(bake_mesh(mesh, with_bits(more)).report.closed == (more == report.bits_that_keep_closed));
+    }
+    CHECK(was_lost);
+}
+
+TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
+    const auto baked = bake_mesh(make_needed_twice());
+    REQUIRE(baked);
+    CHECK(baked.report.findings.duplicate.count == 1);
+    CHECK(!baked.report.closed);
+    CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
+    CHECK(baked.report.bits_that_keep_closed == 0);
+    const auto twice = bake_mesh(joined(make_cube(0.0f, 1.0f), make_cube(0.0f, 1.0f)));
+    CHECK(twice.report.findings.duplicate.count == 12);
+    CHECK(twice.report.closed);
+}
+
+TEST_CASE("closed: a closed source that collapses as a whole is lost and the report names the bits that keep it") {
+    const auto needle = [](float width) {
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, width, 0}, {0, 0, width}};
+        mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+        return mesh;
+    };
+    const auto thin = bake_mesh(needle(1e-7f));
+    REQUIRE(thin);
+    CHECK(thin.report.tree.triangles == 0);
+    CHECK(thin.report.warns_of(BakeWarning::Kind::lost_closed));
+    const unsigned keeping = thin.report.bits_that_keep_closed;
+    REQUIRE(keeping > thin.report.lattice.bits);
+    for (unsigned bits = thin.report.lattice.bits + 1; bits <= keeping; ++bits)
+        CHECK(bake_mesh(needle(1e-7f), with_bits(bits)).report.closed == (bits == keeping));
+    const auto too_thin = bake_mesh(needle(1e-9f));
+    CHECK(too_thin.report.warns_of(BakeWarning::Kind::lost_closed));
+    CHECK(too_thin.report.bits_that_keep_closed == 0);
+}
+
+TEST_CASE("closed: triangles without area alone lose nothing") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+    const auto baked = bake_mesh(mesh);
+    REQUIRE(baked);
+    CHECK(baked.report.findings.zero_area.count == 2);
+    CHECK(!baked.report.closed);
+    CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
+}
+
+TEST_CASE("closed: a trial bakes the same blob and leaves out what became of a closed source") {
+    const Mesh mesh = make_needed_twice();
+    const MeshView view = mesh.view();
+    const auto trial = baker::bake_trial({&view, 1}, {});
+    const auto baked = bake_mesh(mesh);
+    REQUIRE(trial);
+    CHECK(trial.bytes == baked.bytes);
+    CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
+    CHECK(!trial.report.warns_of(BakeWarning::Kind::lost_closed));
+}
+
+TEST_CASE("closed: a tube with open ends is open although its areas cancel") {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    std::erase_if(mesh.triangles, [&](const TriangleVertices& corners) {
+        const auto height = [&](std::size_t k) { return mesh.positions[corners[k]].z; };
+        return height(0) == height(1) && height(1) == height(2);
+    });
+    REQUIRE(mesh.triangles.size() == 8);
+    CHECK(!bake_mesh(mesh).report.closed);
+}
+
+TEST_CASE("closed: what is open in the source is not lost") {
+    Mesh mesh = make_terrain(5, 1);
+    mesh.triangles.push_back(mesh.triangles[3]);
+    const auto baked = bake_mesh(mesh);
+    CHECK(baked.report.findings.duplicate.count == 1);
+    CHECK(!baked.report.closed);
+    CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
+    CHECK(bake({}, {}).report.warns_of(BakeWarning::Kind::lost_closed) == false);
+}
+
+TEST_CASE("closed: from 23 bits on the report warns that rays are rounded coarsely") {
+    const Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
+    for (unsigned bits = 20; bits <= 24; ++bits)
+        CHECK(bake_mesh(mesh, with_bits(bits)).report.warns_of(BakeWarning::Kind::rays_rounded_coarsely) ==
+              (bits >= 23));
+}
+
+}  // namespace
+}  // namespace espalier::tests::closed_test

@@ -13,9 +13,7 @@
 #include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::drop_test {
 namespace {
 
 /// The same surface with three vertices of its own for every triangle.
@@ -43,145 +41,144 @@ void check_linear_time(Bake bake, std::uint32_t most) {
     CHECK(time_of(most) < 40 * few);
 }
 
-}  // namespace
-
-TEST_SUITE("drop") {
-    TEST_CASE("weld: shared and unshared indices give the same bytes") {
-        for (const Mesh& mesh : {make_icosphere(4, 1.0, {0, 0, 0}), make_terrain(20, 2), make_needle_fan(50)}) {
-            const auto shared = bake_mesh(mesh);
-            const auto torn = bake_mesh(torn_apart(mesh));
-            REQUIRE(shared);
-            REQUIRE(torn);
-            CHECK(shared.bytes == torn.bytes);
-            CHECK(shared.report.tree.vertices == torn.report.tree.vertices);
-        }
-    }
-
-    TEST_CASE("weld: the vertex count is the number of distinct lattice points") {
-        for (const unsigned bits : {4u, 8u, 16u}) {
-            const auto result = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bits(bits));
-            REQUIRE(result);
-            const DecodedBlob decoded = decode(result.bytes);
-            CHECK(decoded.vertex_count == distinct_corners(decoded).size());
-        }
-    }
-
-    TEST_CASE("weld: triangles that lose their area on the lattice are dropped and counted") {
-        const Mesh mesh = make_icosphere(5, 1.0, {0, 0, 0});
-        const auto result = bake_mesh(mesh, with_bits(4));
-        REQUIRE(result);
-        CHECK(result.report.findings.collapsed.count > 1000);
-        CHECK(contains(result.report.findings.collapsed.first, ", triangle "));
-        CHECK(result.report.tree.triangles + result.report.findings.collapsed.count +
-                  result.report.findings.duplicate.count ==
-              mesh.triangles.size());
-        for (const GridTriangle& triangle : decode(result.bytes).triangles) {
-            CHECK(triangle.a != triangle.b);
-            CHECK(triangle.b != triangle.c);
-            CHECK(triangle.c != triangle.a);
-        }
-        CHECK(verify(result.bytes));
-    }
-
-    TEST_CASE("weld: the first of several triangles with the same corners and winding is kept") {
-        Mesh cube = make_cube(0.0f, 1.0f);
-        const auto [a, b, c] = cube.triangles[4];
-        cube.triangles.push_back({a, b, c});
-        cube.triangles.push_back({b, c, a});
-        cube.triangles.push_back({c, a, b});
-        cube.name = "cube";
-        BakeOptions options;
-        options.original_ids = true;
-        const auto result = bake_mesh(cube, options);
-        REQUIRE(result);
-        CHECK(result.report.tree.triangles == 12);
-        CHECK(result.report.findings.duplicate.count == 3);
-        CHECK(result.report.findings.duplicate.first == "cube, triangle 12");
-        REQUIRE(result.report.findings.duplicate.place);
-        CHECK(result.report.findings.duplicate.place->triangle == 12u);
-        const DecodedBlob decoded = decode(result.bytes);
-        for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
-    }
-
-    TEST_CASE("weld: the same corners with the other winding are another triangle") {
-        Mesh cube = make_cube(0.0f, 1.0f);
-        const auto [a, b, c] = cube.triangles[4];
-        cube.triangles.push_back({b, a, c});
-        const auto result = bake_mesh(cube);
-        REQUIRE(result);
-        CHECK(result.report.tree.triangles == 13);
-        CHECK(result.report.findings.duplicate.count == 0);
-    }
-
-    TEST_CASE("weld: triangles that become equal on the lattice are duplicates") {
-        Mesh mesh = make_cube(0.0f, 1.0f);
-        Mesh nearly = make_cube(0.0f, 1.0f);
-        for (Vec3& point : nearly.positions) point.x += 1e-7f;
-        append(mesh, nearly);
-        const auto result = bake_mesh(mesh);
-        REQUIRE(result);
-        CHECK(result.report.tree.triangles == 12);
-        CHECK(result.report.findings.duplicate.count == 12);
-    }
-
-    TEST_CASE("weld: a million identical triangles become one in linear time") {
-        const std::uint32_t most = scaled(1) >= 10 ? 10'000'000 : 1'000'000;  // ten million need some gigabytes
-        const auto bake_many = [](std::uint32_t count) {
-            Mesh mesh;
-            mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-            mesh.triangles.assign(count, {0, 1, 2});
-            const auto shared = bake_mesh(mesh);
-            const auto torn = bake_mesh(torn_apart(mesh));
-            REQUIRE(shared);
-            REQUIRE(torn);
-            CHECK(shared.report.tree.triangles == 1);
-            CHECK(shared.report.findings.duplicate.count == count - 1);
-            CHECK(shared.bytes.size() < 512);
-            CHECK(shared.report.tree.nodes == 1);
-        };
-        check_linear_time(bake_many, most);
-    }
-
-    TEST_CASE("weld: a million different triangles in one place bake in linear time") {
-        // Specks around one lattice point beside a large triangle: every one collapses.
-        const auto bake_specks = [](std::uint32_t count) {
-            Mesh mesh;
-            mesh.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
-            mesh.triangles = {{0, 1, 2}};
-            Random random(5);
-            for (std::uint32_t i = 0; i < count; ++i) {
-                const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-                for (int corner = 0; corner < 3; ++corner) {
-                    mesh.positions.push_back(
-                        {400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
-                }
-                mesh.triangles.push_back({first, first + 1, first + 2});
-            }
-            const auto result = bake_mesh(mesh);
-            REQUIRE(result);
-            CHECK(result.report.tree.triangles == 1);
-            CHECK(result.report.findings.collapsed.count == count);
-            CHECK(result.report.lattice.max_error < 2 * result.report.lattice.step);
-        };
-        check_linear_time(bake_specks, 1'000'000);
-    }
-
-    TEST_CASE("weld: corners keep the winding of the source and its order from the first corner on") {
-        for_each_profile([](Profile profile) {
-            const Mesh mesh = make_terrain(9, 8);
-            BakeOptions options = with_profile(profile);
-            options.original_ids = true;
-            const DecodedBlob decoded = decode(bake_or_throw(mesh, options));
-            for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-                const auto corners = world_corners(decoded, decoded.triangles[i]);
-                const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
-                for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
-                    CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-                    CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-                    CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
-                }
-            }
-        });
+TEST_CASE("weld: shared and unshared indices give the same bytes") {
+    for (const Mesh& mesh : {make_icosphere(4, 1.0, {0, 0, 0}), make_terrain(20, 2), make_needle_fan(50)}) {
+        const auto shared = bake_mesh(mesh);
+        const auto torn = bake_mesh(torn_apart(mesh));
+        REQUIRE(shared);
+        REQUIRE(torn);
+        CHECK(shared.bytes == torn.bytes);
+        CHECK(shared.report.tree.vertices == torn.report.tree.vertices);
     }
 }
+
+TEST_CASE("weld: the vertex count is the number of distinct lattice points") {
+    for (const unsigned bits : {4u, 8u, 16u}) {
+        const auto result = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bits(bits));
+        REQUIRE(result);
+        const DecodedBlob decoded = decode(result.bytes);
+        CHECK(decoded.vertex_count == distinct_corners(decoded).size());
+    }
+}
+
+TEST_CASE("weld: triangles that lose their area on the lattice are dropped and counted") {
+    const Mesh mesh = make_icosphere(5, 1.0, {0, 0, 0});
+    const auto result = bake_mesh(mesh, with_bits(4));
+    REQUIRE(result);
+    CHECK(result.report.findings.collapsed.count > 1000);
+    CHECK(contains(result.report.findings.collapsed.first, ", triangle "));
+    CHECK(result.report.tree.triangles + result.report.findings.collapsed.count +
+              result.report.findings.duplicate.count ==
+          mesh.triangles.size());
+    for (const GridTriangle& triangle : decode(result.bytes).triangles) {
+        CHECK(triangle.a != triangle.b);
+        CHECK(triangle.b != triangle.c);
+        CHECK(triangle.c != triangle.a);
+    }
+    CHECK(verify(result.bytes));
+}
+
+TEST_CASE("weld: the first of several triangles with the same corners and winding is kept") {
+    Mesh cube = make_cube(0.0f, 1.0f);
+    const auto [a, b, c] = cube.triangles[4];
+    cube.triangles.push_back({a, b, c});
+    cube.triangles.push_back({b, c, a});
+    cube.triangles.push_back({c, a, b});
+    cube.name = "cube";
+    BakeOptions options;
+    options.original_ids = true;
+    const auto result = bake_mesh(cube, options);
+    REQUIRE(result);
+    CHECK(result.report.tree.triangles == 12);
+    CHECK(result.report.findings.duplicate.count == 3);
+    CHECK(result.report.findings.duplicate.first == "cube, triangle 12");
+    REQUIRE(result.report.findings.duplicate.place);
+    CHECK(result.report.findings.duplicate.place->triangle == 12u);
+    const DecodedBlob decoded = decode(result.bytes);
+    for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
+}
+
+TEST_CASE("weld: the same corners with the other winding are another triangle") {
+    Mesh cube = make_cube(0.0f, 1.0f);
+    const auto [a, b, c] = cube.triangles[4];
+    cube.triangles.push_back({b, a, c});
+    const auto result = bake_mesh(cube);
+    REQUIRE(result);
+    CHECK(result.report.tree.triangles == 13);
+    CHECK(result.report.findings.duplicate.count == 0);
+}
+
+TEST_CASE("weld: triangles that become equal on the lattice are duplicates") {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    Mesh nearly = make_cube(0.0f, 1.0f);
+    for (Vec3& point : nearly.positions) point.x += 1e-7f;
+    append(mesh, nearly);
+    const auto result = bake_mesh(mesh);
+    REQUIRE(result);
+    CHECK(result.report.tree.triangles == 12);
+    CHECK(result.report.findings.duplicate.count == 12);
+}
+
+TEST_CASE("weld: a million identical triangles become one in linear time") {
+    const std::uint32_t most = scaled(1) >= 10 ? 10'000'000 : 1'000'000;  // ten million need some gigabytes
+    const auto bake_many = [](std::uint32_t count) {
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.triangles.assign(count, {0, 1, 2});
+        const auto shared = bake_mesh(mesh);
+        const auto torn = bake_mesh(torn_apart(mesh));
+        REQUIRE(shared);
+        REQUIRE(torn);
+        CHECK(shared.report.tree.triangles == 1);
+        CHECK(shared.report.findings.duplicate.count == count - 1);
+        CHECK(shared.bytes.size() < 512);
+        CHECK(shared.report.tree.nodes == 1);
+    };
+    check_linear_time(bake_many, most);
+}
+
+TEST_CASE("weld: a million different triangles in one place bake in linear time") {
+    // Specks around one lattice point beside a large triangle: every one collapses.
+    const auto bake_specks = [](std::uint32_t count) {
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
+        mesh.triangles = {{0, 1, 2}};
+        Random random(5);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int corner = 0; corner < 3; ++corner) {
+                mesh.positions.push_back(
+                    {400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+        const auto result = bake_mesh(mesh);
+        REQUIRE(result);
+        CHECK(result.report.tree.triangles == 1);
+        CHECK(result.report.findings.collapsed.count == count);
+        CHECK(result.report.lattice.max_error < 2 * result.report.lattice.step);
+    };
+    check_linear_time(bake_specks, 1'000'000);
+}
+
+TEST_CASE("weld: corners keep the winding of the source and its order from the first corner on") {
+    for_each_profile([](Profile profile) {
+        const Mesh mesh = make_terrain(9, 8);
+        BakeOptions options = with_profile(profile);
+        options.original_ids = true;
+        const DecodedBlob decoded = decode(bake_or_throw(mesh, options));
+        for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+            const auto corners = world_corners(decoded, decoded.triangles[i]);
+            const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
+                CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+                CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+                CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+            }
+        }
+    });
+}
+
+}  // namespace
+}  // namespace espalier::tests::drop_test

@@ -16,9 +16,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/meshes/splits.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::seams_test {
 namespace {
 
 /// A place in whole steps from the world's origin.
@@ -59,73 +57,72 @@ BakeOptions with_step(int exponent) {
     return options;
 }
 
-}  // namespace
-
-TEST_SUITE("seams") {
-    TEST_CASE("seams: parts of a mesh baked apart with one step share their border vertices bit for bit") {
-        std::uint64_t shared = 0;
-        const auto splits = static_cast<std::uint32_t>(scaled(100));
-        for (std::uint32_t number = 0; number < splits; ++number) {
-            const Split split = make_split(number);
-            CAPTURE(split.name);
-            const int step_exponent = static_cast<int>(split.options.resolution.value());
-            std::map<std::uint32_t, WorldSteps> places;  // of the whole's positions
-            for (const Split::Part& part : split.parts) {
-                const OpenedBlob opened(part.mesh, split.options);
-                REQUIRE(opened.blob.triangle_count() == part.mesh.triangles.size());
-                for (const auto& [position, place] : places_of(part.mesh, opened)) {
-                    REQUIRE(place == nearest_steps(part.mesh.positions[position], step_exponent));
-                    const auto [at, is_new] = places.emplace(part.in_whole[position], place);
-                    REQUIRE(at->second == place);
-                    shared += is_new ? 0 : 1;
-                }
+TEST_CASE("seams: parts of a mesh baked apart with one step share their border vertices bit for bit") {
+    std::uint64_t shared = 0;
+    const auto splits = static_cast<std::uint32_t>(scaled(100));
+    for (std::uint32_t number = 0; number < splits; ++number) {
+        const Split split = make_split(number);
+        CAPTURE(split.name);
+        const int step_exponent = static_cast<int>(split.options.resolution.value());
+        std::map<std::uint32_t, WorldSteps> places;  // of the whole's positions
+        for (const Split::Part& part : split.parts) {
+            const OpenedBlob opened(part.mesh, split.options);
+            REQUIRE(opened.blob.triangle_count() == part.mesh.triangles.size());
+            for (const auto& [position, place] : places_of(part.mesh, opened)) {
+                REQUIRE(place == nearest_steps(part.mesh.positions[position], step_exponent));
+                const auto [at, is_new] = places.emplace(part.in_whole[position], place);
+                REQUIRE(at->second == place);
+                shared += is_new ? 0 : 1;
             }
         }
-        CHECK(shared > 20 * splits);
     }
+    CHECK(shared > 20 * splits);
+}
 
-    TEST_CASE("seams: the step is the one given for meshes of any size and place") {
-        Random random(4);
-        for (int i = 0; i < 50; ++i) {
-            const int exponent = random.between(-90, 90);
-            Mesh mesh = scaled_by(make_icosphere(1, 1.0, random.in_cube(1000.0f)), std::ldexp(1.0f, exponent + 8));
-            const auto result = bake_mesh(mesh, with_step(exponent));
-            REQUIRE(result);
-            CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
-            CHECK(result.report.lattice.bits == 10);
-            CHECK(result.report.lattice.max_error <= std::sqrt(0.75) * result.report.lattice.step * 1.000001);
-            const DecodedBlob decoded = decode(result.bytes);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double steps = std::ldexp(double(decoded.origin[k]), -exponent);
-                CHECK(steps == std::nearbyint(steps));
-            }
-        }
-        const auto empty = bake_mesh({}, with_step(-3));
-        REQUIRE(empty);
-        CHECK(decode(empty.bytes).step_exponent == -3);
-    }
-
-    TEST_CASE("seams: the lattice of another blob gives its step") {
-        for (const int exponent : {-9, -3, 2}) {
-            const OpenedBlob other(make_icosphere(1, 30.0, {5.0f, 0.0f, 0.0f}), with_step(exponent));
-            BakeOptions options;
-            options.resolution = Resolution::same_as(other.blob.lattice());
-            const auto result = bake_mesh(make_torus(20, 12, 30.0, 10.0), options);
-            REQUIRE(result);
-            CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
+TEST_CASE("seams: the step is the one given for meshes of any size and place") {
+    Random random(4);
+    for (int i = 0; i < 50; ++i) {
+        const int exponent = random.between(-90, 90);
+        Mesh mesh = scaled_by(make_icosphere(1, 1.0, random.in_cube(1000.0f)), std::ldexp(1.0f, exponent + 8));
+        const auto result = bake_mesh(mesh, with_step(exponent));
+        REQUIRE(result);
+        CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
+        CHECK(result.report.lattice.bits == 10);
+        CHECK(result.report.lattice.max_error <= std::sqrt(0.75) * result.report.lattice.step * 1.000001);
+        const DecodedBlob decoded = decode(result.bytes);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double steps = std::ldexp(double(decoded.origin[k]), -exponent);
+            CHECK(steps == std::nearbyint(steps));
         }
     }
+    const auto empty = bake_mesh({}, with_step(-3));
+    REQUIRE(empty);
+    CHECK(decode(empty.bytes).step_exponent == -3);
+}
 
-    TEST_CASE("seams: a step is refused where the format has none") {
-        for (const BakeOptions& options : {with_step(-101), with_step(101)}) {
-            const auto refused = bake_mesh(make_cube(0.0f, 1.0f), options);
-            REQUIRE(!refused);
-            CHECK(refused.status == BakeStatus::invalid_options);
-        }
-        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), with_step(101)).message, "from 2^-100 to 2^100"));
-        const auto too_fine = bake_mesh(make_cube(0.0f, 1.0f), with_step(-24));
-        REQUIRE(!too_fine);
-        CHECK(too_fine.status == BakeStatus::too_fine);
-        CHECK(contains(too_fine.message, "the finest step is 2^-23"));
+TEST_CASE("seams: the lattice of another blob gives its step") {
+    for (const int exponent : {-9, -3, 2}) {
+        const OpenedBlob other(make_icosphere(1, 30.0, {5.0f, 0.0f, 0.0f}), with_step(exponent));
+        BakeOptions options;
+        options.resolution = Resolution::same_as(other.blob.lattice());
+        const auto result = bake_mesh(make_torus(20, 12, 30.0, 10.0), options);
+        REQUIRE(result);
+        CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
     }
 }
+
+TEST_CASE("seams: a step is refused where the format has none") {
+    for (const BakeOptions& options : {with_step(-101), with_step(101)}) {
+        const auto refused = bake_mesh(make_cube(0.0f, 1.0f), options);
+        REQUIRE(!refused);
+        CHECK(refused.status == BakeStatus::invalid_options);
+    }
+    CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), with_step(101)).message, "from 2^-100 to 2^100"));
+    const auto too_fine = bake_mesh(make_cube(0.0f, 1.0f), with_step(-24));
+    REQUIRE(!too_fine);
+    CHECK(too_fine.status == BakeStatus::too_fine);
+    CHECK(contains(too_fine.message, "the finest step is 2^-23"));
+}
+
+}  // namespace
+}  // namespace espalier::tests::seams_test

@@ -18,9 +18,7 @@
 #include "support/meshes/files.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::sections_bounds_test {
 namespace {
 
 BakeOptions with_bounds(unsigned bits = 16) {
@@ -122,101 +120,97 @@ Mesh turned_box(Random& random) {
     return mesh;
 }
 
-}  // namespace
-
-TEST_SUITE("bounds") {
-    TEST_CASE("bounds: every vertex is inside on every mesh and lattice and profile") {
-        for (const Mesh& mesh :
-             {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0.5f, -3.0f, 0.25f}), make_terrain(20, 7),
-              make_needle_fan(300), make_slivers(400, 3), make_soup(300, 9), make_plane_grid(6), make_far_sphere()}) {
-            CAPTURE(mesh.name);
-            for (const unsigned bits : {1u, 2u, 8u, 16u, 24u}) {
-                CAPTURE(bits);
-                for_each_profile([&](Profile profile) {
-                    const OpenedBlob opened(mesh, with_profile(profile, with_bounds(bits)));
-                    if (opened.blob.triangle_count() != 0) check_bounds(opened);  // coarse lattices leave none of some
-                });
-            }
+TEST_CASE("bounds: every vertex is inside on every mesh and lattice and profile") {
+    for (const Mesh& mesh :
+         {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0.5f, -3.0f, 0.25f}), make_terrain(20, 7),
+          make_needle_fan(300), make_slivers(400, 3), make_soup(300, 9), make_plane_grid(6), make_far_sphere()}) {
+        CAPTURE(mesh.name);
+        for (const unsigned bits : {1u, 2u, 8u, 16u, 24u}) {
+            CAPTURE(bits);
+            for_each_profile([&](Profile profile) {
+                const OpenedBlob opened(mesh, with_profile(profile, with_bounds(bits)));
+                if (opened.blob.triangle_count() != 0) check_bounds(opened);  // coarse lattices leave none of some
+            });
         }
-    }
-
-    TEST_CASE("bounds: every vertex of a mesh from a file is inside") {
-        for (const auto& path : mesh_files()) {
-            CAPTURE(path.string());
-            const OpenedBlob opened(read_mesh(path), with_bounds());
-            check_bounds(opened);
-            CHECK(verify(opened.bytes).message == "");
-        }
-    }
-
-    TEST_CASE("bounds: the oriented box of a rotated box is that box to a thousandth") {
-        Random random(5);
-        for (int i = 0; i < 50; ++i) {
-            CAPTURE(i);
-            const auto baked = bake_mesh(turned_box(random), with_bounds());
-            REQUIRE(baked);
-            CHECK(baked.report.bounds.volumes.oriented_box >= 0.999 * 10.0);
-            CHECK(baked.report.bounds.volumes.oriented_box <= 1.006 * 10.0);
-        }
-    }
-
-    TEST_CASE("bounds: the sphere of a ball is the ball and never exceeds the sphere around the box") {
-        for (const Mesh& mesh : {make_icosphere(4, 1.0, {7.0f, -3.0f, 0.25f}), make_terrain(20, 7), make_soup(100, 3),
-                                 make_needle_fan(300), make_cube(-1.0f, 3.0f), make_torus(24, 12, 2.0, 0.7)}) {
-            CAPTURE(mesh.name);
-            const auto baked = bake_mesh(mesh, with_bounds());
-            REQUIRE(baked);
-            const auto cubed = [](double x) { return x * x * x; };
-            const Vec3 low = baked.report.bounds.min;
-            const Vec3 high = baked.report.bounds.max;
-            const double x = double(high.x) - double(low.x);
-            const double y = double(high.y) - double(low.y);
-            const double z = double(high.z) - double(low.z);
-            constexpr double ball = 4.0 / 3.0 * 3.14159265358979323846;
-            const double around_box = ball * cubed(0.5 * std::sqrt(x * x + y * y + z * z));
-            CHECK(baked.report.bounds.volumes.sphere <= 1.004 * around_box);
-            if (mesh.name.find("icosphere") != std::string::npos)
-                CHECK(baked.report.bounds.volumes.sphere <= 1.004 * ball);
-        }
-    }
-
-    TEST_CASE("bounds: the 26-DOP is smaller than the box and that of a cube is the cube") {
-        const auto cube = bake_mesh(make_cube(0.0f, 2.0f), with_bounds());
-        CHECK(cube.report.bounds.volumes.box == doctest::Approx(8.0));
-        CHECK(cube.report.bounds.volumes.k_dop == doctest::Approx(8.0));
-        CHECK(cube.report.bounds.volumes.oriented_box == doctest::Approx(8.0).epsilon(1e-4));
-        const auto ball = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bounds());
-        CHECK(ball.report.bounds.volumes.box == doctest::Approx(8.0).epsilon(0.01));
-        CHECK(ball.report.bounds.volumes.k_dop < 0.65 * 8.0);  // that of the ball itself is 0.52
-        CHECK(ball.report.bounds.volumes.k_dop > 0.52 * 8.0);
-    }
-
-    TEST_CASE("verify: a vertex outside each of the bounds and a wrong edge flag are found") {
-        BakeOptions options = with_bounds();
-        options.flat_angle = 5.0;
-        const auto good = bake_or_throw(make_terrain(10, 1), options);
-        const std::size_t size = good.size();
-        const auto verdict_with = [&](std::size_t from_end, int by) {
-            auto bad = good;
-            std::uint32_t value = 0;
-            for (unsigned i = 0; i < 4; ++i)
-                value |= std::to_integer<std::uint32_t>(bad[size - from_end + i]) << (8 * i);
-            value += static_cast<std::uint32_t>(by);
-            for (unsigned i = 0; i < 4; ++i) bad[size - from_end + i] = static_cast<std::byte>(value >> (8 * i));
-            repair_checksum(bad);
-            return verify(bad).message;
-        };
-        CHECK(verdict_with(80, 0) == "");
-        for (std::size_t slab = 0; slab < 10; ++slab) {
-            CHECK(contains(verdict_with(80 - 8 * slab, -1), "26-DOP"));
-            CHECK(contains(verdict_with(80 - 8 * slab - 4, 1), "26-DOP"));
-        }
-        CHECK(
-            contains(verdict_with(84, -1), "lies outside of the sphere"));  // its radius is rounded up by less than one
-        for (std::size_t side = 0; side < 3; ++side) {
-            CHECK(contains(verdict_with(96 + 12 - 4 * side, -1), "lies outside of the oriented box"));
-            CHECK(contains(verdict_with(96 + 24 - 4 * side, 1), "lies outside of the oriented box"));
-        }
-        CHECK(contains(verdict_with(128 + 8, 1), "calls its edge"));
     }
 }
+
+TEST_CASE("bounds: every vertex of a mesh from a file is inside") {
+    for (const auto& path : mesh_files()) {
+        CAPTURE(path.string());
+        const OpenedBlob opened(read_mesh(path), with_bounds());
+        check_bounds(opened);
+        CHECK(verify(opened.bytes).message == "");
+    }
+}
+
+TEST_CASE("bounds: the oriented box of a rotated box is that box to a thousandth") {
+    Random random(5);
+    for (int i = 0; i < 50; ++i) {
+        CAPTURE(i);
+        const auto baked = bake_mesh(turned_box(random), with_bounds());
+        REQUIRE(baked);
+        CHECK(baked.report.bounds.volumes.oriented_box >= 0.999 * 10.0);
+        CHECK(baked.report.bounds.volumes.oriented_box <= 1.006 * 10.0);
+    }
+}
+
+TEST_CASE("bounds: the sphere of a ball is the ball and never exceeds the sphere around the box") {
+    for (const Mesh& mesh : {make_icosphere(4, 1.0, {7.0f, -3.0f, 0.25f}), make_terrain(20, 7), make_soup(100, 3),
+                             make_needle_fan(300), make_cube(-1.0f, 3.0f), make_torus(24, 12, 2.0, 0.7)}) {
+        CAPTURE(mesh.name);
+        const auto baked = bake_mesh(mesh, with_bounds());
+        REQUIRE(baked);
+        const auto cubed = [](double x) { return x * x * x; };
+        const Vec3 low = baked.report.bounds.min;
+        const Vec3 high = baked.report.bounds.max;
+        const double x = double(high.x) - double(low.x);
+        const double y = double(high.y) - double(low.y);
+        const double z = double(high.z) - double(low.z);
+        constexpr double ball = 4.0 / 3.0 * 3.14159265358979323846;
+        const double around_box = ball * cubed(0.5 * std::sqrt(x * x + y * y + z * z));
+        CHECK(baked.report.bounds.volumes.sphere <= 1.004 * around_box);
+        if (mesh.name.find("icosphere") != std::string::npos) CHECK(baked.report.bounds.volumes.sphere <= 1.004 * ball);
+    }
+}
+
+TEST_CASE("bounds: the 26-DOP is smaller than the box and that of a cube is the cube") {
+    const auto cube = bake_mesh(make_cube(0.0f, 2.0f), with_bounds());
+    CHECK(cube.report.bounds.volumes.box == doctest::Approx(8.0));
+    CHECK(cube.report.bounds.volumes.k_dop == doctest::Approx(8.0));
+    CHECK(cube.report.bounds.volumes.oriented_box == doctest::Approx(8.0).epsilon(1e-4));
+    const auto ball = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bounds());
+    CHECK(ball.report.bounds.volumes.box == doctest::Approx(8.0).epsilon(0.01));
+    CHECK(ball.report.bounds.volumes.k_dop < 0.65 * 8.0);  // that of the ball itself is 0.52
+    CHECK(ball.report.bounds.volumes.k_dop > 0.52 * 8.0);
+}
+
+TEST_CASE("verify: a vertex outside each of the bounds and a wrong edge flag are found") {
+    BakeOptions options = with_bounds();
+    options.flat_angle = 5.0;
+    const auto good = bake_or_throw(make_terrain(10, 1), options);
+    const std::size_t size = good.size();
+    const auto verdict_with = [&](std::size_t from_end, int by) {
+        auto bad = good;
+        std::uint32_t value = 0;
+        for (unsigned i = 0; i < 4; ++i) value |= std::to_integer<std::uint32_t>(bad[size - from_end + i]) << (8 * i);
+        value += static_cast<std::uint32_t>(by);
+        for (unsigned i = 0; i < 4; ++i) bad[size - from_end + i] = static_cast<std::byte>(value >> (8 * i));
+        repair_checksum(bad);
+        return verify(bad).message;
+    };
+    CHECK(verdict_with(80, 0) == "");
+    for (std::size_t slab = 0; slab < 10; ++slab) {
+        CHECK(contains(verdict_with(80 - 8 * slab, -1), "26-DOP"));
+        CHECK(contains(verdict_with(80 - 8 * slab - 4, 1), "26-DOP"));
+    }
+    CHECK(contains(verdict_with(84, -1), "lies outside of the sphere"));  // its radius is rounded up by less than one
+    for (std::size_t side = 0; side < 3; ++side) {
+        CHECK(contains(verdict_with(96 + 12 - 4 * side, -1), "lies outside of the oriented box"));
+        CHECK(contains(verdict_with(96 + 24 - 4 * side, 1), "lies outside of the oriented box"));
+    }
+    CHECK(contains(verdict_with(128 + 8, 1), "calls its edge"));
+}
+
+}  // namespace
+}  // namespace espalier::tests::sections_bounds_test

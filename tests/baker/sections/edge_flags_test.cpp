@@ -20,11 +20,10 @@
 #include "support/meshes/files.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using espalier::oracle::BigInteger;
-
+namespace espalier::tests::edge_flags_test {
 namespace {
+
+using espalier::oracle::BigInteger;
 
 using Big3 = std::array<BigInteger, 3>;
 
@@ -106,130 +105,127 @@ BakeOptions with_flags(Profile profile, double degrees = 5.0, unsigned bits = 16
 
 using Counts = std::array<std::uint64_t, 4>;
 
-}  // namespace
+TEST_CASE("edge flags: a cube has flat diagonals and convex edges and inside out concave ones") {
+    for_each_profile([](Profile profile) {
+        Mesh cube = make_cube(0.0f, 1.0f);
+        CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 24, 0, 0});
+        for (auto& triangle : cube.triangles) std::swap(triangle[0], triangle[1]);
+        CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 0, 24, 0});
+    });
+}
 
-TEST_SUITE("edge flags") {
-    TEST_CASE("edge flags: a cube has flat diagonals and convex edges and inside out concave ones") {
-        for_each_profile([](Profile profile) {
-            Mesh cube = make_cube(0.0f, 1.0f);
-            CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 24, 0, 0});
-            for (auto& triangle : cube.triangles) std::swap(triangle[0], triangle[1]);
-            CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 0, 24, 0});
-        });
-    }
-
-    TEST_CASE("edge flags: every mesh and lattice and profile gives the flags of unbounded arithmetic") {
-        Counts all{};
-        for (const Mesh& mesh :
-             {make_terrain(20, 7), make_soup(300, 2), make_slivers(200, 3), make_needle_fan(200),
-              make_coplanar_stacks(200, 5), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(24, 12, 2.0, 0.7)}) {
-            CAPTURE(mesh.name);
-            for_each_profile([&](Profile profile) {
-                for (const unsigned bits : {4u, 16u, 24u}) {
-                    CAPTURE(bits);
-                    for (const double degrees : {0.0, 5.0, 60.0}) {
-                        const Counts counts = check_kinds(OpenedBlob(mesh, with_flags(profile, degrees, bits)));
-                        for (std::size_t k = 0; k < 4; ++k) all[k] += counts[k];
-                    }
+TEST_CASE("edge flags: every mesh and lattice and profile gives the flags of unbounded arithmetic") {
+    Counts all{};
+    for (const Mesh& mesh :
+         {make_terrain(20, 7), make_soup(300, 2), make_slivers(200, 3), make_needle_fan(200),
+          make_coplanar_stacks(200, 5), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(24, 12, 2.0, 0.7)}) {
+        CAPTURE(mesh.name);
+        for_each_profile([&](Profile profile) {
+            for (const unsigned bits : {4u, 16u, 24u}) {
+                CAPTURE(bits);
+                for (const double degrees : {0.0, 5.0, 60.0}) {
+                    const Counts counts = check_kinds(OpenedBlob(mesh, with_flags(profile, degrees, bits)));
+                    for (std::size_t k = 0; k < 4; ++k) all[k] += counts[k];
                 }
-            });
-        }
-        for (const std::uint64_t count : all) CHECK(count > 1000);
-    }
-
-    TEST_CASE("edge flags: meshes from files give the flags of unbounded arithmetic") {
-        for (const char* file : {"fandisk.obj", "house.obj"}) {
-            const auto path = mesh_file(file);
-            if (!path) {
-                MESSAGE("SKIPPED: no mesh ", std::string(file));
-                continue;
             }
-            const Mesh mesh = read_mesh(*path);
-            for_each_profile(
-                [&](Profile profile) { CHECK(check_kinds(OpenedBlob(mesh, with_flags(profile)))[0] > 0); });
-        }
-    }
-
-    TEST_CASE("edge flags: a blob without an open edge is closed and without slivers and fins the reverse holds") {
-        for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_terrain(5, 1), make_torus(20, 12, 3.0, 1.0),
-                                 make_soup(50, 1), make_coplanar_stacks(50, 5)}) {
-            CAPTURE(mesh.name);
-            const OpenedBlob opened(mesh, with_flags(Profile::balanced));
-            CHECK(opened.blob.is_closed() == (check_kinds(opened)[3] == 0));
-        }
-        Mesh fin = make_cube(0.0f, 1.0f);  // a third triangle on an edge of the first triangle
-        fin.positions.push_back({2.0f, 3.0f, 4.0f});
-        fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1], 8});
-        CHECK(check_kinds(OpenedBlob(fin, with_flags(Profile::fast)))[3] == 5);
-    }
-
-    TEST_CASE("edge flags: a copy has the flags of its owner") {
-        BakeOptions options = with_flags(Profile::fast);
-        options.build.builder = Builder::spatial_splits;
-        options.build.duplicate_budget = 1.0;
-        const OpenedBlob opened(make_soup(500, 4), options);
-        REQUIRE(opened.blob.duplicate_reference_count() > 0);
-        check_kinds(opened);
-    }
-
-    TEST_CASE("edge flags: the flat angle decides to the lattice step which edges are flat") {
-        // Two triangles over an edge of 4096 steps, the second lifted by one step at a time: tan(angle) = lift / 4096.
-        for (const double degrees : {0.0, 0.1, 1.0, 5.0, 45.0}) {
-            CAPTURE(degrees);
-            std::uint32_t flat = 0;
-            const auto is_flat = [&](std::uint32_t lift) {
-                Mesh roof;
-                roof.positions = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, -4096, -static_cast<float>(lift)}};
-                roof.triangles = {{0, 1, 2}, {1, 0, 3}};
-                BakeOptions options = with_flags(Profile::fast, degrees, 14);
-                const OpenedBlob opened(roof, options);
-                REQUIRE(opened.blob.lattice().step_exponent == 0);
-                return check_kinds(opened)[0] == 2;
-            };
-            REQUIRE(is_flat(0));
-            for (std::uint32_t step = 2048; step != 0; step /= 2)
-                if (flat + step <= 8000 && is_flat(flat + step)) flat += step;
-            const double angle = std::atan2(flat, 4096.0) * 180.0 / 3.14159265358979323846;
-            const double next = std::atan2(flat + 1.0, 4096.0) * 180.0 / 3.14159265358979323846;
-            if (degrees < 45.0) {
-                CHECK(angle <= degrees);
-                CHECK(next > degrees * 0.98 - 0.001);  // the squared sine is stored in 2^-24
-            }
-        }
-    }
-
-    TEST_CASE("edge flags: a blob without them has no byte for them and the same tree") {
-        for_each_profile([](Profile profile) {
-            const Mesh mesh = make_terrain(10, 1);
-            BakeOptions options = with_profile(profile);
-            const auto without = bake_or_throw(mesh, options);
-            options.flat_angle = 5.0;
-            options.bounds = {true, true, true};
-            const auto with = bake_or_throw(mesh, options);
-            CHECK(!OpenedBlob(without).blob.has_edge_flags());
-            CHECK(edge_kinds(OpenedBlob(without).blob, {0}).status == QueryStatus::no_data);
-            CHECK(std::equal(without.begin() + format::header::bytes, without.end(),
-                             with.begin() + format::header::bytes));
-            const std::size_t flag_bits = OpenedBlob(with).blob.triangle_count() * format::edge_flags::triangle_bits;
-            const std::size_t more = format::edge_flags::fields_at + ((flag_bits + 7) / 8 + 3) / 4 * 4 + 32 + 16 + 80;
-            CHECK(with.size() == without.size() + more);
-            CHECK(with == bake_or_throw(mesh, options));
         });
     }
+    for (const std::uint64_t count : all) CHECK(count > 1000);
+}
 
-    TEST_CASE("edge flags: an empty mesh has no flags and no bounds and senseless angles are refused") {
-        BakeOptions options;
-        options.flat_angle = 5.0;
-        options.bounds = {true, true, true};
-        const OpenedBlob empty(bake({}, options).bytes);
-        CHECK(!empty.blob.has_edge_flags());
-        CHECK(detail::data_of(empty.blob).bounds == nullptr);
-        for (const double degrees : {-1.0, 90.0, 1e300, std::nan("")}) {
-            options.flat_angle = degrees;
-            const auto result = bake({}, options);
-            REQUIRE(!result);
-            CHECK(result.status == BakeStatus::invalid_options);
-            CHECK(contains(result.message, "degrees"));
+TEST_CASE("edge flags: meshes from files give the flags of unbounded arithmetic") {
+    for (const char* file : {"fandisk.obj", "house.obj"}) {
+        const auto path = mesh_file(file);
+        if (!path) {
+            MESSAGE("SKIPPED: no mesh ", std::string(file));
+            continue;
+        }
+        const Mesh mesh = read_mesh(*path);
+        for_each_profile([&](Profile profile) { CHECK(check_kinds(OpenedBlob(mesh, with_flags(profile)))[0] > 0); });
+    }
+}
+
+TEST_CASE("edge flags: a blob without an open edge is closed and without slivers and fins the reverse holds") {
+    for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_terrain(5, 1), make_torus(20, 12, 3.0, 1.0), make_soup(50, 1),
+                             make_coplanar_stacks(50, 5)}) {
+        CAPTURE(mesh.name);
+        const OpenedBlob opened(mesh, with_flags(Profile::balanced));
+        CHECK(opened.blob.is_closed() == (check_kinds(opened)[3] == 0));
+    }
+    Mesh fin = make_cube(0.0f, 1.0f);  // a third triangle on an edge of the first triangle
+    fin.positions.push_back({2.0f, 3.0f, 4.0f});
+    fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1], 8});
+    CHECK(check_kinds(OpenedBlob(fin, with_flags(Profile::fast)))[3] == 5);
+}
+
+TEST_CASE("edge flags: a copy has the flags of its owner") {
+    BakeOptions options = with_flags(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
+    const OpenedBlob opened(make_soup(500, 4), options);
+    REQUIRE(opened.blob.duplicate_reference_count() > 0);
+    check_kinds(opened);
+}
+
+TEST_CASE("edge flags: the flat angle decides to the lattice step which edges are flat") {
+    // Two triangles over an edge of 4096 steps, the second lifted by one step at a time: tan(angle) = lift / 4096.
+    for (const double degrees : {0.0, 0.1, 1.0, 5.0, 45.0}) {
+        CAPTURE(degrees);
+        std::uint32_t flat = 0;
+        const auto is_flat = [&](std::uint32_t lift) {
+            Mesh roof;
+            roof.positions = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, -4096, -static_cast<float>(lift)}};
+            roof.triangles = {{0, 1, 2}, {1, 0, 3}};
+            BakeOptions options = with_flags(Profile::fast, degrees, 14);
+            const OpenedBlob opened(roof, options);
+            REQUIRE(opened.blob.lattice().step_exponent == 0);
+            return check_kinds(opened)[0] == 2;
+        };
+        REQUIRE(is_flat(0));
+        for (std::uint32_t step = 2048; step != 0; step /= 2)
+            if (flat + step <= 8000 && is_flat(flat + step)) flat += step;
+        const double angle = std::atan2(flat, 4096.0) * 180.0 / 3.14159265358979323846;
+        const double next = std::atan2(flat + 1.0, 4096.0) * 180.0 / 3.14159265358979323846;
+        if (degrees < 45.0) {
+            CHECK(angle <= degrees);
+            CHECK(next > degrees * 0.98 - 0.001);  // the squared sine is stored in 2^-24
         }
     }
 }
+
+TEST_CASE("edge flags: a blob without them has no byte for them and the same tree") {
+    for_each_profile([](Profile profile) {
+        const Mesh mesh = make_terrain(10, 1);
+        BakeOptions options = with_profile(profile);
+        const auto without = bake_or_throw(mesh, options);
+        options.flat_angle = 5.0;
+        options.bounds = {true, true, true};
+        const auto with = bake_or_throw(mesh, options);
+        CHECK(!OpenedBlob(without).blob.has_edge_flags());
+        CHECK(edge_kinds(OpenedBlob(without).blob, {0}).status == QueryStatus::no_data);
+        CHECK(std::equal(without.begin() + format::header::bytes, without.end(), with.begin() + format::header::bytes));
+        const std::size_t flag_bits = OpenedBlob(with).blob.triangle_count() * format::edge_flags::triangle_bits;
+        const std::size_t more = format::edge_flags::fields_at + ((flag_bits + 7) / 8 + 3) / 4 * 4 + 32 + 16 + 80;
+        CHECK(with.size() == without.size() + more);
+        CHECK(with == bake_or_throw(mesh, options));
+    });
+}
+
+TEST_CASE("edge flags: an empty mesh has no flags and no bounds and senseless angles are refused") {
+    BakeOptions options;
+    options.flat_angle = 5.0;
+    options.bounds = {true, true, true};
+    const OpenedBlob empty(bake({}, options).bytes);
+    CHECK(!empty.blob.has_edge_flags());
+    CHECK(detail::data_of(empty.blob).bounds == nullptr);
+    for (const double degrees : {-1.0, 90.0, 1e300, std::nan("")}) {
+        options.flat_angle = degrees;
+        const auto result = bake({}, options);
+        REQUIRE(!result);
+        CHECK(result.status == BakeStatus::invalid_options);
+        CHECK(contains(result.message, "degrees"));
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::edge_flags_test

@@ -14,11 +14,10 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using espalier::oracle::Rational;
-
+namespace espalier::tests::asset_bounds_test {
 namespace {
+
+using espalier::oracle::Rational;
 
 using Exact3 = std::array<Rational, 3>;
 
@@ -65,58 +64,57 @@ struct Case {
     unsigned bits;
 };
 
-}  // namespace
-
-TEST_SUITE("bounds") {
-    TEST_CASE("bounds: bounds as floats hold every corner exactly") {
-        for (const Case& one :
-             {Case{make_cube(-1.0f, 1.0f), 16}, Case{make_icosphere(2, 1.0, {0.5f, -3.0f, 0.25f}), 24},
-              Case{moved(make_icosphere(2, 1.0, {0, 0, 0}), {1e6f, -3e5f, 2e4f}), 16},
-              Case{moved(make_terrain(8, 3), {-7e7f, 0.0f, 1e-3f}), 4}, Case{scaled_by(make_soup(60, 3), 0x1p-60f), 20},
-              Case{scaled_by(make_soup(60, 4), 0x1p60f), 20}, Case{make_plane_grid(3), 2}}) {
-            CAPTURE(one.mesh.name);
-            const OpenedBlob opened(one.mesh, with_bounds(one.bits));
-            const DecodedBlob decoded = decode(opened.bytes);
-            const Result<Sphere> sphere = bounding_sphere(opened.blob);
-            const Result<OrientedBox> box = oriented_bounds(opened.blob);
-            const Result<KDop> k_dop = k_dop_bounds(opened.blob);
-            REQUIRE(sphere);
-            REQUIRE(box);
-            REQUIRE(k_dop);
-            for (const GridPoint& corner : distinct_corners(decoded)) {
-                Exact3 point;
-                for (std::size_t k = 0; k < 3; ++k)
-                    point[k] =
-                        Rational::of(decoded.origin[k]) + Rational::of(std::int64_t{corner[k]}, decoded.step_exponent);
-                check_point(point, *sphere, *box, *k_dop);
-            }
-            (void)for_each_triangle(opened.blob, [&](TriangleId, const Triangle& corners) {
-                for (const Vec3& corner : {corners.a, corners.b, corners.c})
-                    check_point(exact(corner), *sphere, *box, *k_dop);
-                return Visit::next;
-            });
+TEST_CASE("bounds: bounds as floats hold every corner exactly") {
+    for (const Case& one :
+         {Case{make_cube(-1.0f, 1.0f), 16}, Case{make_icosphere(2, 1.0, {0.5f, -3.0f, 0.25f}), 24},
+          Case{moved(make_icosphere(2, 1.0, {0, 0, 0}), {1e6f, -3e5f, 2e4f}), 16},
+          Case{moved(make_terrain(8, 3), {-7e7f, 0.0f, 1e-3f}), 4}, Case{scaled_by(make_soup(60, 3), 0x1p-60f), 20},
+          Case{scaled_by(make_soup(60, 4), 0x1p60f), 20}, Case{make_plane_grid(3), 2}}) {
+        CAPTURE(one.mesh.name);
+        const OpenedBlob opened(one.mesh, with_bounds(one.bits));
+        const DecodedBlob decoded = decode(opened.bytes);
+        const Result<Sphere> sphere = bounding_sphere(opened.blob);
+        const Result<OrientedBox> box = oriented_bounds(opened.blob);
+        const Result<KDop> k_dop = k_dop_bounds(opened.blob);
+        REQUIRE(sphere);
+        REQUIRE(box);
+        REQUIRE(k_dop);
+        for (const GridPoint& corner : distinct_corners(decoded)) {
+            Exact3 point;
+            for (std::size_t k = 0; k < 3; ++k)
+                point[k] =
+                    Rational::of(decoded.origin[k]) + Rational::of(std::int64_t{corner[k]}, decoded.step_exponent);
+            check_point(point, *sphere, *box, *k_dop);
         }
-    }
-
-    TEST_CASE("bounds: bounds that a blob does not store are refused") {
-        for (unsigned which = 0; which < 8; ++which) {
-            CAPTURE(which);
-            BakeOptions options;
-            options.bounds = {(which & 1) != 0, (which & 2) != 0, (which & 4) != 0};
-            const OpenedBlob opened(make_cube(0.0f, 1.0f), options);
-            const Result<OrientedBox> box = oriented_bounds(opened.blob);
-            const Result<Sphere> sphere = bounding_sphere(opened.blob);
-            const Result<KDop> k_dop = k_dop_bounds(opened.blob);
-            const auto expected = [](bool is_stored) { return is_stored ? QueryStatus::ok : QueryStatus::no_data; };
-            CHECK(box.status == expected(options.bounds.oriented_box));
-            CHECK(sphere.status == expected(options.bounds.sphere));
-            CHECK(k_dop.status == expected(options.bounds.k_dop));
-            CHECK((sphere->radius > 0.0f) == options.bounds.sphere);
-            CHECK((box->half_axes[0] != Vec3{}) == options.bounds.oriented_box);
-            CHECK((k_dop->hi[0] > 0.0f) == options.bounds.k_dop);
-        }
-        CHECK(bounding_sphere(Blob()).status == QueryStatus::not_open);
-        CHECK(oriented_bounds(Blob()).status == QueryStatus::not_open);
-        CHECK(k_dop_bounds(Blob()).status == QueryStatus::not_open);
+        (void)for_each_triangle(opened.blob, [&](TriangleId, const Triangle& corners) {
+            for (const Vec3& corner : {corners.a, corners.b, corners.c})
+                check_point(exact(corner), *sphere, *box, *k_dop);
+            return Visit::next;
+        });
     }
 }
+
+TEST_CASE("bounds: bounds that a blob does not store are refused") {
+    for (unsigned which = 0; which < 8; ++which) {
+        CAPTURE(which);
+        BakeOptions options;
+        options.bounds = {(which & 1) != 0, (which & 2) != 0, (which & 4) != 0};
+        const OpenedBlob opened(make_cube(0.0f, 1.0f), options);
+        const Result<OrientedBox> box = oriented_bounds(opened.blob);
+        const Result<Sphere> sphere = bounding_sphere(opened.blob);
+        const Result<KDop> k_dop = k_dop_bounds(opened.blob);
+        const auto expected = [](bool is_stored) { return is_stored ? QueryStatus::ok : QueryStatus::no_data; };
+        CHECK(box.status == expected(options.bounds.oriented_box));
+        CHECK(sphere.status == expected(options.bounds.sphere));
+        CHECK(k_dop.status == expected(options.bounds.k_dop));
+        CHECK((sphere->radius > 0.0f) == options.bounds.sphere);
+        CHECK((box->half_axes[0] != Vec3{}) == options.bounds.oriented_box);
+        CHECK((k_dop->hi[0] > 0.0f) == options.bounds.k_dop);
+    }
+    CHECK(bounding_sphere(Blob()).status == QueryStatus::not_open);
+    CHECK(oriented_bounds(Blob()).status == QueryStatus::not_open);
+    CHECK(k_dop_bounds(Blob()).status == QueryStatus::not_open);
+}
+
+}  // namespace
+}  // namespace espalier::tests::asset_bounds_test

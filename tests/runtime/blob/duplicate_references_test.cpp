@@ -9,9 +9,7 @@
 #include "support/format/encoder.hpp"
 #include "support/machine/guarded_pages.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::blob_duplicate_references_test {
 namespace {
 
 /// Of one leaf after the other, 16 triangles each, all alike.
@@ -31,32 +29,31 @@ PlainBlob make_blob(std::uint32_t leaves) {
     return blob;
 }
 
-}  // namespace
-
-TEST_SUITE("duplicate references") {
-    TEST_CASE("spatial split: every storage index leads to its owner for any map of copies") {
-        // Whole blocks of 256 and a part of one; the blob's memory ends with its last owner.
-        for (const std::uint32_t leaves : {1u, 2u, 15u, 16u, 17u, 48u, 64u}) {
-            for (const std::uint32_t one_in : {1u, 2u, 7u, 300u}) {
-                CAPTURE(leaves);
-                CAPTURE(one_in);
-                PlainBlob plain = make_blob(leaves);
-                Random random(leaves * 1000 + one_in);
-                auto& owners = plain.decoded.owners;
-                for (std::uint32_t i = 0; i < 16 * leaves; ++i) {
-                    const std::uint32_t other = i == 0 ? 0 : random.below(i);
-                    const bool is_copy = i == 16 * leaves - 1 || random.below(one_in) == 0;
-                    owners.push_back(is_copy ? (owners.empty() ? 0 : owners[other]) : i);
-                }
-                plain.decoded.features = format::feature::split_references;
-                const GuardedPages pages(encode(plain), true);
-                const Blob blob = open(pages.bytes());
-                REQUIRE(blob);
-                for (std::uint32_t i = 0; i < 16 * leaves; ++i) {
-                    REQUIRE(detail::owner_of(detail::data_of(blob), i) == owners[i]);
-                    REQUIRE(detail::is_duplicate_reference(detail::data_of(blob), i) == (owners[i] != i));
-                }
+TEST_CASE("spatial split: every storage index leads to its owner for any map of copies") {
+    // Whole blocks of 256 and a part of one; the blob's memory ends with its last owner.
+    for (const std::uint32_t leaves : {1u, 2u, 15u, 16u, 17u, 48u, 64u}) {
+        for (const std::uint32_t one_in : {1u, 2u, 7u, 300u}) {
+            CAPTURE(leaves);
+            CAPTURE(one_in);
+            PlainBlob plain = make_blob(leaves);
+            Random random(leaves * 1000 + one_in);
+            auto& owners = plain.decoded.owners;
+            for (std::uint32_t i = 0; i < 16 * leaves; ++i) {
+                const std::uint32_t other = i == 0 ? 0 : random.below(i);
+                const bool is_copy = i == 16 * leaves - 1 || random.below(one_in) == 0;
+                owners.push_back(is_copy ? (owners.empty() ? 0 : owners[other]) : i);
+            }
+            plain.decoded.features = format::feature::split_references;
+            const GuardedPages pages(encode(plain), true);
+            const Blob blob = open(pages.bytes());
+            REQUIRE(blob);
+            for (std::uint32_t i = 0; i < 16 * leaves; ++i) {
+                REQUIRE(detail::owner_of(detail::data_of(blob), i) == owners[i]);
+                REQUIRE(detail::is_duplicate_reference(detail::data_of(blob), i) == (owners[i] != i));
             }
         }
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::blob_duplicate_references_test

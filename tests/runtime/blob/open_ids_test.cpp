@@ -15,9 +15,7 @@
 #include "support/machine/guarded_pages.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::open_ids_test {
 namespace {
 
 namespace at = format::header;
@@ -94,145 +92,144 @@ struct Section {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("open ids") {
-    TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {
-        for_each_profile([](Profile profile) {
-            const std::size_t number_bits = profile == Profile::fast ? 6 : 8;
-            const auto status = [&](std::vector<Kind> kinds, Bytes steps) {
-                return Section{profile, 5, std::move(kinds), std::move(steps)}.status();
-            };
-            // 49 steps, after the first number.
-            for (const std::size_t width : {0u, 4u}) {
-                for (const unsigned kind_bits : {0u, 1u, 7u}) {
-                    CAPTURE(width);
-                    CAPTURE(kind_bits);
-                    const std::vector<Kind> kinds(std::size_t{1} << kind_bits,
-                                                  {0, static_cast<std::uint32_t>(width), kind_bits});
-                    const std::size_t bits = number_bits + 49 * (width + kind_bits);
-                    const std::size_t bytes = (bits + 7) / 8;
-                    CHECK(status(kinds, zeros(bytes)) == OpenStatus::ok);
-                    // Of nothing, of the first number alone, a byte less, a byte more.
-                    for (const std::size_t other : {std::size_t{0}, std::size_t{1}, bytes - 1, bytes + 1})
-                        if (other != bytes) CHECK(status(kinds, zeros(other)) == OpenStatus::bad_section);
-                    Bytes padded = zeros(bytes);
-                    padded.back() = static_cast<std::byte>(1u << (bits - 1) % 8 << 1);
-                    if (bits % 8 != 0) CHECK(status(kinds, padded) == OpenStatus::bad_section);
-                }
+TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {
+    for_each_profile([](Profile profile) {
+        const std::size_t number_bits = profile == Profile::fast ? 6 : 8;
+        const auto status = [&](std::vector<Kind> kinds, Bytes steps) {
+            return Section{profile, 5, std::move(kinds), std::move(steps)}.status();
+        };
+        // 49 steps, after the first number.
+        for (const std::size_t width : {0u, 4u}) {
+            for (const unsigned kind_bits : {0u, 1u, 7u}) {
+                CAPTURE(width);
+                CAPTURE(kind_bits);
+                const std::vector<Kind> kinds(std::size_t{1} << kind_bits,
+                                              {0, static_cast<std::uint32_t>(width), kind_bits});
+                const std::size_t bits = number_bits + 49 * (width + kind_bits);
+                const std::size_t bytes = (bits + 7) / 8;
+                CHECK(status(kinds, zeros(bytes)) == OpenStatus::ok);
+                // Of nothing, of the first number alone, a byte less, a byte more.
+                for (const std::size_t other : {std::size_t{0}, std::size_t{1}, bytes - 1, bytes + 1})
+                    if (other != bytes) CHECK(status(kinds, zeros(other)) == OpenStatus::bad_section);
+                Bytes padded = zeros(bytes);
+                padded.back() = static_cast<std::byte>(1u << (bits - 1) % 8 << 1);
+                if (bits % 8 != 0) CHECK(status(kinds, padded) == OpenStatus::bad_section);
             }
-        });
-    }
-
-    TEST_CASE("open: a first number of ids that does not fit into the steps is refused") {
-        for (const std::size_t bytes : {0u, 1u, 2u}) {
-            // 10 bits, and no step takes any.
-            CHECK(Section{Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
-                  (bytes == 2 ? OpenStatus::ok : OpenStatus::bad_section));
         }
-        // 256 numbers take 8 bits, one more takes 9.
-        for (const std::uint64_t numbers : {256u, 257u}) {
-            CHECK(Section{Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
-                  (numbers == 256 ? OpenStatus::ok : OpenStatus::bad_section));
-        }
-    }
+    });
+}
 
-    TEST_CASE("open: each block of ids has the steps that are left for it") {
-        for_each_profile([](Profile profile) {
-            // 8 or 10 bits of a first number, then 127 and 71 steps of 4 bits: 65 and 37 bytes.
-            const auto status = [&](std::uint32_t second, std::size_t bytes) {
-                return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, second}}.status();
-            };
-            CHECK(status(65, 102) == OpenStatus::ok);
-            CHECK(status(65, 101) == OpenStatus::bad_section);
-            CHECK(status(65, 98) == OpenStatus::bad_section);
-            CHECK(status(65, 66) == OpenStatus::bad_section);  // the steps would end behind the blob
-            CHECK(status(65, 103) == OpenStatus::bad_section);
-            CHECK(status(65, 106) == OpenStatus::bad_section);
-            CHECK(status(64, 102) == OpenStatus::bad_section);
-            CHECK(status(66, 103) == OpenStatus::bad_section);
-            CHECK(status(~0u, 102) == OpenStatus::bad_section);
-        });
+TEST_CASE("open: a first number of ids that does not fit into the steps is refused") {
+    for (const std::size_t bytes : {0u, 1u, 2u}) {
+        // 10 bits, and no step takes any.
+        CHECK(Section{Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
+              (bytes == 2 ? OpenStatus::ok : OpenStatus::bad_section));
     }
-
-    TEST_CASE("open: a kind of step that is not used obeys the rules too") {
-        for_each_profile([](Profile profile) {
-            const std::uint32_t number_bits = profile == Profile::fast ? 6 : 8;
-            const auto status = [&](const Kind& unused) {
-                return Section{profile, 5, {{0, 0, 1}, unused}, zeros((number_bits + 49 + 7) / 8)}.status();
-            };
-            CHECK(status({~0u, number_bits, 1, 7, 7}) == OpenStatus::ok);
-            CHECK(status({0, 0, 0, 0, 0}) == OpenStatus::ok);
-            for (const std::uint32_t more : {1u, 255u - number_bits})
-                CHECK(status({0, number_bits + more, 1}) == OpenStatus::bad_section);
-            for (const std::uint32_t prefix : {2u, 255u}) CHECK(status({0, 0, prefix}) == OpenStatus::bad_section);
-            for (const std::uint32_t place : {8u, 255u}) {
-                CHECK(status({0, 0, 1, place, 0}) == OpenStatus::bad_section);
-                CHECK(status({0, 0, 1, 0, place}) == OpenStatus::bad_section);
-            }
-        });
-    }
-
-    TEST_CASE("open: numbers of ids fill 32 bits and no more") {
-        for_each_profile([](Profile profile) {
-            const std::uint32_t corners = profile == Profile::fast ? 1 : 3;
-            // A first number and 49 steps of 7 and 32 bits: 242 bytes and seven bits.
-            const auto status = [&](std::uint64_t source_triangles, std::uint32_t number) {
-                BitWriter steps;
-                steps.add(number, 32);
-                for (int i = 0; i < 49; ++i) steps.add(0, 32).add(0, 7);
-                return Section{profile, 5, std::vector<Kind>(128, Kind{0, 32, 7}), steps.bytes(), {0}, source_triangles}
-                    .status();
-            };
-            const std::uint32_t most = ~0u / corners;
-            CHECK(status(most, corners * most - 1) == OpenStatus::ok);
-            CHECK(status(most, corners * most) == OpenStatus::bad_section);
-            if (corners != 1) CHECK(status(std::uint64_t{most} + 1, 0) == OpenStatus::bad_header);
-        });
-    }
-
-    TEST_CASE("source triangle: steps of several kinds lead through two blocks") {
-        // Codes 0, 01 and 11: on by one in the newest row; -1 .. 6 on from the oldest number of three, whose row goes
-        // on; and by 9 to a new row.
-        const std::vector<Kind> kinds = {{1, 0, 1}, {~0u, 3, 2, 2, 2}, {1, 0, 1}, {9, 0, 2, 0, 7}};
-        BitWriter steps;
-        std::vector<std::uint32_t> expected, begins;
-        for (const auto& [first, count] : {std::pair{5u, 128u}, std::pair{7u, 72u}}) {
-            begins.push_back(static_cast<std::uint32_t>(steps.bytes().size()));
-            steps.add(first, 8);
-            std::vector<std::uint32_t> recent(8, first);
-            for (std::uint32_t i = 0; i < count; ++i) {
-                expected.push_back(recent[0]);
-                if (i + 1 == count) break;
-                std::uint32_t number = recent[0] + 1;
-                std::size_t lost = 0;
-                if (i % 16 == 5) {
-                    steps.add(3, 2);
-                    number = recent[0] + 9;
-                    lost = 7;
-                } else if (i % 3 == 1) {
-                    steps.add(1, 2).add(i % 8, 3);
-                    number = recent[2] + i % 8 - 1;
-                    lost = 2;
-                } else {
-                    steps.add(0, 1);
-                }
-                recent.erase(recent.begin() + static_cast<std::ptrdiff_t>(lost));
-                recent.insert(recent.begin(), number);
-            }
-            steps.end_block();
-        }
-        const Section section{Profile::fast, 10, kinds, steps.bytes(), begins};
-        const GuardedPages pages(section.blob(), true);
-        const Blob blob = open(pages.bytes());
-        REQUIRE(blob);
-        REQUIRE(blob.triangle_count() == expected.size());
-        for (std::uint32_t i = 0; i < blob.triangle_count(); ++i) {
-            const Result<OriginalTriangle> found = original_triangle(blob, {i});
-            REQUIRE(found);
-            const OriginalTriangle& original = *found;
-            CHECK(original.triangle == expected[i]);
-            CHECK(original.first_corner == 0);
-        }
+    // 256 numbers take 8 bits, one more takes 9.
+    for (const std::uint64_t numbers : {256u, 257u}) {
+        CHECK(Section{Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
+              (numbers == 256 ? OpenStatus::ok : OpenStatus::bad_section));
     }
 }
+
+TEST_CASE("open: each block of ids has the steps that are left for it") {
+    for_each_profile([](Profile profile) {
+        // 8 or 10 bits of a first number, then 127 and 71 steps of 4 bits: 65 and 37 bytes.
+        const auto status = [&](std::uint32_t second, std::size_t bytes) {
+            return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, second}}.status();
+        };
+        CHECK(status(65, 102) == OpenStatus::ok);
+        CHECK(status(65, 101) == OpenStatus::bad_section);
+        CHECK(status(65, 98) == OpenStatus::bad_section);
+        CHECK(status(65, 66) == OpenStatus::bad_section);  // the steps would end behind the blob
+        CHECK(status(65, 103) == OpenStatus::bad_section);
+        CHECK(status(65, 106) == OpenStatus::bad_section);
+        CHECK(status(64, 102) == OpenStatus::bad_section);
+        CHECK(status(66, 103) == OpenStatus::bad_section);
+        CHECK(status(~0u, 102) == OpenStatus::bad_section);
+    });
+}
+
+TEST_CASE("open: a kind of step that is not used obeys the rules too") {
+    for_each_profile([](Profile profile) {
+        const std::uint32_t number_bits = profile == Profile::fast ? 6 : 8;
+        const auto status = [&](const Kind& unused) {
+            return Section{profile, 5, {{0, 0, 1}, unused}, zeros((number_bits + 49 + 7) / 8)}.status();
+        };
+        CHECK(status({~0u, number_bits, 1, 7, 7}) == OpenStatus::ok);
+        CHECK(status({0, 0, 0, 0, 0}) == OpenStatus::ok);
+        for (const std::uint32_t more : {1u, 255u - number_bits})
+            CHECK(status({0, number_bits + more, 1}) == OpenStatus::bad_section);
+        for (const std::uint32_t prefix : {2u, 255u}) CHECK(status({0, 0, prefix}) == OpenStatus::bad_section);
+        for (const std::uint32_t place : {8u, 255u}) {
+            CHECK(status({0, 0, 1, place, 0}) == OpenStatus::bad_section);
+            CHECK(status({0, 0, 1, 0, place}) == OpenStatus::bad_section);
+        }
+    });
+}
+
+TEST_CASE("open: numbers of ids fill 32 bits and no more") {
+    for_each_profile([](Profile profile) {
+        const std::uint32_t corners = profile == Profile::fast ? 1 : 3;
+        // A first number and 49 steps of 7 and 32 bits: 242 bytes and seven bits.
+        const auto status = [&](std::uint64_t source_triangles, std::uint32_t number) {
+            BitWriter steps;
+            steps.add(number, 32);
+            for (int i = 0; i < 49; ++i) steps.add(0, 32).add(0, 7);
+            return Section{profile, 5, std::vector<Kind>(128, Kind{0, 32, 7}), steps.bytes(), {0}, source_triangles}
+                .status();
+        };
+        const std::uint32_t most = ~0u / corners;
+        CHECK(status(most, corners * most - 1) == OpenStatus::ok);
+        CHECK(status(most, corners * most) == OpenStatus::bad_section);
+        if (corners != 1) CHECK(status(std::uint64_t{most} + 1, 0) == OpenStatus::bad_header);
+    });
+}
+
+TEST_CASE("source triangle: steps of several kinds lead through two blocks") {
+    // Codes 0, 01 and 11: on by one in the newest row; -1 .. 6 on from the oldest number of three, whose row goes
+    // on; and by 9 to a new row.
+    const std::vector<Kind> kinds = {{1, 0, 1}, {~0u, 3, 2, 2, 2}, {1, 0, 1}, {9, 0, 2, 0, 7}};
+    BitWriter steps;
+    std::vector<std::uint32_t> expected, begins;
+    for (const auto& [first, count] : {std::pair{5u, 128u}, std::pair{7u, 72u}}) {
+        begins.push_back(static_cast<std::uint32_t>(steps.bytes().size()));
+        steps.add(first, 8);
+        std::vector<std::uint32_t> recent(8, first);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            expected.push_back(recent[0]);
+            if (i + 1 == count) break;
+            std::uint32_t number = recent[0] + 1;
+            std::size_t lost = 0;
+            if (i % 16 == 5) {
+                steps.add(3, 2);
+                number = recent[0] + 9;
+                lost = 7;
+            } else if (i % 3 == 1) {
+                steps.add(1, 2).add(i % 8, 3);
+                number = recent[2] + i % 8 - 1;
+                lost = 2;
+            } else {
+                steps.add(0, 1);
+            }
+            recent.erase(recent.begin() + static_cast<std::ptrdiff_t>(lost));
+            recent.insert(recent.begin(), number);
+        }
+        steps.end_block();
+    }
+    const Section section{Profile::fast, 10, kinds, steps.bytes(), begins};
+    const GuardedPages pages(section.blob(), true);
+    const Blob blob = open(pages.bytes());
+    REQUIRE(blob);
+    REQUIRE(blob.triangle_count() == expected.size());
+    for (std::uint32_t i = 0; i < blob.triangle_count(); ++i) {
+        const Result<OriginalTriangle> found = original_triangle(blob, {i});
+        REQUIRE(found);
+        const OriginalTriangle& original = *found;
+        CHECK(original.triangle == expected[i]);
+        CHECK(original.first_corner == 0);
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::open_ids_test

@@ -19,9 +19,7 @@
 #include "support/meshes/level_maker.hpp"
 #include "support/meshes/mesh.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::character_test {
 namespace {
 
 void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
@@ -155,153 +153,150 @@ void require_sound_walks(const Blob& level, const std::string& name, std::uint64
     }
 }
 
-}  // namespace
+TEST_CASE("controller: random walks in an arena leave no overlap and no tunnel and are never stuck in the open") {
+    const OpenedBlob arena(make_arena());
+    require_sound_walks(arena.blob, "arena", scaled(2'000));
+}
 
-TEST_SUITE("character") {
-    TEST_CASE("controller: random walks in an arena leave no overlap and no tunnel and are never stuck in the open") {
-        const OpenedBlob arena(make_arena());
-        require_sound_walks(arena.blob, "arena", scaled(2'000));
+TEST_CASE("controller: random walks in a building leave no overlap and no tunnel") {
+    const OpenedBlob level(make_level(4'000, 5));
+    require_sound_walks(level.blob, "building", scaled(1'000));
+}
+
+TEST_CASE("controller: random walks in the house of the meshes at hand") {
+    bool is_skipped = true;
+    for (const auto& file : mesh_files()) {
+        const Mesh mesh = read_mesh(file);
+        if (mesh.name.find("house") == std::string::npos) continue;
+        const OpenedBlob house(mesh);
+        require_sound_walks(house.blob, mesh.name, scaled(1'000));
+        is_skipped = false;
     }
+    if (is_skipped) MESSAGE("SKIPPED: no mesh with the name house in the folder ESPALIER_MESHES");
+}
 
-    TEST_CASE("controller: random walks in a building leave no overlap and no tunnel") {
-        const OpenedBlob level(make_level(4'000, 5));
-        require_sound_walks(level.blob, "building", scaled(1'000));
-    }
-
-    TEST_CASE("controller: random walks in the house of the meshes at hand") {
-        bool is_skipped = true;
-        for (const auto& file : mesh_files()) {
-            const Mesh mesh = read_mesh(file);
-            if (mesh.name.find("house") == std::string::npos) continue;
-            const OpenedBlob house(mesh);
-            require_sound_walks(house.blob, mesh.name, scaled(1'000));
-            is_skipped = false;
-        }
-        if (is_skipped) MESSAGE("SKIPPED: no mesh with the name house in the folder ESPALIER_MESHES");
-    }
-
-    TEST_CASE("controller: a character under a ceiling that sinks slides along floor and ceiling") {
-        const OpenedBlob arena(make_arena());
-        for (int way = 0; way < 60; ++way) {
-            CAPTURE(way);
-            Character character;
-            character.position = {-0.5f + 0.02f * static_cast<float>(way), -3.7f, 0.93f};
-            // Until the ceiling is a skin away, then mostly along it.
-            for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {0.0f, 4.0f, 0.0f}, 1.0f / 60.0f);
-            const float before = character.position.x;
-            for (int tick = 0; tick < 10; ++tick)
-                update(arena.blob, character, {4.0f, 0.01f * static_cast<float>(way), 0.0f}, 1.0f / 60.0f);
-            CHECK(character.position.x > before + 0.3f);
-            CHECK(overlaps(arena.blob, character.body()).no());
-        }
-    }
-
-    TEST_CASE("controller: a walk that no sweep takes leaves the character where it was") {
-        const OpenedBlob arena(make_arena());
-        for (const float speed :
-             {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 3e38f})
-            for (const bool on_ground : {false, true}) {
-                CAPTURE(speed);
-                CAPTURE(on_ground);
-                Character character;
-                character.position = {0.8f, 3.5f, 1.0f};
-                character.on_ground = on_ground;
-                update(arena.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
-                CHECK(character.position.x == 0.8f);
-                CHECK(character.position.y == 3.5f);
-                CHECK(overlaps(arena.blob, character.body()).no());
-                for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {-1.0f, 0.0f, 0.0f}, 1.0f / 60.0f);
-                CHECK(character.on_ground);
-                CHECK(character.position.x < 0.0f);
-            }
-    }
-
-    TEST_CASE("controller: a character climbs stairs and stands on the platform") {
-        const OpenedBlob arena(make_arena());
+TEST_CASE("controller: a character under a ceiling that sinks slides along floor and ceiling") {
+    const OpenedBlob arena(make_arena());
+    for (int way = 0; way < 60; ++way) {
+        CAPTURE(way);
         Character character;
-        character.position = {0.8f, 3.5f, 1.0f};
-        for (int tick = 0; tick < 120; ++tick) update(arena.blob, character, {2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
-        CHECK(character.on_ground);
-        CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.5).epsilon(0.01));
-        // Down again, without leaving the ground.
-        int in_the_air = 0;
-        for (int tick = 0; tick < 120; ++tick) {
-            update(arena.blob, character, {-2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
-            in_the_air += character.on_ground ? 0 : 1;
-        }
-        CHECK(in_the_air == 0);
-        CHECK(static_cast<double>(character.position.z) == doctest::Approx(0.9).epsilon(0.01));
-    }
-
-    TEST_CASE("controller: a character climbs edges up to the height of its step and no higher") {
-        for (const float height : {0.33f, 0.37f, 0.45f, 0.6f})
-            for (const float speed : {1.0f, 2.5f, 6.0f}) {
-                CAPTURE(height);
-                CAPTURE(speed);
-                Mesh mesh;
-                add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
-                add_block(mesh, {1, -3, 0}, {9, 3, height});
-                const OpenedBlob level(mesh);
-                Character character;
-                character.position = {0.0f, 0.0f, 1.0f};
-                const int ticks = static_cast<int>(180.0f / speed);
-                for (int tick = 0; tick < ticks; ++tick)
-                    update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
-                const bool is_up = static_cast<double>(character.position.z) > 0.9 + 0.5 * static_cast<double>(height);
-                CHECK(is_up == (height < character.step_height));
-            }
-    }
-
-    TEST_CASE("controller: a character climbs stairs whichever of their triangles come first") {
-        for (const bool riser_first : {false, true})
-            for (const float speed : {1.0f, 2.5f, 6.0f}) {
-                CAPTURE(riser_first);
-                CAPTURE(speed);
-                Mesh mesh;
-                add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
-                for (int step = 0; step < 6; ++step) {
-                    const float x = 1.0f + 0.3f * static_cast<float>(step), z = 0.2f * static_cast<float>(step);
-                    const float end = step < 5 ? x + 0.3f : 12.0f;
-                    if (riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
-                    add_quad(mesh, {x, -3, z + 0.2f}, {end, -3, z + 0.2f}, {end, 3, z + 0.2f}, {x, 3, z + 0.2f});
-                    if (!riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
-                }
-                const OpenedBlob level(mesh);
-                Character character;
-                character.position = {0.0f, 0.0f, 0.91f};
-                for (int tick = 0; tick < static_cast<int>(300.0f / speed); ++tick)
-                    update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
-                CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.1).epsilon(0.01));
-            }
-    }
-
-    TEST_CASE("controller: a character that walks into a wedge walks out of it") {
-        for (const double degrees : {2.0, 10.0, 20.0, 24.0, 26.0, 30.0})
-            for (const float speed : {4.0f, 40.0f})
-                for (const float aside : {0.0f, 0.7f}) {
-                    CAPTURE(degrees);
-                    CAPTURE(speed);
-                    const auto slope = static_cast<float>(std::tan(degrees * 3.14159265358979 / 180.0));
-                    Mesh ceiling, corner;
-                    for (Mesh* mesh : {&ceiling, &corner})
-                        add_quad(*mesh, {-12, -12, 0}, {30, -12, 0}, {30, 12, 0}, {-12, 12, 0});
-                    add_quad(ceiling, {0, -12, 2.0f}, {20, -12, 2.0f - 20 * slope}, {20, 12, 2.0f - 20 * slope},
-                             {0, 12, 2.0f});
-                    add_wall(corner, 0, 1.0f, 20, 1.0f - 20 * slope, 0, 4);
-                    add_wall(corner, 0, -1.0f, 20, -1.0f, 0, 4);
-                    for (const Mesh* mesh : {&ceiling, &corner}) {
-                        const OpenedBlob level(*mesh);
-                        Character character;
-                        character.position = {-2.0f, 0.0f, 0.91f};
-                        const auto walk = [&](float x, float y) {
-                            for (int tick = 0; tick < 600; ++tick)
-                                update(level.blob, character, {x, y, 0.0f}, 1.0f / 60.0f);
-                        };
-                        walk(speed, aside);
-                        const float deep = character.position.x;
-                        walk(-speed, 0.0f);
-                        CHECK(character.position.x < deep - 1.0f);
-                    }
-                }
+        character.position = {-0.5f + 0.02f * static_cast<float>(way), -3.7f, 0.93f};
+        // Until the ceiling is a skin away, then mostly along it.
+        for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {0.0f, 4.0f, 0.0f}, 1.0f / 60.0f);
+        const float before = character.position.x;
+        for (int tick = 0; tick < 10; ++tick)
+            update(arena.blob, character, {4.0f, 0.01f * static_cast<float>(way), 0.0f}, 1.0f / 60.0f);
+        CHECK(character.position.x > before + 0.3f);
+        CHECK(overlaps(arena.blob, character.body()).no());
     }
 }
+
+TEST_CASE("controller: a walk that no sweep takes leaves the character where it was") {
+    const OpenedBlob arena(make_arena());
+    for (const float speed : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 3e38f})
+        for (const bool on_ground : {false, true}) {
+            CAPTURE(speed);
+            CAPTURE(on_ground);
+            Character character;
+            character.position = {0.8f, 3.5f, 1.0f};
+            character.on_ground = on_ground;
+            update(arena.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+            CHECK(character.position.x == 0.8f);
+            CHECK(character.position.y == 3.5f);
+            CHECK(overlaps(arena.blob, character.body()).no());
+            for (int tick = 0; tick < 60; ++tick) update(arena.blob, character, {-1.0f, 0.0f, 0.0f}, 1.0f / 60.0f);
+            CHECK(character.on_ground);
+            CHECK(character.position.x < 0.0f);
+        }
+}
+
+TEST_CASE("controller: a character climbs stairs and stands on the platform") {
+    const OpenedBlob arena(make_arena());
+    Character character;
+    character.position = {0.8f, 3.5f, 1.0f};
+    for (int tick = 0; tick < 120; ++tick) update(arena.blob, character, {2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
+    CHECK(character.on_ground);
+    CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.5).epsilon(0.01));
+    // Down again, without leaving the ground.
+    int in_the_air = 0;
+    for (int tick = 0; tick < 120; ++tick) {
+        update(arena.blob, character, {-2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
+        in_the_air += character.on_ground ? 0 : 1;
+    }
+    CHECK(in_the_air == 0);
+    CHECK(static_cast<double>(character.position.z) == doctest::Approx(0.9).epsilon(0.01));
+}
+
+TEST_CASE("controller: a character climbs edges up to the height of its step and no higher") {
+    for (const float height : {0.33f, 0.37f, 0.45f, 0.6f})
+        for (const float speed : {1.0f, 2.5f, 6.0f}) {
+            CAPTURE(height);
+            CAPTURE(speed);
+            Mesh mesh;
+            add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+            add_block(mesh, {1, -3, 0}, {9, 3, height});
+            const OpenedBlob level(mesh);
+            Character character;
+            character.position = {0.0f, 0.0f, 1.0f};
+            const int ticks = static_cast<int>(180.0f / speed);
+            for (int tick = 0; tick < ticks; ++tick) update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+            const bool is_up = static_cast<double>(character.position.z) > 0.9 + 0.5 * static_cast<double>(height);
+            CHECK(is_up == (height < character.step_height));
+        }
+}
+
+TEST_CASE("controller: a character climbs stairs whichever of their triangles come first") {
+    for (const bool riser_first : {false, true})
+        for (const float speed : {1.0f, 2.5f, 6.0f}) {
+            CAPTURE(riser_first);
+            CAPTURE(speed);
+            Mesh mesh;
+            add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+            for (int step = 0; step < 6; ++step) {
+                const float x = 1.0f + 0.3f * static_cast<float>(step), z = 0.2f * static_cast<float>(step);
+                const float end = step < 5 ? x + 0.3f : 12.0f;
+                if (riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
+                add_quad(mesh, {x, -3, z + 0.2f}, {end, -3, z + 0.2f}, {end, 3, z + 0.2f}, {x, 3, z + 0.2f});
+                if (!riser_first) add_wall(mesh, x, -3, x, 3, z, z + 0.2f);
+            }
+            const OpenedBlob level(mesh);
+            Character character;
+            character.position = {0.0f, 0.0f, 0.91f};
+            for (int tick = 0; tick < static_cast<int>(300.0f / speed); ++tick)
+                update(level.blob, character, {speed, 0.0f, 0.0f}, 1.0f / 60.0f);
+            CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.1).epsilon(0.01));
+        }
+}
+
+TEST_CASE("controller: a character that walks into a wedge walks out of it") {
+    for (const double degrees : {2.0, 10.0, 20.0, 24.0, 26.0, 30.0})
+        for (const float speed : {4.0f, 40.0f})
+            for (const float aside : {0.0f, 0.7f}) {
+                CAPTURE(degrees);
+                CAPTURE(speed);
+                const auto slope = static_cast<float>(std::tan(degrees * 3.14159265358979 / 180.0));
+                Mesh ceiling, corner;
+                for (Mesh* mesh : {&ceiling, &corner})
+                    add_quad(*mesh, {-12, -12, 0}, {30, -12, 0}, {30, 12, 0}, {-12, 12, 0});
+                add_quad(ceiling, {0, -12, 2.0f}, {20, -12, 2.0f - 20 * slope}, {20, 12, 2.0f - 20 * slope},
+                         {0, 12, 2.0f});
+                add_wall(corner, 0, 1.0f, 20, 1.0f - 20 * slope, 0, 4);
+                add_wall(corner, 0, -1.0f, 20, -1.0f, 0, 4);
+                for (const Mesh* mesh : {&ceiling, &corner}) {
+                    const OpenedBlob level(*mesh);
+                    Character character;
+                    character.position = {-2.0f, 0.0f, 0.91f};
+                    const auto walk = [&](float x, float y) {
+                        for (int tick = 0; tick < 600; ++tick)
+                            update(level.blob, character, {x, y, 0.0f}, 1.0f / 60.0f);
+                    };
+                    walk(speed, aside);
+                    const float deep = character.position.x;
+                    walk(-speed, 0.0f);
+                    CHECK(character.position.x < deep - 1.0f);
+                }
+            }
+}
+
+}  // namespace
+}  // namespace espalier::tests::character_test

@@ -19,11 +19,10 @@
 
 #include "touched.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using detail::contacts::TrianglesTouch;
-
+namespace espalier::tests::touch_pair_test {
 namespace {
+
+using detail::contacts::TrianglesTouch;
 
 /// A triangle that often touches another one: at a corner, along a side, in its plane, or across it; also without area.
 GridTriangle triangle_near(Random& random, unsigned bits, const GridTriangle& t) {
@@ -97,77 +96,76 @@ Points clipped(Points polygon, const Points& triangle) {
     return polygon;
 }
 
-}  // namespace
-
-TEST_SUITE("touch pair") {
-    TEST_CASE("pair: two triangles have the points and the way out of the reference") {
-        Random random(21);
-        const std::uint64_t count = scaled(10'000);
-        std::uint64_t touching = 0, polygons = 0, segments = 0;
-        double worst_point = 0.0, worst_depth = 0.0;
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const unsigned bits = 2 + random.below(21);
-            const GridTriangle a = some_triangle(random, bits), b = triangle_near(random, bits, a);
-            TrianglesTouch touch;
-            detail::contacts::touch_triangles(lattice_triangle(a), lattice_triangle(b), touch);
-            CAPTURE(i);
-            REQUIRE((touch.count > 0) == detail::triangles_meet(lattice_triangle(a), lattice_triangle(b)));
-            if (touch.count == 0) continue;
-            ++touching;
-            const Points of_a = corners_of(a), of_b = corners_of(b);
-            double size = 1.0, side = 1.0;
-            for (const Points* corners : {&of_a, &of_b}) {
-                for (unsigned k = 0; k < 3; ++k) {
-                    size = std::max(size, reference::length((*corners)[k] - of_a[0]));
-                    side = std::max(side, reference::length((*corners)[k] - (*corners)[(k + 1) % 3]));
-                }
+TEST_CASE("pair: two triangles have the points and the way out of the reference") {
+    Random random(21);
+    const std::uint64_t count = scaled(10'000);
+    std::uint64_t touching = 0, polygons = 0, segments = 0;
+    double worst_point = 0.0, worst_depth = 0.0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 2 + random.below(21);
+        const GridTriangle a = some_triangle(random, bits), b = triangle_near(random, bits, a);
+        TrianglesTouch touch;
+        detail::contacts::touch_triangles(lattice_triangle(a), lattice_triangle(b), touch);
+        CAPTURE(i);
+        REQUIRE((touch.count > 0) == detail::triangles_meet(lattice_triangle(a), lattice_triangle(b)));
+        if (touch.count == 0) continue;
+        ++touching;
+        const Points of_a = corners_of(a), of_b = corners_of(b);
+        double size = 1.0, side = 1.0;
+        for (const Points* corners : {&of_a, &of_b}) {
+            for (unsigned k = 0; k < 3; ++k) {
+                size = std::max(size, reference::length((*corners)[k] - of_a[0]));
+                side = std::max(side, reference::length((*corners)[k] - (*corners)[(k + 1) % 3]));
             }
-            // The points: in both triangles, and around all that the reference has.
-            Points found;
-            for (unsigned k = 0; k < touch.count; ++k) found.push_back(point_of(touch.point[k]));
-            // The kernel counts from the lattice's origin, where a float holds 24 bits.
-            const double error = side * 0x1p-21 + std::ldexp(1.0, static_cast<int>(bits)) * 0x1p-23;
-            for (const Point& p : found) {
-                const double off = std::sqrt(std::max(reference::squared_distance(p, {of_a[0], of_a[1], of_a[2]}),
-                                                      reference::squared_distance(p, {of_b[0], of_b[1], of_b[2]})));
-                worst_point = std::max(worst_point, off / error);
-                REQUIRE(off <= error);
-            }
-            for (std::size_t k = 0; k < found.size(); ++k)
-                for (std::size_t other = 0; other < k; ++other)
-                    if (bits < 9) REQUIRE(reference::length(found[k] - found[other]) > 1e-3);  // each once
-            Points expected;
-            const bool lie_in_one_plane = [&] {
-                const oracle::Triangle t = exact_triangle(a), o = exact_triangle(b);
-                const oracle::Point normal = oracle::normal_of(t);
-                for (const oracle::Point* p : {&o.a, &o.b, &o.c})
-                    if (normal.dot(*p - t.a) != oracle::Rational(0)) return false;
-                return true;
-            }();
-            if (lie_in_one_plane) {
-                ++polygons;
-                if (bits < 14) expected = clipped(of_b, of_a);
-                REQUIRE(touch.depth <= size * 0x1p-20);
-            } else {
-                ++segments;
-                add_crossings(b, a, expected);
-                if (has_area(b)) add_crossings(a, b, expected);
-                REQUIRE(touch.count <= 2);
-            }
-            for (const Point& p : expected) REQUIRE(reference::signed_separation({p}, found) <= error);
-            // The way out.
-            const double depth = static_cast<double>(touch.depth), slack = size * 0x1p-20;
-            const double least = -reference::signed_separation(of_a, of_b);
-            worst_depth = std::max(worst_depth, std::abs(depth - least) / size);
-            REQUIRE(std::abs(depth - least) <= slack);
-            const Point normal = point_of(touch.normal);
-            REQUIRE(std::abs(reference::length(normal) - 1.0) < 1e-6);
-            REQUIRE(reference::gap_along(normal, of_b, of_a) >= -depth - slack);
         }
-        CHECK(touching > count / 4);
-        CHECK(polygons > count / 20);
-        CHECK(segments > count / 8);
-        MESSAGE(count, " pairs, ", touching, " touch, ", polygons, " in one plane; worst error of points ", worst_point,
-                " of the bound, of depths ", worst_depth, " of the size");
+        // The points: in both triangles, and around all that the reference has.
+        Points found;
+        for (unsigned k = 0; k < touch.count; ++k) found.push_back(point_of(touch.point[k]));
+        // The kernel counts from the lattice's origin, where a float holds 24 bits.
+        const double error = side * 0x1p-21 + std::ldexp(1.0, static_cast<int>(bits)) * 0x1p-23;
+        for (const Point& p : found) {
+            const double off = std::sqrt(std::max(reference::squared_distance(p, {of_a[0], of_a[1], of_a[2]}),
+                                                  reference::squared_distance(p, {of_b[0], of_b[1], of_b[2]})));
+            worst_point = std::max(worst_point, off / error);
+            REQUIRE(off <= error);
+        }
+        for (std::size_t k = 0; k < found.size(); ++k)
+            for (std::size_t other = 0; other < k; ++other)
+                if (bits < 9) REQUIRE(reference::length(found[k] - found[other]) > 1e-3);  // each once
+        Points expected;
+        const bool lie_in_one_plane = [&] {
+            const oracle::Triangle t = exact_triangle(a), o = exact_triangle(b);
+            const oracle::Point normal = oracle::normal_of(t);
+            for (const oracle::Point* p : {&o.a, &o.b, &o.c})
+                if (normal.dot(*p - t.a) != oracle::Rational(0)) return false;
+            return true;
+        }();
+        if (lie_in_one_plane) {
+            ++polygons;
+            if (bits < 14) expected = clipped(of_b, of_a);
+            REQUIRE(touch.depth <= size * 0x1p-20);
+        } else {
+            ++segments;
+            add_crossings(b, a, expected);
+            if (has_area(b)) add_crossings(a, b, expected);
+            REQUIRE(touch.count <= 2);
+        }
+        for (const Point& p : expected) REQUIRE(reference::signed_separation({p}, found) <= error);
+        // The way out.
+        const double depth = static_cast<double>(touch.depth), slack = size * 0x1p-20;
+        const double least = -reference::signed_separation(of_a, of_b);
+        worst_depth = std::max(worst_depth, std::abs(depth - least) / size);
+        REQUIRE(std::abs(depth - least) <= slack);
+        const Point normal = point_of(touch.normal);
+        REQUIRE(std::abs(reference::length(normal) - 1.0) < 1e-6);
+        REQUIRE(reference::gap_along(normal, of_b, of_a) >= -depth - slack);
     }
+    CHECK(touching > count / 4);
+    CHECK(polygons > count / 20);
+    CHECK(segments > count / 8);
+    MESSAGE(count, " pairs, ", touching, " touch, ", polygons, " in one plane; worst error of points ", worst_point,
+            " of the bound, of depths ", worst_depth, " of the size");
 }
+
+}  // namespace
+}  // namespace espalier::tests::touch_pair_test

@@ -16,13 +16,12 @@
 
 #include "touched.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::touch_test {
+namespace {
+
 using detail::Integer3;
 using detail::contacts::Touches;
 using detail::contacts::operator*;
-
-namespace {
 
 Integer3 integer_point(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
@@ -38,111 +37,107 @@ detail::RoundedSegment segment_of(const GridPoint& from, const GridPoint& to) {
     return segment;
 }
 
-}  // namespace
-
-TEST_SUITE("touch") {
-    TEST_CASE("contact: a point has the distance and the direction of the reference") {
-        Random random(5);
-        double worst = 0.0;
-        const std::uint64_t count = scaled(20'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const unsigned bits = 2 + random.below(18);
-            const GridTriangle triangle = some_triangle(random, bits);
-            const GridPoint at = point_near(random, bits, triangle);
-            detail::RoundedPoint point{};
-            for (unsigned k = 0; k < 3; ++k) {
-                point.origin[k] = at[k];
-                point.steps[k] = static_cast<float>(at[k]);
-            }
-            Touches touches;
-            detail::contacts::touch_point(point, lattice_triangle(triangle), touches);
-            REQUIRE(touches.count == 1);
-            const double size = std::ldexp(1.0, static_cast<int>(bits));
-            require_right({{point_of(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
+TEST_CASE("contact: a point has the distance and the direction of the reference") {
+    Random random(5);
+    double worst = 0.0;
+    const std::uint64_t count = scaled(20'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 2 + random.below(18);
+        const GridTriangle triangle = some_triangle(random, bits);
+        const GridPoint at = point_near(random, bits, triangle);
+        detail::RoundedPoint point{};
+        for (unsigned k = 0; k < 3; ++k) {
+            point.origin[k] = at[k];
+            point.steps[k] = static_cast<float>(at[k]);
         }
-        MESSAGE(count, " points; worst error ", worst, " of the size");
+        Touches touches;
+        detail::contacts::touch_point(point, lattice_triangle(triangle), touches);
+        REQUIRE(touches.count == 1);
+        const double size = std::ldexp(1.0, static_cast<int>(bits));
+        require_right({{point_of(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
     }
-
-    TEST_CASE("contact: a segment has the distance or depth and the direction of the reference") {
-        Random random(6);
-        double worst = 0.0;
-        std::uint64_t deep = 0, several = 0;
-        const std::uint64_t count = scaled(10'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const unsigned bits = 2 + random.below(18);
-            const GridTriangle triangle = some_triangle(random, bits);
-            const GridPoint from = point_near(random, bits, triangle), to = point_near(random, bits, triangle);
-            Touches touches;
-            const double size = std::ldexp(1.0, static_cast<int>(bits));
-            detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle),
-                                            static_cast<float>(size) * 0.25f, touches);
-            REQUIRE(touches.count >= 1);
-            const Case asked = {{point_of(from), point_of(to)}, corners_of(triangle), size, size * 0x1p-18};
-            require_right(asked, touches, worst);
-            if (touches.touch[0].distance < 0.0f) ++deep;
-            if (touches.count > 1) ++several;
-        }
-        CHECK(deep > count / 100);
-        CHECK(several > count / 50);
-        MESSAGE(count, " segments, ", deep, " deep, ", several, " in several places; worst error ", worst,
-                " of the size");
-    }
-
-    TEST_CASE("contact: a box has the distance or depth and the direction of the reference") {
-        Random random(7);
-        Tally tally;
-        const std::uint64_t count = scaled(2'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const unsigned bits = 4 + random.below(16);
-            const GridTriangle triangle = some_triangle(random, bits);
-            const GridPoint at = point_near(random, bits, triangle);
-            detail::contacts::BoxBody box{};
-            box.center = integer_point(at);
-            const unsigned kind = random.below(4);  // turned, along the axes, flat, sheared
-            const float reach = static_cast<float>(1u << bits) * (random.coin() ? 0.02f : 0.3f);
-            const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
-            const Vec3 u = random.in_cube(reach), v = random.in_cube(reach);
-            box.half[0] = whole(u);
-            box.half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
-            box.half[2] = whole(kind == 3 ? random.in_cube(reach)
-                                          : detail::contacts::cross(box.half[0], box.half[1]) * (1.0f / reach));
-            if (kind == 1) {
-                box.half[0] = {std::round(u.x), 0.0f, 0.0f};
-                box.half[1] = {0.0f, std::round(u.y), 0.0f};
-                box.half[2] = {0.0f, 0.0f, std::round(u.z)};
-            }
-            if (kind == 2) box.half[random.below(3)] = {};
-            if (random.below(4) == 0) {  // along a side, or nearly
-                const GridPoint &from = random.coin() ? triangle.a : triangle.b, &to = triangle.c;
-                const Vec3 off = random.in_cube(random.coin() ? 0.0f : 40.0f);
-                box.half[random.below(3)] = whole({static_cast<float>(to[0] - from[0]) * 0.5f + off.x,
-                                                   static_cast<float>(to[1] - from[1]) * 0.5f + off.y,
-                                                   static_cast<float>(to[2] - from[2]) * 0.5f + off.z});
-            }
-            auto& units = box.units;
-            box.size = 0.0f;
-            for (unsigned k = 0; k < 3; ++k) {
-                const Vec3& h = box.half[k];
-                units[k] = {static_cast<std::int64_t>(h.x), static_cast<std::int64_t>(h.y),
-                            static_cast<std::int64_t>(h.z)};
-                box.size += std::abs(h.x) + std::abs(h.y) + std::abs(h.z);
-            }
-            for (unsigned k = 0; k < 3; ++k)
-                box.face[k] =
-                    detail::contacts::direction_of(detail::wide_cross(units[(k + 1) % 3], units[(k + 2) % 3]));
-            Points body;
-            for (unsigned corner = 0; corner < 8; ++corner) {
-                Point p = point_of(at);
-                for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half[k]);
-                body.push_back(p);
-            }
-            const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
-            const double error = size * 0x1p-18;
-            const float margin = static_cast<float>(size) * 0.1f;
-            Touches touches;
-            detail::contacts::touch_box(box, lattice_triangle(triangle), margin, touches);
-            tally.take({body, corners_of(triangle), size, error}, touches, margin);
-        }
-        tally.report(count, "boxes");
-    }
+    MESSAGE(count, " points; worst error ", worst, " of the size");
 }
+
+TEST_CASE("contact: a segment has the distance or depth and the direction of the reference") {
+    Random random(6);
+    double worst = 0.0;
+    std::uint64_t deep = 0, several = 0;
+    const std::uint64_t count = scaled(10'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 2 + random.below(18);
+        const GridTriangle triangle = some_triangle(random, bits);
+        const GridPoint from = point_near(random, bits, triangle), to = point_near(random, bits, triangle);
+        Touches touches;
+        const double size = std::ldexp(1.0, static_cast<int>(bits));
+        detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle),
+                                        static_cast<float>(size) * 0.25f, touches);
+        REQUIRE(touches.count >= 1);
+        const Case asked = {{point_of(from), point_of(to)}, corners_of(triangle), size, size * 0x1p-18};
+        require_right(asked, touches, worst);
+        if (touches.touch[0].distance < 0.0f) ++deep;
+        if (touches.count > 1) ++several;
+    }
+    CHECK(deep > count / 100);
+    CHECK(several > count / 50);
+    MESSAGE(count, " segments, ", deep, " deep, ", several, " in several places; worst error ", worst, " of the size");
+}
+
+TEST_CASE("contact: a box has the distance or depth and the direction of the reference") {
+    Random random(7);
+    Tally tally;
+    const std::uint64_t count = scaled(2'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 4 + random.below(16);
+        const GridTriangle triangle = some_triangle(random, bits);
+        const GridPoint at = point_near(random, bits, triangle);
+        detail::contacts::BoxBody box{};
+        box.center = integer_point(at);
+        const unsigned kind = random.below(4);  // turned, along the axes, flat, sheared
+        const float reach = static_cast<float>(1u << bits) * (random.coin() ? 0.02f : 0.3f);
+        const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
+        const Vec3 u = random.in_cube(reach), v = random.in_cube(reach);
+        box.half[0] = whole(u);
+        box.half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
+        box.half[2] = whole(kind == 3 ? random.in_cube(reach)
+                                      : detail::contacts::cross(box.half[0], box.half[1]) * (1.0f / reach));
+        if (kind == 1) {
+            box.half[0] = {std::round(u.x), 0.0f, 0.0f};
+            box.half[1] = {0.0f, std::round(u.y), 0.0f};
+            box.half[2] = {0.0f, 0.0f, std::round(u.z)};
+        }
+        if (kind == 2) box.half[random.below(3)] = {};
+        if (random.below(4) == 0) {  // along a side, or nearly
+            const GridPoint &from = random.coin() ? triangle.a : triangle.b, &to = triangle.c;
+            const Vec3 off = random.in_cube(random.coin() ? 0.0f : 40.0f);
+            box.half[random.below(3)] = whole({static_cast<float>(to[0] - from[0]) * 0.5f + off.x,
+                                               static_cast<float>(to[1] - from[1]) * 0.5f + off.y,
+                                               static_cast<float>(to[2] - from[2]) * 0.5f + off.z});
+        }
+        auto& units = box.units;
+        box.size = 0.0f;
+        for (unsigned k = 0; k < 3; ++k) {
+            const Vec3& h = box.half[k];
+            units[k] = {static_cast<std::int64_t>(h.x), static_cast<std::int64_t>(h.y), static_cast<std::int64_t>(h.z)};
+            box.size += std::abs(h.x) + std::abs(h.y) + std::abs(h.z);
+        }
+        for (unsigned k = 0; k < 3; ++k)
+            box.face[k] = detail::contacts::direction_of(detail::wide_cross(units[(k + 1) % 3], units[(k + 2) % 3]));
+        Points body;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            Point p = point_of(at);
+            for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half[k]);
+            body.push_back(p);
+        }
+        const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
+        const double error = size * 0x1p-18;
+        const float margin = static_cast<float>(size) * 0.1f;
+        Touches touches;
+        detail::contacts::touch_box(box, lattice_triangle(triangle), margin, touches);
+        tally.take({body, corners_of(triangle), size, error}, touches, margin);
+    }
+    tally.report(count, "boxes");
+}
+
+}  // namespace
+}  // namespace espalier::tests::touch_test

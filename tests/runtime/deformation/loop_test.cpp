@@ -22,9 +22,7 @@
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::deformation_loop_test {
 namespace {
 
 constexpr unsigned every_precision[] = {8, 16, 17, 24};
@@ -62,101 +60,100 @@ TestBlob test_blob_of(const DeformedMesh& moving) {
     return blob;
 }
 
-}  // namespace
-
-TEST_SUITE("loop") {
-    TEST_CASE("deformation: triangles have the corners of the positions and every box holds what is below it") {
-        for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>& positions, std::uint64_t) {
-            const DecodedBlob decoded = moving.decoded();
-            REQUIRE(decoded.triangles == moving.expected_triangles(positions));
-            REQUIRE(is_sound(decoded));
-        });
-    }
-
-    TEST_CASE("deformation: rays and segments equal the loop over the moved triangles") {
-        std::uint64_t hits = 0;
-        for_each_pose([&](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
-            const DecodedBlob decoded = moving.decoded();
-            const TriangleLoop loop(decoded);
-            QueryMaker maker(decoded, seed);
-            for (std::uint64_t i = 0; i < scaled(24); ++i) {
-                const Ray ray = maker.any_ray();
-                const auto difference = ray_difference(moving.deformable.blob(), loop, ray, hits);
-                REQUIRE_MESSAGE(!difference, *difference);
-                const Segment segment = {ray.origin, maker.any_ray().origin};
-                const auto other = segment_difference(moving.deformable.blob(), loop, segment);
-                REQUIRE_MESSAGE(!other, *other);
-            }
-        });
-        if (asks_enough()) CHECK(hits > 2000);
-    }
-
-    TEST_CASE("deformation: spheres and closest points equal the loop over the moved triangles") {
-        std::uint64_t hits = 0;
-        for_each_pose([&](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
-            const DecodedBlob decoded = moving.decoded();
-            const TriangleLoop loop(decoded);
-            QueryMaker maker(decoded, seed);
-            for (std::uint64_t i = 0; i < scaled(12); ++i) {
-                const auto difference = sphere_difference(moving.deformable.blob(), loop,
-                                                          i % 2 == 0 ? maker.sphere() : maker.random_sphere(), hits);
-                REQUIRE_MESSAGE(!difference, *difference);
-            }
-        });
-        if (asks_enough()) CHECK(hits > 2000);
-    }
-
-    TEST_CASE("deformation: volumes and distances and sweeps equal the loop over the moved triangles") {
-        for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
-            const DecodedBlob decoded = moving.decoded();
-            const TriangleLoop loop(decoded);
-            ShapeMaker shapes(decoded, seed);
-            SweepMaker sweeps(decoded, seed + 1);
-            for (std::uint64_t i = 0; i < scaled(6); ++i) {
-                const auto difference = loop_difference(moving.deformable.blob(), loop, shapes, sweeps);
-                REQUIRE_MESSAGE(!difference, *difference);
-            }
-        });
-    }
-
-    TEST_CASE("deformation: every instruction set gives the same answers in a pose") {
-        for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
-            Random random(seed);
-            for (std::uint64_t i = 0; i < scaled(4); ++i) {
-                const auto difference = path_difference(moving.deformable.blob(), random, true);
-                REQUIRE_MESSAGE(!difference, *difference);
-            }
-        });
-    }
-
-    TEST_CASE("deformation: every query answers within its promises in every pose") {
-        for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
-            Random random(seed);
-            REQUIRE_NOTHROW(exercise(moving.deformable.blob(), random, static_cast<unsigned>(scaled(2))));
-        });
-    }
-
-    TEST_CASE("deformation: pairs of moved meshes equal the loop over all pairs of triangles") {
-        PlacementCounts counts;
-        std::uint64_t seed = 3500;
-        const std::vector<Mesh> meshes = meshes_that_move();
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            DeformedMesh a(meshes[i], every_precision[i % 4]);
-            DeformedMesh b(meshes[(i + 1) % meshes.size()], every_precision[(i + 1) % 4]);
-            for (const Motion motion : every_motion) {
-                const std::string name = name_of(motion);
-                CAPTURE(a.mesh.name);
-                CAPTURE(name);
-                a.move_to(posed(a.mesh, motion));
-                b.move_to(posed(b.mesh, seed % 2 == 0 ? motion : Motion::twist, 0.5));
-                const TestBlob first = test_blob_of(a), second = test_blob_of(b);
-                const PairedBlob first_pair(first), second_pair(second);
-                PlacementMaker maker(first.decoded, second.decoded, ++seed);
-                for (std::uint64_t n = 0; n < scaled(4); ++n)
-                    check_placement(first_pair, second_pair, n % 2 == 0 ? maker.random() : maker.adversarial(),
-                                    {.distances = n % 4 == 0}, counts);
-            }
-        }
-        CHECK(counts.touching > 0);
-    }
+TEST_CASE("deformation: triangles have the corners of the positions and every box holds what is below it") {
+    for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>& positions, std::uint64_t) {
+        const DecodedBlob decoded = moving.decoded();
+        REQUIRE(decoded.triangles == moving.expected_triangles(positions));
+        REQUIRE(is_sound(decoded));
+    });
 }
+
+TEST_CASE("deformation: rays and segments equal the loop over the moved triangles") {
+    std::uint64_t hits = 0;
+    for_each_pose([&](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
+        const DecodedBlob decoded = moving.decoded();
+        const TriangleLoop loop(decoded);
+        QueryMaker maker(decoded, seed);
+        for (std::uint64_t i = 0; i < scaled(24); ++i) {
+            const Ray ray = maker.any_ray();
+            const auto difference = ray_difference(moving.deformable.blob(), loop, ray, hits);
+            REQUIRE_MESSAGE(!difference, *difference);
+            const Segment segment = {ray.origin, maker.any_ray().origin};
+            const auto other = segment_difference(moving.deformable.blob(), loop, segment);
+            REQUIRE_MESSAGE(!other, *other);
+        }
+    });
+    if (asks_enough()) CHECK(hits > 2000);
+}
+
+TEST_CASE("deformation: spheres and closest points equal the loop over the moved triangles") {
+    std::uint64_t hits = 0;
+    for_each_pose([&](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
+        const DecodedBlob decoded = moving.decoded();
+        const TriangleLoop loop(decoded);
+        QueryMaker maker(decoded, seed);
+        for (std::uint64_t i = 0; i < scaled(12); ++i) {
+            const auto difference = sphere_difference(moving.deformable.blob(), loop,
+                                                      i % 2 == 0 ? maker.sphere() : maker.random_sphere(), hits);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+    });
+    if (asks_enough()) CHECK(hits > 2000);
+}
+
+TEST_CASE("deformation: volumes and distances and sweeps equal the loop over the moved triangles") {
+    for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
+        const DecodedBlob decoded = moving.decoded();
+        const TriangleLoop loop(decoded);
+        ShapeMaker shapes(decoded, seed);
+        SweepMaker sweeps(decoded, seed + 1);
+        for (std::uint64_t i = 0; i < scaled(6); ++i) {
+            const auto difference = loop_difference(moving.deformable.blob(), loop, shapes, sweeps);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+    });
+}
+
+TEST_CASE("deformation: every instruction set gives the same answers in a pose") {
+    for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
+        Random random(seed);
+        for (std::uint64_t i = 0; i < scaled(4); ++i) {
+            const auto difference = path_difference(moving.deformable.blob(), random, true);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+    });
+}
+
+TEST_CASE("deformation: every query answers within its promises in every pose") {
+    for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
+        Random random(seed);
+        REQUIRE_NOTHROW(exercise(moving.deformable.blob(), random, static_cast<unsigned>(scaled(2))));
+    });
+}
+
+TEST_CASE("deformation: pairs of moved meshes equal the loop over all pairs of triangles") {
+    PlacementCounts counts;
+    std::uint64_t seed = 3500;
+    const std::vector<Mesh> meshes = meshes_that_move();
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        DeformedMesh a(meshes[i], every_precision[i % 4]);
+        DeformedMesh b(meshes[(i + 1) % meshes.size()], every_precision[(i + 1) % 4]);
+        for (const Motion motion : every_motion) {
+            const std::string name = name_of(motion);
+            CAPTURE(a.mesh.name);
+            CAPTURE(name);
+            a.move_to(posed(a.mesh, motion));
+            b.move_to(posed(b.mesh, seed % 2 == 0 ? motion : Motion::twist, 0.5));
+            const TestBlob first = test_blob_of(a), second = test_blob_of(b);
+            const PairedBlob first_pair(first), second_pair(second);
+            PlacementMaker maker(first.decoded, second.decoded, ++seed);
+            for (std::uint64_t n = 0; n < scaled(4); ++n)
+                check_placement(first_pair, second_pair, n % 2 == 0 ? maker.random() : maker.adversarial(),
+                                {.distances = n % 4 == 0}, counts);
+        }
+    }
+    CHECK(counts.touching > 0);
+}
+
+}  // namespace
+}  // namespace espalier::tests::deformation_loop_test

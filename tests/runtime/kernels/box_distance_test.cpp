@@ -15,18 +15,13 @@
 #include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
-using namespace espalier;
+namespace espalier::tests::box_distance_test {
+namespace {
+
 using detail::RoundedSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
-using tests::decisions_made;
-using tests::GridPoint;
-using tests::GridTriangle;
-using tests::Random;
-using tests::scaled;
-
-namespace {
 
 struct Case {
     GridTriangle triangle;
@@ -106,77 +101,76 @@ Rational exact_square(const Case& c) {
     return least;
 }
 
-}  // namespace
+TEST_CASE("kernel: the squared distance of box and triangle is within 6 ulp and 0 exactly at contact") {
+    std::uint64_t decided = 0;
+    Random random(1);
+    Rational worst = 0;
+    std::uint64_t touching = 0;
+    const std::uint64_t count = scaled(400);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case c = some_case(random);
+        const Rational expected = exact_square(c);
+        const SegmentDistance distance = detail::distance_to_box(c.box, tests::lattice_triangle(c.triangle));
+        CAPTURE(i);
+        ++decided;
+        REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
+        worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
+        REQUIRE(worst <= Rational(6));
+        if (expected.sign() == 0) ++touching;
 
-TEST_SUITE("box distance") {
-    TEST_CASE("kernel: the squared distance of box and triangle is within 6 ulp and 0 exactly at contact") {
-        std::uint64_t decided = 0;
-        Random random(1);
-        Rational worst = 0;
-        std::uint64_t touching = 0;
-        const std::uint64_t count = scaled(400);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case c = some_case(random);
-            const Rational expected = exact_square(c);
-            const SegmentDistance distance = detail::distance_to_box(c.box, tests::lattice_triangle(c.triangle));
-            CAPTURE(i);
-            ++decided;
-            REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
-            worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
-            REQUIRE(worst <= Rational(6));
-            if (expected.sign() == 0) ++touching;
-
-            // The point on the triangle that was named is no farther from the box, to the precision of the sizes.
-            REQUIRE(distance.u >= 0.0f);
-            REQUIRE(distance.v >= 0.0f);
-            const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
-            const Point at = triangle.a + (triangle.b - triangle.a) * Rational::of(distance.u) +
-                             (triangle.c - triangle.a) * Rational::of(distance.v);
-            Rational size = 0;
-            Rational squared = 0;
-            for (int k = 0; k < 3; ++k) {
-                const Rational low = Rational::of(c.box.from[k], -c.box.fraction_bits);
-                const Rational high = Rational::of(c.box.to[k], -c.box.fraction_bits);
-                size += oracle::absolute(triangle.b[k] - triangle.a[k]) +
-                        oracle::absolute(triangle.c[k] - triangle.a[k]) + high - low;
-                const Rational gap = at[k] < low ? low - at[k] : at[k] > high ? at[k] - high : Rational(0);
-                squared += gap * gap;
-            }
-            const Rational allowed = expected * (Rational(1) + Rational::of(6, -23));
-            const Rational slack = size * Rational::of(1, -21);
-            const Rational above = squared - allowed - slack * slack;
-            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * slack * slack * allowed));
+        // The point on the triangle that was named is no farther from the box, to the precision of the sizes.
+        REQUIRE(distance.u >= 0.0f);
+        REQUIRE(distance.v >= 0.0f);
+        const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
+        const Point at = triangle.a + (triangle.b - triangle.a) * Rational::of(distance.u) +
+                         (triangle.c - triangle.a) * Rational::of(distance.v);
+        Rational size = 0;
+        Rational squared = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Rational low = Rational::of(c.box.from[k], -c.box.fraction_bits);
+            const Rational high = Rational::of(c.box.to[k], -c.box.fraction_bits);
+            size += oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]) +
+                    high - low;
+            const Rational gap = at[k] < low ? low - at[k] : at[k] > high ? at[k] - high : Rational(0);
+            squared += gap * gap;
         }
-        CHECK(touching > count / 10);
-        CHECK(touching < count * 9 / 10);
-        MESSAGE(decisions_made("box and triangle that touch, by distance", decided));
+        const Rational allowed = expected * (Rational(1) + Rational::of(6, -23));
+        const Rational slack = size * Rational::of(1, -21);
+        const Rational above = squared - allowed - slack * slack;
+        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * slack * slack * allowed));
     }
-
-    TEST_CASE("kernel: a box within a radius of a triangle is decided exactly") {
-        std::uint64_t decided = 0;
-        Random random(2);
-        std::uint64_t exactly = 0;
-        const std::uint64_t count = scaled(150);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case c = some_case(random);
-            const auto triangle = tests::lattice_triangle(c.triangle);
-            const SegmentDistance distance = detail::distance_to_box(c.box, triangle);
-            const Rational squared = exact_square(c);
-            float radius = std::sqrt(distance.squared);
-            for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
-            for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
-                if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
-                const Rational square = Rational::of(radius) * Rational::of(radius);
-                CAPTURE(i);
-                CAPTURE(radius);
-                ++decided;
-                REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, radius) == (squared <= square));
-                if (squared == square) ++exactly;
-            }
-            REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, 1e30f));
-            REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, std::numeric_limits<float>::infinity()));
-        }
-        CHECK(exactly > count / 100);
-        MESSAGE(decisions_made("box and triangle within a radius", decided));
-    }
+    CHECK(touching > count / 10);
+    CHECK(touching < count * 9 / 10);
+    MESSAGE(decisions_made("box and triangle that touch, by distance", decided));
 }
+
+TEST_CASE("kernel: a box within a radius of a triangle is decided exactly") {
+    std::uint64_t decided = 0;
+    Random random(2);
+    std::uint64_t exactly = 0;
+    const std::uint64_t count = scaled(150);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case c = some_case(random);
+        const auto triangle = tests::lattice_triangle(c.triangle);
+        const SegmentDistance distance = detail::distance_to_box(c.box, triangle);
+        const Rational squared = exact_square(c);
+        float radius = std::sqrt(distance.squared);
+        for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
+        for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
+            if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
+            const Rational square = Rational::of(radius) * Rational::of(radius);
+            CAPTURE(i);
+            CAPTURE(radius);
+            ++decided;
+            REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, radius) == (squared <= square));
+            if (squared == square) ++exactly;
+        }
+        REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, 1e30f));
+        REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, std::numeric_limits<float>::infinity()));
+    }
+    CHECK(exactly > count / 100);
+    MESSAGE(decisions_made("box and triangle within a radius", decided));
+}
+
+}  // namespace
+}  // namespace espalier::tests::box_distance_test

@@ -21,8 +21,9 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::moving_box_test {
+namespace {
+
 using namespace espalier::tests::moving;
 using detail::Integer3;
 using detail::MovingBox;
@@ -33,8 +34,6 @@ using detail::whole_way;
 using oracle::BigInteger;
 using oracle::Point;
 using oracle::Rational;
-
-namespace {
 
 Case<MovingBox> some_box(Random& random) {
     for (;;) {
@@ -99,85 +98,84 @@ std::optional<Rational> exact_first_contact(const Case<MovingBox>& c) {
     return Rational(least->first, least->second);
 }
 
-}  // namespace
+TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
+    std::uint64_t decided = 0, along_axes = 0;
+    Random random(5);
+    std::array<std::uint64_t, 3> seen{};
+    const std::uint64_t count = scaled(1'500);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingBox> c = some_box(random);
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const std::optional<Rational> time = exact_first_contact(c);
+        CAPTURE(i);
+        ++decided;
+        REQUIRE(time.has_value() == (step != no_contact));
+        require_right_limits(c, step, random);
+        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+        if (!time) continue;
+        REQUIRE((time->sign() == 0) == (step == 0));
+        if (step == 0) continue;
+        REQUIRE(*time <= ticks(step));
+        REQUIRE(*time > ticks(step - 1));
 
-TEST_SUITE("moving box") {
-    TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
-        std::uint64_t decided = 0, along_axes = 0;
-        Random random(5);
-        std::array<std::uint64_t, 3> seen{};
-        const std::uint64_t count = scaled(1'500);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingBox> c = some_box(random);
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            const std::optional<Rational> time = exact_first_contact(c);
-            CAPTURE(i);
-            ++decided;
-            REQUIRE(time.has_value() == (step != no_contact));
-            require_right_limits(c, step, random);
-            ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-            if (!time) continue;
-            REQUIRE((time->sign() == 0) == (step == 0));
-            if (step == 0) continue;
-            REQUIRE(*time <= ticks(step));
-            REQUIRE(*time > ticks(step - 1));
-
-            // The normal separates, and looks against the way.
-            const SweepContact contact = contact_at(c.moving, c.triangle, step);
-            const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
-                               Rational::of(contact.normal.z));
-            const Point way = exact(c.moving.displacement);
-            REQUIRE(normal.dot(way).sign() < 0);
-            REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
-            const Point moved = way * ticks(step - 1);
-            Rational of_box = normal.dot(moved);
-            Rational size = 0;
-            for (int k = 0; k < 3; ++k) {
-                const auto axis = axes[k];
-                const std::int64_t low = c.moving.low.*axis, high = c.moving.high.*axis;
-                of_box += normal[k] * Rational(normal[k].sign() > 0 ? low : high);
-                size = std::max(
-                    {size, oracle::absolute(Rational(low) + moved[k]), oracle::absolute(Rational(high) + moved[k])});
-            }
-            Rational of_triangle = normal.dot(exact(c.triangle.corner[0]));
-            for (const Integer3& corner : c.triangle.corner) {
-                of_triangle = std::max(of_triangle, normal.dot(exact(corner)));
-                for (const auto axis : axes) size = std::max(size, oracle::absolute(Rational(corner.*axis)));
-            }
-            REQUIRE(of_box >= of_triangle - size * Rational::of(1, -20));
-
-            // The point lies on the triangle and in the box, as far as the header says.
-            const Point point = weighted(c.triangle, contact);
-            REQUIRE(contact.u >= -0x1p-20f);
-            REQUIRE(contact.v >= -0x1p-20f);
-            REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
-            // The feature is what is nearest along the normal, which is exact along a coordinate axis.
-            const float along[3] = {contact.normal.x, contact.normal.y, contact.normal.z};
-            for (int k = 0; k < 3; ++k) {
-                if (std::fabs(along[k]) != 1.0f || along[(k + 1) % 3] != 0.0f || along[(k + 2) % 3] != 0.0f) continue;
-                ++along_axes;
-                std::int64_t nearest = c.triangle.corner[0].*axes[k];
-                for (const Integer3& corner : c.triangle.corner)
-                    nearest = along[k] > 0.0f ? std::max(nearest, corner.*axes[k]) : std::min(nearest, corner.*axes[k]);
-                for (unsigned corner = 0; corner < 3; ++corner)
-                    REQUIRE((detail::corners_of(contact.feature) >> corner & 1u) ==
-                            (c.triangle.corner[corner].*axes[k] == nearest ? 1u : 0u));
-            }
-            for (int k = 0; k < 3; ++k) {
-                const auto axis = axes[k];
-                const Rational low = Rational(c.moving.low.*axis) + moved[k];
-                const Rational high = Rational(c.moving.high.*axis) + moved[k];
-                Rational largest = 0;
-                for (const Integer3& corner : c.triangle.corner)
-                    largest = std::max({largest, oracle::absolute(Rational(corner.*axis) - low),
-                                        oracle::absolute(Rational(corner.*axis) - high)});
-                const Rational grown = oracle::absolute(way[k]) * ticks(1) + largest * Rational::of(1, -19);
-                REQUIRE(point[k] >= low - grown);
-                REQUIRE(point[k] <= high + grown);
-            }
+        // The normal separates, and looks against the way.
+        const SweepContact contact = contact_at(c.moving, c.triangle, step);
+        const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
+                           Rational::of(contact.normal.z));
+        const Point way = exact(c.moving.displacement);
+        REQUIRE(normal.dot(way).sign() < 0);
+        REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+        const Point moved = way * ticks(step - 1);
+        Rational of_box = normal.dot(moved);
+        Rational size = 0;
+        for (int k = 0; k < 3; ++k) {
+            const auto axis = axes[k];
+            const std::int64_t low = c.moving.low.*axis, high = c.moving.high.*axis;
+            of_box += normal[k] * Rational(normal[k].sign() > 0 ? low : high);
+            size = std::max(
+                {size, oracle::absolute(Rational(low) + moved[k]), oracle::absolute(Rational(high) + moved[k])});
         }
-        for (const std::uint64_t number : seen) CHECK(number > count / 20);
-        CHECK(along_axes > count / 20);
-        MESSAGE(decisions_made("box that moves", decided));
+        Rational of_triangle = normal.dot(exact(c.triangle.corner[0]));
+        for (const Integer3& corner : c.triangle.corner) {
+            of_triangle = std::max(of_triangle, normal.dot(exact(corner)));
+            for (const auto axis : axes) size = std::max(size, oracle::absolute(Rational(corner.*axis)));
+        }
+        REQUIRE(of_box >= of_triangle - size * Rational::of(1, -20));
+
+        // The point lies on the triangle and in the box, as far as the header says.
+        const Point point = weighted(c.triangle, contact);
+        REQUIRE(contact.u >= -0x1p-20f);
+        REQUIRE(contact.v >= -0x1p-20f);
+        REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
+        // The feature is what is nearest along the normal, which is exact along a coordinate axis.
+        const float along[3] = {contact.normal.x, contact.normal.y, contact.normal.z};
+        for (int k = 0; k < 3; ++k) {
+            if (std::fabs(along[k]) != 1.0f || along[(k + 1) % 3] != 0.0f || along[(k + 2) % 3] != 0.0f) continue;
+            ++along_axes;
+            std::int64_t nearest = c.triangle.corner[0].*axes[k];
+            for (const Integer3& corner : c.triangle.corner)
+                nearest = along[k] > 0.0f ? std::max(nearest, corner.*axes[k]) : std::min(nearest, corner.*axes[k]);
+            for (unsigned corner = 0; corner < 3; ++corner)
+                REQUIRE((detail::corners_of(contact.feature) >> corner & 1u) ==
+                        (c.triangle.corner[corner].*axes[k] == nearest ? 1u : 0u));
+        }
+        for (int k = 0; k < 3; ++k) {
+            const auto axis = axes[k];
+            const Rational low = Rational(c.moving.low.*axis) + moved[k];
+            const Rational high = Rational(c.moving.high.*axis) + moved[k];
+            Rational largest = 0;
+            for (const Integer3& corner : c.triangle.corner)
+                largest = std::max({largest, oracle::absolute(Rational(corner.*axis) - low),
+                                    oracle::absolute(Rational(corner.*axis) - high)});
+            const Rational grown = oracle::absolute(way[k]) * ticks(1) + largest * Rational::of(1, -19);
+            REQUIRE(point[k] >= low - grown);
+            REQUIRE(point[k] <= high + grown);
+        }
     }
+    for (const std::uint64_t number : seen) CHECK(number > count / 20);
+    CHECK(along_axes > count / 20);
+    MESSAGE(decisions_made("box that moves", decided));
 }
+
+}  // namespace
+}  // namespace espalier::tests::moving_box_test

@@ -14,8 +14,9 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::moving_capsule_test {
+namespace {
+
 using namespace espalier::tests::moving;
 using detail::Integer3;
 using detail::MovingCapsule;
@@ -25,8 +26,6 @@ using detail::SweepStep;
 using detail::whole_way;
 using oracle::Point;
 using oracle::Rational;
-
-namespace {
 
 Case<MovingCapsule> some_capsule(Random& random) {
     for (;;) {
@@ -55,73 +54,72 @@ Case<MovingCapsule> some_capsule(Random& random) {
     }
 }
 
-}  // namespace
-
-TEST_SUITE("moving capsule") {
-    TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
-        std::uint64_t decided = 0;
-        Random random(4);
-        std::array<std::uint64_t, 3> seen{};
-        const std::uint64_t count = scaled(300);  // 284 meets two faces of the prism within one tick
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingCapsule> c = some_capsule(random);
-            CAPTURE(i);
-            if (touches_at_start(c)) {
-                ++seen[0];
-                continue;
-            }
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            REQUIRE(step > 0);
-            ++decided;
-            require_right_step(c, step);
-            require_right_limits(c, step, random);
-            ++seen[step == no_contact ? 1 : 2];
-            if (step == no_contact || !has_area(c.triangle)) continue;
-            // The named point is on the triangle and as far from the axis as the normal says.
-            const SweepContact contact = contact_at(c.moving, c.triangle, step);
-            const Point start = exact(c.moving.sphere.displacement) * ticks(detail::tick_before(step));
-            const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
-            const Point point = weighted(c.triangle, contact);
-            const std::array<Point, 1> named = {point};
-            const Rational distance = oracle::squared_distance(axis, exact(c.triangle));
-            const Rational from_point = oracle::squared_distance(axis, named);
-            REQUIRE(oracle::squared_distance(axis, moving::corners_of(c.triangle, contact.feature)) == distance);
-            // Of a capsule whose axis is parallel to a face several parts are equally near.
-            if (is_zero(c.moving.axis)) REQUIRE(moving::is_smallest_part(axis, c.triangle, contact.feature));
-            // The other end of the shortest connection: along the normal.
-            const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
-            // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.
-            const Rational way = length_bound(c.moving.sphere.displacement) * ticks(1);
-            const Rational more = slack + way;
-            const Rational above = from_point - distance - more * more;
-            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * more * more * distance));
+TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
+    std::uint64_t decided = 0;
+    Random random(4);
+    std::array<std::uint64_t, 3> seen{};
+    const std::uint64_t count = scaled(300);  // 284 meets two faces of the prism within one tick
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingCapsule> c = some_capsule(random);
+        CAPTURE(i);
+        if (touches_at_start(c)) {
+            ++seen[0];
+            continue;
         }
-        for (const std::uint64_t number : seen) CHECK(number > count / 20);
-        MESSAGE(decisions_made("capsule that moves", decided));
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        REQUIRE(step > 0);
+        ++decided;
+        require_right_step(c, step);
+        require_right_limits(c, step, random);
+        ++seen[step == no_contact ? 1 : 2];
+        if (step == no_contact || !has_area(c.triangle)) continue;
+        // The named point is on the triangle and as far from the axis as the normal says.
+        const SweepContact contact = contact_at(c.moving, c.triangle, step);
+        const Point start = exact(c.moving.sphere.displacement) * ticks(detail::tick_before(step));
+        const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
+        const Point point = weighted(c.triangle, contact);
+        const std::array<Point, 1> named = {point};
+        const Rational distance = oracle::squared_distance(axis, exact(c.triangle));
+        const Rational from_point = oracle::squared_distance(axis, named);
+        REQUIRE(oracle::squared_distance(axis, moving::corners_of(c.triangle, contact.feature)) == distance);
+        // Of a capsule whose axis is parallel to a face several parts are equally near.
+        if (is_zero(c.moving.axis)) REQUIRE(moving::is_smallest_part(axis, c.triangle, contact.feature));
+        // The other end of the shortest connection: along the normal.
+        const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
+        // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.
+        const Rational way = length_bound(c.moving.sphere.displacement) * ticks(1);
+        const Rational more = slack + way;
+        const Rational above = from_point - distance - more * more;
+        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * more * more * distance));
     }
-
-    TEST_CASE("kernel: a capsule leaves a triangle exactly if its axis gets no nearer") {
-        Random random(41);
-        std::array<std::uint64_t, 3> seen{};
-        const std::uint64_t count = scaled(400);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            Case<MovingCapsule> c = some_capsule(random);
-            if (random.coin()) c.moving.axis = {0, 0, 0};
-            CAPTURE(i);
-            // Near the triangle; then the axis comes nearer within the shortest time, or never.
-            if (random.coin())
-                for (Integer3& corner : c.triangle.corner) corner = plus(corner, Scene(random).some_point(3));
-            const auto distance_at = [&](const Rational& time) {
-                const Point start = exact(c.moving.sphere.displacement) * time;
-                const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
-                return oracle::squared_distance(axis, exact(c.triangle));
-            };
-            const Rational before = distance_at(0), soon = distance_at(Rational::of(1, -240));
-            const bool leaves = before.sign() > 0 && soon >= before;
-            REQUIRE(leaves_at_start(c.moving, c.triangle) == leaves);
-            ++seen[before.sign() == 0 ? 0 : leaves ? 1 : 2];
-        }
-        if (asks_enough())
-            for (const std::uint64_t number : seen) CHECK(number > count / 100);
-    }
+    for (const std::uint64_t number : seen) CHECK(number > count / 20);
+    MESSAGE(decisions_made("capsule that moves", decided));
 }
+
+TEST_CASE("kernel: a capsule leaves a triangle exactly if its axis gets no nearer") {
+    Random random(41);
+    std::array<std::uint64_t, 3> seen{};
+    const std::uint64_t count = scaled(400);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Case<MovingCapsule> c = some_capsule(random);
+        if (random.coin()) c.moving.axis = {0, 0, 0};
+        CAPTURE(i);
+        // Near the triangle; then the axis comes nearer within the shortest time, or never.
+        if (random.coin())
+            for (Integer3& corner : c.triangle.corner) corner = plus(corner, Scene(random).some_point(3));
+        const auto distance_at = [&](const Rational& time) {
+            const Point start = exact(c.moving.sphere.displacement) * time;
+            const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
+            return oracle::squared_distance(axis, exact(c.triangle));
+        };
+        const Rational before = distance_at(0), soon = distance_at(Rational::of(1, -240));
+        const bool leaves = before.sign() > 0 && soon >= before;
+        REQUIRE(leaves_at_start(c.moving, c.triangle) == leaves);
+        ++seen[before.sign() == 0 ? 0 : leaves ? 1 : 2];
+    }
+    if (asks_enough())
+        for (const std::uint64_t number : seen) CHECK(number > count / 100);
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_capsule_test

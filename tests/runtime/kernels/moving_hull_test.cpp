@@ -22,8 +22,9 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::moving_hull_test {
+namespace {
+
 using namespace espalier::tests::moving;
 using detail::Integer3;
 using detail::MovingHull;
@@ -34,8 +35,6 @@ using detail::whole_way;
 using oracle::BigInteger;
 using oracle::Point;
 using oracle::Rational;
-
-namespace {
 
 Integer3 point_of(const MovingHull& hull, unsigned i) { return {hull.point[i][0], hull.point[i][1], hull.point[i][2]}; }
 void add(MovingHull& hull, const Integer3& point) {
@@ -172,159 +171,157 @@ std::optional<Rational> exact_first_contact(const Case<MovingHull>& c) {
     return largest < 256 ? first_contact_in<Int>(c) : first_contact_in<BigInteger>(c);
 }
 
-}  // namespace
+TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
+    std::uint64_t decided = 0;
+    Random random(6);
+    std::array<std::uint64_t, 3> seen{};
+    std::uint64_t landings = 0;
+    const std::uint64_t count = scaled(1'500);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingHull> c = some_hull(random);
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const std::optional<Rational> time = exact_first_contact(c);
+        CAPTURE(i);
+        CAPTURE(describe(c));
+        ++decided;
+        REQUIRE(time.has_value() == (step != no_contact));
+        require_right_limits(c, step, random);
+        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+        if (!time) continue;
+        REQUIRE((time->sign() == 0) == (step == 0));
+        if (step == 0) continue;
+        REQUIRE(*time <= ticks(step));
+        REQUIRE(*time > ticks(step - 1));
 
-TEST_SUITE("moving hull") {
-    TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
-        std::uint64_t decided = 0;
-        Random random(6);
-        std::array<std::uint64_t, 3> seen{};
-        std::uint64_t landings = 0;
-        const std::uint64_t count = scaled(1'500);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingHull> c = some_hull(random);
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            const std::optional<Rational> time = exact_first_contact(c);
-            CAPTURE(i);
-            CAPTURE(describe(c));
-            ++decided;
-            REQUIRE(time.has_value() == (step != no_contact));
-            require_right_limits(c, step, random);
-            ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-            if (!time) continue;
-            REQUIRE((time->sign() == 0) == (step == 0));
-            if (step == 0) continue;
-            REQUIRE(*time <= ticks(step));
-            REQUIRE(*time > ticks(step - 1));
+        // The normal separates, and looks against the way.
+        const SweepContact contact = contact_at(c.moving, c.triangle, step);
+        const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
+                           Rational::of(contact.normal.z));
+        const Point way = exact(c.moving.displacement);
+        REQUIRE(normal.dot(way).sign() < 0);
+        REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+        const Point moved = way * *time;
+        std::optional<Rational> of_hull, of_triangle;
+        Rational size = 0;
+        const auto look_at = [&](const Point& at) {
+            for (int k = 0; k < 3; ++k) size = std::max(size, oracle::absolute(at[k] - exact(c.triangle.corner[0])[k]));
+            return Rational(normal.dot(at));
+        };
+        for (unsigned p = 0; p < c.moving.point_count; ++p) {
+            const Rational at = look_at(exact(point_of(c.moving, p)) + moved);
+            of_hull = of_hull ? std::min(*of_hull, at) : at;
+        }
+        for (const Integer3& corner : c.triangle.corner) {
+            const Rational at = look_at(exact(corner));
+            of_triangle = of_triangle ? std::max(*of_triangle, at) : at;
+        }
+        REQUIRE(*of_hull >= *of_triangle - size * Rational::of(1, -20));
 
-            // The normal separates, and looks against the way.
-            const SweepContact contact = contact_at(c.moving, c.triangle, step);
-            const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
-                               Rational::of(contact.normal.z));
-            const Point way = exact(c.moving.displacement);
-            REQUIRE(normal.dot(way).sign() < 0);
-            REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
-            const Point moved = way * *time;
-            std::optional<Rational> of_hull, of_triangle;
-            Rational size = 0;
-            const auto look_at = [&](const Point& at) {
-                for (int k = 0; k < 3; ++k)
-                    size = std::max(size, oracle::absolute(at[k] - exact(c.triangle.corner[0])[k]));
-                return Rational(normal.dot(at));
-            };
+        // Where the hull lands on the triangle's own plane, the normal is that plane's.
+        const Point corner = exact(c.triangle.corner[0]);
+        Point face = (exact(c.triangle.corner[1]) - corner).cross(exact(c.triangle.corner[2]) - corner);
+        if (face.dot(way).sign() > 0) face = face * Rational(-1);
+        if (face.dot(way).sign() != 0) {
+            std::optional<Rational> gap;
             for (unsigned p = 0; p < c.moving.point_count; ++p) {
-                const Rational at = look_at(exact(point_of(c.moving, p)) + moved);
-                of_hull = of_hull ? std::min(*of_hull, at) : at;
+                const Rational at = face.dot(exact(point_of(c.moving, p)) + moved - corner);
+                gap = gap ? std::min(*gap, at) : at;
             }
-            for (const Integer3& corner : c.triangle.corner) {
-                const Rational at = look_at(exact(corner));
-                of_triangle = of_triangle ? std::max(*of_triangle, at) : at;
-            }
-            REQUIRE(*of_hull >= *of_triangle - size * Rational::of(1, -20));
-
-            // Where the hull lands on the triangle's own plane, the normal is that plane's.
-            const Point corner = exact(c.triangle.corner[0]);
-            Point face = (exact(c.triangle.corner[1]) - corner).cross(exact(c.triangle.corner[2]) - corner);
-            if (face.dot(way).sign() > 0) face = face * Rational(-1);
-            if (face.dot(way).sign() != 0) {
-                std::optional<Rational> gap;
-                for (unsigned p = 0; p < c.moving.point_count; ++p) {
-                    const Rational at = face.dot(exact(point_of(c.moving, p)) + moved - corner);
-                    gap = gap ? std::min(*gap, at) : at;
-                }
-                if (gap->sign() == 0) {
-                    const Point off = normal.cross(face);
-                    REQUIRE(off.dot(off) <= face.dot(face) * Rational::of(1, -40));
-                    ++landings;
-                }
-            }
-
-            // The point lies on the triangle, and in the hull: between its ends along any axis.
-            REQUIRE(contact.u >= 0.0f);
-            REQUIRE(contact.v >= 0.0f);
-            REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
-            // The part of the triangle with the exact point alone is touched at the same time.
-            const float weights[3] = {1.0f - contact.u - contact.v, contact.u, contact.v};
-            const unsigned of_part = detail::corners_of(contact.feature);
-            Case<MovingHull> part = c;
-            for (unsigned outside = 0; outside < 3; ++outside) {
-                if ((of_part >> outside & 1u) != 0) continue;
-                REQUIRE(std::fabs(weights[outside]) <= 0x1p-20f);
-                for (unsigned other = 0; other < 3; ++other)
-                    if ((of_part >> other & 1u) != 0) part.triangle.corner[outside] = c.triangle.corner[other];
-            }
-            if (contact.feature != Feature::face) REQUIRE(exact_first_contact(part) == time);
-            // No smaller part has it: the weights of b and c are rounded from exact ones.
-            for (unsigned inside = 1; inside < 3; ++inside)
-                if ((of_part >> inside & 1u) != 0) REQUIRE(weights[inside] > 0.0f);
-            const Point point = weighted(c.triangle, contact);
-            for (unsigned axis = 0; axis < 8; ++axis) {
-                const Point along = axis == 0 ? normal : exact(Scene(random).some_point(4));
-                std::optional<Rational> low, high;
-                for (unsigned p = 0; p < c.moving.point_count; ++p) {
-                    const Rational at = along.dot(exact(point_of(c.moving, p)) + moved);
-                    low = low ? std::min(*low, at) : at;
-                    high = high ? std::max(*high, at) : at;
-                }
-                Rational length = 0;
-                for (int k = 0; k < 3; ++k) length += oracle::absolute(along[k]);
-                const Rational slack = length * size_of(c.triangle) * Rational::of(1, -20);
-                REQUIRE(along.dot(point) >= *low - slack);
-                REQUIRE(along.dot(point) <= *high + slack);
+            if (gap->sign() == 0) {
+                const Point off = normal.cross(face);
+                REQUIRE(off.dot(off) <= face.dot(face) * Rational::of(1, -40));
+                ++landings;
             }
         }
-        for (const std::uint64_t number : seen) CHECK(number > count / 20);
-        CHECK(landings > count / 20);
-        MESSAGE(decisions_made("hull that moves", decided), ", ", landings, " on the triangle's plane");
-    }
 
-    TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at the tick of the oracle") {
-        Random random(7);
-        std::uint64_t hits = 0;
-        for (std::uint64_t i = 0; i < scaled(20); ++i) {
-            Case<MovingHull> c{};
-            for (Integer3& corner : c.triangle.corner) {
-                corner.x = random.between(-60, 60);
-                corner.y = random.between(-60, 60);
-                corner.z = random.between(-20, 20);
-            }
-            c.moving.displacement = {random.between(-40, 40), random.between(-40, 40), -120};
-            while (c.moving.point_count < max_hull_vertices) {
-                Integer3 at = {random.between(-50, 50), random.between(-50, 50), random.between(-50, 50)};
-                const std::int64_t squared = at.x * at.x + at.y * at.y + at.z * at.z;
-                at.z += 70;
-                if (squared > 1900 && squared < 2500) add(c.moving, at);
-            }
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            const std::optional<Rational> time = exact_first_contact(c);
-            REQUIRE(time.has_value() == (step != no_contact));
-            if (!time || step == 0) continue;
-            REQUIRE(*time <= ticks(step));
-            REQUIRE(*time > ticks(step - 1));
-            ++hits;
+        // The point lies on the triangle, and in the hull: between its ends along any axis.
+        REQUIRE(contact.u >= 0.0f);
+        REQUIRE(contact.v >= 0.0f);
+        REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
+        // The part of the triangle with the exact point alone is touched at the same time.
+        const float weights[3] = {1.0f - contact.u - contact.v, contact.u, contact.v};
+        const unsigned of_part = detail::corners_of(contact.feature);
+        Case<MovingHull> part = c;
+        for (unsigned outside = 0; outside < 3; ++outside) {
+            if ((of_part >> outside & 1u) != 0) continue;
+            REQUIRE(std::fabs(weights[outside]) <= 0x1p-20f);
+            for (unsigned other = 0; other < 3; ++other)
+                if ((of_part >> other & 1u) != 0) part.triangle.corner[outside] = c.triangle.corner[other];
         }
-        if (asks_enough()) CHECK(hits > 0);
-    }
-
-    TEST_CASE("kernel: the plane that a moving hull met before changes no contact") {
-        Random random(8);
-        std::uint64_t late = 0;
-        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-            Case<MovingHull> c = some_hull(random);
-            detail::PlaneAhead plane;
-            SweepStep most = whole_way;
-            for (int neighbour = 0; neighbour < 6; ++neighbour) {
-                const SweepStep expected = first_contact(c.moving, c.triangle, most);
-                const bool has_plane = !plane.speed.is_zero();
-                REQUIRE(first_contact(c.moving, c.triangle, most, plane) == expected);
-                if (expected != no_contact) most = expected;
-                late += has_plane && expected == no_contact ? 1u : 0u;
-                // The next one shares two corners, or is a little farther.
-                const std::int64_t size = 1 + random.below(64);
-                Integer3& corner = c.triangle.corner[random.below(3)];
-                corner = random.coin() ? plus(corner, {size, -size, 1}) : plus(corner, {-1, size, size});
+        if (contact.feature != Feature::face) REQUIRE(exact_first_contact(part) == time);
+        // No smaller part has it: the weights of b and c are rounded from exact ones.
+        for (unsigned inside = 1; inside < 3; ++inside)
+            if ((of_part >> inside & 1u) != 0) REQUIRE(weights[inside] > 0.0f);
+        const Point point = weighted(c.triangle, contact);
+        for (unsigned axis = 0; axis < 8; ++axis) {
+            const Point along = axis == 0 ? normal : exact(Scene(random).some_point(4));
+            std::optional<Rational> low, high;
+            for (unsigned p = 0; p < c.moving.point_count; ++p) {
+                const Rational at = along.dot(exact(point_of(c.moving, p)) + moved);
+                low = low ? std::min(*low, at) : at;
+                high = high ? std::max(*high, at) : at;
             }
+            Rational length = 0;
+            for (int k = 0; k < 3; ++k) length += oracle::absolute(along[k]);
+            const Rational slack = length * size_of(c.triangle) * Rational::of(1, -20);
+            REQUIRE(along.dot(point) >= *low - slack);
+            REQUIRE(along.dot(point) <= *high + slack);
         }
-        if (asks_enough()) CHECK(late > 1'000);
     }
+    for (const std::uint64_t number : seen) CHECK(number > count / 20);
+    CHECK(landings > count / 20);
+    MESSAGE(decisions_made("hull that moves", decided), ", ", landings, " on the triangle's plane");
 }
+
+TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at the tick of the oracle") {
+    Random random(7);
+    std::uint64_t hits = 0;
+    for (std::uint64_t i = 0; i < scaled(20); ++i) {
+        Case<MovingHull> c{};
+        for (Integer3& corner : c.triangle.corner) {
+            corner.x = random.between(-60, 60);
+            corner.y = random.between(-60, 60);
+            corner.z = random.between(-20, 20);
+        }
+        c.moving.displacement = {random.between(-40, 40), random.between(-40, 40), -120};
+        while (c.moving.point_count < max_hull_vertices) {
+            Integer3 at = {random.between(-50, 50), random.between(-50, 50), random.between(-50, 50)};
+            const std::int64_t squared = at.x * at.x + at.y * at.y + at.z * at.z;
+            at.z += 70;
+            if (squared > 1900 && squared < 2500) add(c.moving, at);
+        }
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const std::optional<Rational> time = exact_first_contact(c);
+        REQUIRE(time.has_value() == (step != no_contact));
+        if (!time || step == 0) continue;
+        REQUIRE(*time <= ticks(step));
+        REQUIRE(*time > ticks(step - 1));
+        ++hits;
+    }
+    if (asks_enough()) CHECK(hits > 0);
+}
+
+TEST_CASE("kernel: the plane that a moving hull met before changes no contact") {
+    Random random(8);
+    std::uint64_t late = 0;
+    for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+        Case<MovingHull> c = some_hull(random);
+        detail::PlaneAhead plane;
+        SweepStep most = whole_way;
+        for (int neighbour = 0; neighbour < 6; ++neighbour) {
+            const SweepStep expected = first_contact(c.moving, c.triangle, most);
+            const bool has_plane = !plane.speed.is_zero();
+            REQUIRE(first_contact(c.moving, c.triangle, most, plane) == expected);
+            if (expected != no_contact) most = expected;
+            late += has_plane && expected == no_contact ? 1u : 0u;
+            // The next one shares two corners, or is a little farther.
+            const std::int64_t size = 1 + random.below(64);
+            Integer3& corner = c.triangle.corner[random.below(3)];
+            corner = random.coin() ? plus(corner, {size, -size, 1}) : plus(corner, {-1, size, size});
+        }
+    }
+    if (asks_enough()) CHECK(late > 1'000);
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_hull_test

@@ -16,8 +16,9 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::moving_sphere_test {
+namespace {
+
 using namespace espalier::tests::moving;
 using detail::Integer3;
 using detail::MovingSphere;
@@ -27,8 +28,6 @@ using detail::SweepStep;
 using detail::whole_way;
 using oracle::Point;
 using oracle::Rational;
-
-namespace {
 
 Case<MovingSphere> some_sphere(Random& random) {
     for (;;) {
@@ -40,93 +39,92 @@ Case<MovingSphere> some_sphere(Random& random) {
     }
 }
 
-}  // namespace
-
-TEST_SUITE("moving sphere") {
-    TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
-        std::uint64_t decided = 0;
-        Random random(1);
-        std::array<std::uint64_t, 3> seen{};
-        const std::uint64_t count = scaled(1'200);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingSphere> c = some_sphere(random);
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            CAPTURE(i);
-            ++decided;
-            require_right_step(c, step);
-            require_right_limits(c, step, random);
-            ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-        }
-        for (const std::uint64_t number : seen) CHECK(number > count / 20);
-        MESSAGE(decisions_made("sphere that moves", decided));
+TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
+    std::uint64_t decided = 0;
+    Random random(1);
+    std::array<std::uint64_t, 3> seen{};
+    const std::uint64_t count = scaled(1'200);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingSphere> c = some_sphere(random);
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        CAPTURE(i);
+        ++decided;
+        require_right_step(c, step);
+        require_right_limits(c, step, random);
+        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
     }
-
-    TEST_CASE("kernel: a moving sphere touches exactly where its segment comes within its radius") {
-        Random random(2);
-        std::uint64_t touched = 0;
-        std::uint64_t tried = 0;
-        const std::uint64_t count = scaled(40'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingSphere> c = some_sphere(random);
-            // Lattice triangles are small: those that fit are moved to where the lattice is.
-            detail::LatticeTriangle triangle;
-            detail::RoundedSegment path{};
-            bool fits = true;
-            for (unsigned k = 0; k < 3; ++k) {
-                const auto& t = c.triangle.corner;
-                const std::int64_t low = std::min({t[0].*axes[k], t[1].*axes[k], t[2].*axes[k]});
-                for (unsigned j = 0; j < 3; ++j) {
-                    fits = fits && t[j].*axes[k] - low < (1 << 24);
-                    triangle.corner[j][k] = static_cast<std::int32_t>(t[j].*axes[k] - low);
-                }
-                path.from[k] = -low;
-                path.to[k] = c.moving.displacement.*axes[k] - low;
-            }
-            if (!fits) continue;
-            ++tried;
-            CAPTURE(i);
-            const bool within =
-                is_within_radius(path, triangle, distance_to(path, triangle), static_cast<float>(c.moving.radius));
-            if (static_cast<std::int64_t>(static_cast<float>(c.moving.radius)) != c.moving.radius) continue;
-            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-            REQUIRE((step != no_contact) == within);
-            touched += within ? 1 : 0;
-        }
-        CHECK(tried > count / 2);
-        CHECK(touched > count / 4);
-    }
-
-    TEST_CASE("kernel: the contact of a sphere is the closest point and its normal leads to the centre") {
-        Random random(3);
-        const std::uint64_t count = scaled(1'500);
-        std::uint64_t apart = 0;
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case<MovingSphere> c = some_sphere(random);
-            if (!has_area(c.triangle)) continue;
-            const std::uint32_t tick = random.coin() ? 0 : random.below(whole_way + 1);
-            const SweepContact contact = contact_at(c.moving, c.triangle, tick);
-            CAPTURE(i);
-            const Point center = exact(c.moving.displacement) * ticks(tick);
-            const auto t = exact(c.triangle);
-            const oracle::ClosestPoint closest = oracle::closest_on_triangle({t[0], t[1], t[2]}, center);
-            const Point off = weighted(c.triangle, contact) - closest.point;
-            const Rational allowed = size_of(c.triangle) * Rational::of(1, -21);
-            for (int k = 0; k < 3; ++k) REQUIRE(oracle::absolute(off[k]) <= allowed);
-            REQUIRE(contact.u >= 0.0f);
-            REQUIRE(contact.v >= 0.0f);
-            const std::array<Point, 1> at = {center};
-            REQUIRE(oracle::squared_distance(at, moving::corners_of(c.triangle, contact.feature)) ==
-                    closest.squared_distance);
-            REQUIRE(is_smallest_part(at, c.triangle, contact.feature));
-            if (closest.squared_distance.sign() != 0) {
-                ++apart;
-                require_unit_along(center - closest.point, contact.normal);
-            } else {
-                const Point normal = oracle::normal_of({t[0], t[1], t[2]});
-                const bool along = normal.dot(exact(c.moving.displacement)).sign() > 0;
-                require_unit_along(along ? Point(-normal) : normal, contact.normal);
-            }
-        }
-        CHECK(apart > count / 4);
-    }
+    for (const std::uint64_t number : seen) CHECK(number > count / 20);
+    MESSAGE(decisions_made("sphere that moves", decided));
 }
+
+TEST_CASE("kernel: a moving sphere touches exactly where its segment comes within its radius") {
+    Random random(2);
+    std::uint64_t touched = 0;
+    std::uint64_t tried = 0;
+    const std::uint64_t count = scaled(40'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingSphere> c = some_sphere(random);
+        // Lattice triangles are small: those that fit are moved to where the lattice is.
+        detail::LatticeTriangle triangle;
+        detail::RoundedSegment path{};
+        bool fits = true;
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto& t = c.triangle.corner;
+            const std::int64_t low = std::min({t[0].*axes[k], t[1].*axes[k], t[2].*axes[k]});
+            for (unsigned j = 0; j < 3; ++j) {
+                fits = fits && t[j].*axes[k] - low < (1 << 24);
+                triangle.corner[j][k] = static_cast<std::int32_t>(t[j].*axes[k] - low);
+            }
+            path.from[k] = -low;
+            path.to[k] = c.moving.displacement.*axes[k] - low;
+        }
+        if (!fits) continue;
+        ++tried;
+        CAPTURE(i);
+        const bool within =
+            is_within_radius(path, triangle, distance_to(path, triangle), static_cast<float>(c.moving.radius));
+        if (static_cast<std::int64_t>(static_cast<float>(c.moving.radius)) != c.moving.radius) continue;
+        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        REQUIRE((step != no_contact) == within);
+        touched += within ? 1 : 0;
+    }
+    CHECK(tried > count / 2);
+    CHECK(touched > count / 4);
+}
+
+TEST_CASE("kernel: the contact of a sphere is the closest point and its normal leads to the centre") {
+    Random random(3);
+    const std::uint64_t count = scaled(1'500);
+    std::uint64_t apart = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case<MovingSphere> c = some_sphere(random);
+        if (!has_area(c.triangle)) continue;
+        const std::uint32_t tick = random.coin() ? 0 : random.below(whole_way + 1);
+        const SweepContact contact = contact_at(c.moving, c.triangle, tick);
+        CAPTURE(i);
+        const Point center = exact(c.moving.displacement) * ticks(tick);
+        const auto t = exact(c.triangle);
+        const oracle::ClosestPoint closest = oracle::closest_on_triangle({t[0], t[1], t[2]}, center);
+        const Point off = weighted(c.triangle, contact) - closest.point;
+        const Rational allowed = size_of(c.triangle) * Rational::of(1, -21);
+        for (int k = 0; k < 3; ++k) REQUIRE(oracle::absolute(off[k]) <= allowed);
+        REQUIRE(contact.u >= 0.0f);
+        REQUIRE(contact.v >= 0.0f);
+        const std::array<Point, 1> at = {center};
+        REQUIRE(oracle::squared_distance(at, moving::corners_of(c.triangle, contact.feature)) ==
+                closest.squared_distance);
+        REQUIRE(is_smallest_part(at, c.triangle, contact.feature));
+        if (closest.squared_distance.sign() != 0) {
+            ++apart;
+            require_unit_along(center - closest.point, contact.normal);
+        } else {
+            const Point normal = oracle::normal_of({t[0], t[1], t[2]});
+            const bool along = normal.dot(exact(c.moving.displacement)).sign() > 0;
+            require_unit_along(along ? Point(-normal) : normal, contact.normal);
+        }
+    }
+    CHECK(apart > count / 4);
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_sphere_test

@@ -16,18 +16,13 @@
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 
-using namespace espalier;
+namespace espalier::tests::point_triangle_test {
+namespace {
+
 using detail::PointDistance;
 using detail::RoundedPoint;
 using oracle::BigInteger;
 using oracle::Rational;
-using tests::decisions_made;
-using tests::GridPoint;
-using tests::GridTriangle;
-using tests::Random;
-using tests::scaled;
-
-namespace {
 
 Rational exact(detail::Int128 value) {
     const BigInteger low = BigInteger(static_cast<std::int64_t>(value.low >> 32)).shifted_left(32) +
@@ -103,134 +98,132 @@ bool some_case(Random& random, Case& result) {
     return some_point(random, bits, *triangle, result.point);
 }
 
-}  // namespace
-
-TEST_SUITE("point triangle") {
-    TEST_CASE("kernel: the squared distance of point and triangle is exact as a quotient and within 6 ulp") {
-        Random random(1);
-        Rational worst = 0;
-        std::uint64_t zero = 0;
-        std::uint64_t face = 0;
-        std::uint64_t checked = 0;
-        std::array<std::uint64_t, 7> features{};
-        const std::uint64_t count = scaled(20'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            Case c;
-            if (!some_case(random, c)) continue;
-            const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
-            const auto closest = oracle::closest_on_triangle(triangle, tests::exact_center(c.point));
-            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
-            REQUIRE(exact_square(distance, c.point.fraction_bits) == closest.squared_distance);
-            worst = std::max(worst, oracle::error_in_ulp(distance.squared, closest.squared_distance));
-            REQUIRE(distance.feature == exact_feature(triangle, closest.point));
-            ++features.at(static_cast<std::size_t>(distance.feature));
-            // The weights lead to the closest point, to the precision of the triangle's size.
-            const Rational u = Rational::of(distance.u);
-            const Rational v = Rational::of(distance.v);
-            const oracle::Point at = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
-            for (int k = 0; k < 3; ++k) {
-                const Rational size =
-                    oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]);
-                REQUIRE(oracle::absolute(at[k] - closest.point[k]) <= size * Rational::of(1, -22));
-            }
-            if (closest.squared_distance.sign() == 0) ++zero;
-            if (distance.square_numerator) ++face;
-            ++checked;
+TEST_CASE("kernel: the squared distance of point and triangle is exact as a quotient and within 6 ulp") {
+    Random random(1);
+    Rational worst = 0;
+    std::uint64_t zero = 0;
+    std::uint64_t face = 0;
+    std::uint64_t checked = 0;
+    std::array<std::uint64_t, 7> features{};
+    const std::uint64_t count = scaled(20'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Case c;
+        if (!some_case(random, c)) continue;
+        const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
+        const auto closest = oracle::closest_on_triangle(triangle, tests::exact_center(c.point));
+        const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+        REQUIRE(exact_square(distance, c.point.fraction_bits) == closest.squared_distance);
+        worst = std::max(worst, oracle::error_in_ulp(distance.squared, closest.squared_distance));
+        REQUIRE(distance.feature == exact_feature(triangle, closest.point));
+        ++features.at(static_cast<std::size_t>(distance.feature));
+        // The weights lead to the closest point, to the precision of the triangle's size.
+        const Rational u = Rational::of(distance.u);
+        const Rational v = Rational::of(distance.v);
+        const oracle::Point at = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
+        for (int k = 0; k < 3; ++k) {
+            const Rational size =
+                oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]);
+            REQUIRE(oracle::absolute(at[k] - closest.point[k]) <= size * Rational::of(1, -22));
         }
-        CHECK(worst <= Rational(6));
-        CHECK(checked > count / 2);
-        CHECK(zero > count / 100);
-        CHECK(face > count / 50);
-        for (const std::uint64_t met : features) CHECK(met > count / 100);
+        if (closest.squared_distance.sign() == 0) ++zero;
+        if (distance.square_numerator) ++face;
+        ++checked;
     }
-
-    TEST_CASE("kernel: the distance of a point from a triangle without area is that from its segment or point") {
-        Random random(3);
-        Rational worst = 0;
-        std::uint64_t zero = 0, checked = 0;
-        const std::uint64_t count = scaled(8'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            CAPTURE(i);
-            const unsigned bits = 1 + random.below(24);
-            Case c;
-            c.triangle = tests::flat_triangle(random, bits);
-            if (!some_point(random, bits, c.triangle, c.point)) continue;
-            const oracle::Triangle t = tests::exact_triangle(c.triangle);
-            const std::array<oracle::Point, 1> center = {tests::exact_center(c.point)};
-            const auto from = [&](std::vector<oracle::Point> hull) { return oracle::squared_distance(center, hull); };
-            const Rational expected = from({t.a, t.b, t.c});
-            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
-            REQUIRE(exact_square(distance, c.point.fraction_bits) == expected);
-            worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
-            // The feature that is named has the closest point.
-            const std::vector<oracle::Point> features[] = {{t.a, t.b, t.c}, {t.a, t.b}, {t.b, t.c}, {t.c, t.a},
-                                                           {t.a},           {t.b},      {t.c}};
-            const auto named = [&]() -> std::size_t {
-                switch (distance.feature) {
-                    case Feature::edge_ab:
-                        return 1;
-                    case Feature::edge_bc:
-                        return 2;
-                    case Feature::edge_ca:
-                        return 3;
-                    case Feature::vertex_a:
-                        return 4;
-                    case Feature::vertex_b:
-                        return 5;
-                    case Feature::vertex_c:
-                        return 6;
-                    default:
-                        return 0;
-                }
-            }();
-            REQUIRE(named != 0);
-            REQUIRE(from(features[named]) == expected);
-            // The weights lead there: sqrt(reached) <= sqrt(expected) + off, squared twice.
-            REQUIRE(distance.u >= 0.0f);
-            REQUIRE(distance.v >= 0.0f);
-            const oracle::Point at =
-                t.a + (t.b - t.a) * Rational::of(distance.u) + (t.c - t.a) * Rational::of(distance.v);
-            Rational size = 0;
-            for (int k = 0; k < 3; ++k) size += oracle::absolute(t.b[k] - t.a[k]) + oracle::absolute(t.c[k] - t.a[k]);
-            const Rational off = size * Rational::of(1, -22);
-            const Rational above = from({at}) - expected - off * off;
-            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * off * off * expected));
-            if (expected.sign() == 0) ++zero;
-            ++checked;
-        }
-        CHECK(worst <= Rational(6));
-        CHECK(checked > count / 2);
-        CHECK(zero > count / 100);
-    }
-
-    TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
-        std::uint64_t decided = 0;
-        Random random(2);
-        std::uint64_t touching = 0;
-        const std::uint64_t count = scaled(10'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            Case c;
-            const unsigned flat_bits = 1 + random.below(24);
-            const bool is_flat = random.below(4) == 0;
-            if (is_flat) c.triangle = tests::flat_triangle(random, flat_bits);
-            if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) continue;
-            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
-            const Rational squared = exact_square(distance, c.point.fraction_bits);
-            float radius = std::sqrt(distance.squared);
-            for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
-            for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
-                if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
-                const Rational exact_radius = Rational::of(radius);
-                const bool expected = squared <= exact_radius * exact_radius;
-                CAPTURE(radius);
-                ++decided;
-                REQUIRE(detail::is_within_radius(c.point, distance, radius) == expected);
-                if (squared == exact_radius * exact_radius) ++touching;
-            }
-            REQUIRE(detail::is_within_radius(c.point, distance, 1e30f));
-            REQUIRE(detail::is_within_radius(c.point, distance, std::numeric_limits<float>::infinity()));
-        }
-        CHECK(touching > count / 100);
-        MESSAGE(decisions_made("point and triangle within a radius", decided));
-    }
+    CHECK(worst <= Rational(6));
+    CHECK(checked > count / 2);
+    CHECK(zero > count / 100);
+    CHECK(face > count / 50);
+    for (const std::uint64_t met : features) CHECK(met > count / 100);
 }
+
+TEST_CASE("kernel: the distance of a point from a triangle without area is that from its segment or point") {
+    Random random(3);
+    Rational worst = 0;
+    std::uint64_t zero = 0, checked = 0;
+    const std::uint64_t count = scaled(8'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        CAPTURE(i);
+        const unsigned bits = 1 + random.below(24);
+        Case c;
+        c.triangle = tests::flat_triangle(random, bits);
+        if (!some_point(random, bits, c.triangle, c.point)) continue;
+        const oracle::Triangle t = tests::exact_triangle(c.triangle);
+        const std::array<oracle::Point, 1> center = {tests::exact_center(c.point)};
+        const auto from = [&](std::vector<oracle::Point> hull) { return oracle::squared_distance(center, hull); };
+        const Rational expected = from({t.a, t.b, t.c});
+        const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+        REQUIRE(exact_square(distance, c.point.fraction_bits) == expected);
+        worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
+        // The feature that is named has the closest point.
+        const std::vector<oracle::Point> features[] = {{t.a, t.b, t.c}, {t.a, t.b}, {t.b, t.c}, {t.c, t.a},
+                                                       {t.a},           {t.b},      {t.c}};
+        const auto named = [&]() -> std::size_t {
+            switch (distance.feature) {
+                case Feature::edge_ab:
+                    return 1;
+                case Feature::edge_bc:
+                    return 2;
+                case Feature::edge_ca:
+                    return 3;
+                case Feature::vertex_a:
+                    return 4;
+                case Feature::vertex_b:
+                    return 5;
+                case Feature::vertex_c:
+                    return 6;
+                default:
+                    return 0;
+            }
+        }();
+        REQUIRE(named != 0);
+        REQUIRE(from(features[named]) == expected);
+        // The weights lead there: sqrt(reached) <= sqrt(expected) + off, squared twice.
+        REQUIRE(distance.u >= 0.0f);
+        REQUIRE(distance.v >= 0.0f);
+        const oracle::Point at = t.a + (t.b - t.a) * Rational::of(distance.u) + (t.c - t.a) * Rational::of(distance.v);
+        Rational size = 0;
+        for (int k = 0; k < 3; ++k) size += oracle::absolute(t.b[k] - t.a[k]) + oracle::absolute(t.c[k] - t.a[k]);
+        const Rational off = size * Rational::of(1, -22);
+        const Rational above = from({at}) - expected - off * off;
+        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * off * off * expected));
+        if (expected.sign() == 0) ++zero;
+        ++checked;
+    }
+    CHECK(worst <= Rational(6));
+    CHECK(checked > count / 2);
+    CHECK(zero > count / 100);
+}
+
+TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
+    std::uint64_t decided = 0;
+    Random random(2);
+    std::uint64_t touching = 0;
+    const std::uint64_t count = scaled(10'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Case c;
+        const unsigned flat_bits = 1 + random.below(24);
+        const bool is_flat = random.below(4) == 0;
+        if (is_flat) c.triangle = tests::flat_triangle(random, flat_bits);
+        if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) continue;
+        const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+        const Rational squared = exact_square(distance, c.point.fraction_bits);
+        float radius = std::sqrt(distance.squared);
+        for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
+        for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
+            if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
+            const Rational exact_radius = Rational::of(radius);
+            const bool expected = squared <= exact_radius * exact_radius;
+            CAPTURE(radius);
+            ++decided;
+            REQUIRE(detail::is_within_radius(c.point, distance, radius) == expected);
+            if (squared == exact_radius * exact_radius) ++touching;
+        }
+        REQUIRE(detail::is_within_radius(c.point, distance, 1e30f));
+        REQUIRE(detail::is_within_radius(c.point, distance, std::numeric_limits<float>::infinity()));
+    }
+    CHECK(touching > count / 100);
+    MESSAGE(decisions_made("point and triangle within a radius", decided));
+}
+
+}  // namespace
+}  // namespace espalier::tests::point_triangle_test

@@ -14,18 +14,13 @@
 #include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
-using namespace espalier;
+namespace espalier::tests::segment_triangle_test {
+namespace {
+
 using detail::RoundedSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
-using tests::decisions_made;
-using tests::GridPoint;
-using tests::GridTriangle;
-using tests::Random;
-using tests::scaled;
-
-namespace {
 
 struct Case {
     GridTriangle triangle;
@@ -145,97 +140,96 @@ Rational exact_square(const Case& c) {
     return oracle::squared_distance(exact_segment(c.segment), triangle);
 }
 
-}  // namespace
+TEST_CASE("kernel: the squared distance of segment and triangle is within 6 ulp and 0 exactly at contact") {
+    std::uint64_t decided = 0;
+    Random random(1);
+    Rational worst = 0;
+    std::uint64_t touching = 0;
+    std::uint64_t inner = 0;
+    const std::uint64_t count = scaled(4'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case c = some_case(random);
+        const Rational expected = exact_square(c);
+        const SegmentDistance distance = detail::distance_to(c.segment, tests::lattice_triangle(c.triangle));
+        CAPTURE(i);
+        ++decided;
+        REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
+        worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
+        REQUIRE(worst <= Rational(6));
+        if (expected.sign() == 0) ++touching;
+        if (distance.along > 0.0f && distance.along < 1.0f) ++inner;
 
-TEST_SUITE("segment triangle") {
-    TEST_CASE("kernel: the squared distance of segment and triangle is within 6 ulp and 0 exactly at contact") {
-        std::uint64_t decided = 0;
-        Random random(1);
-        Rational worst = 0;
-        std::uint64_t touching = 0;
-        std::uint64_t inner = 0;
-        const std::uint64_t count = scaled(4'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case c = some_case(random);
-            const Rational expected = exact_square(c);
-            const SegmentDistance distance = detail::distance_to(c.segment, tests::lattice_triangle(c.triangle));
-            CAPTURE(i);
-            ++decided;
-            REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
-            worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
-            REQUIRE(worst <= Rational(6));
-            if (expected.sign() == 0) ++touching;
-            if (distance.along > 0.0f && distance.along < 1.0f) ++inner;
-
-            // The pair of points that was named is no farther apart, to the precision of the sizes.
-            REQUIRE(distance.along >= 0.0f);
-            REQUIRE(distance.along <= 1.0f);
-            REQUIRE(distance.u >= 0.0f);
-            REQUIRE(distance.v >= 0.0f);
-            const auto ends = exact_segment(c.segment);
-            const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
-            const Point on_segment = ends[0] + (ends[1] - ends[0]) * Rational::of(distance.along);
-            const Point on_triangle = triangle.a + (triangle.b - triangle.a) * Rational::of(distance.u) +
-                                      (triangle.c - triangle.a) * Rational::of(distance.v);
-            Rational size = 0;
-            for (int k = 0; k < 3; ++k) {
-                size += oracle::absolute(triangle.b[k] - triangle.a[k]) +
-                        oracle::absolute(triangle.c[k] - triangle.a[k]) + oracle::absolute(ends[1][k] - ends[0][k]);
-            }
-            const Point between = on_segment - on_triangle;
-            const Rational squared = between.dot(between);
-            // sqrt(squared) <= sqrt(allowed) + slack, squared twice.
-            const Rational allowed = expected * (Rational(1) + Rational::of(6, -23));
-            const Rational slack = size * Rational::of(1, -21);
-            const Rational above = squared - allowed - slack * slack;
-            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * slack * slack * allowed));
+        // The pair of points that was named is no farther apart, to the precision of the sizes.
+        REQUIRE(distance.along >= 0.0f);
+        REQUIRE(distance.along <= 1.0f);
+        REQUIRE(distance.u >= 0.0f);
+        REQUIRE(distance.v >= 0.0f);
+        const auto ends = exact_segment(c.segment);
+        const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
+        const Point on_segment = ends[0] + (ends[1] - ends[0]) * Rational::of(distance.along);
+        const Point on_triangle = triangle.a + (triangle.b - triangle.a) * Rational::of(distance.u) +
+                                  (triangle.c - triangle.a) * Rational::of(distance.v);
+        Rational size = 0;
+        for (int k = 0; k < 3; ++k) {
+            size += oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]) +
+                    oracle::absolute(ends[1][k] - ends[0][k]);
         }
-        CHECK(touching > count / 20);
-        CHECK(inner > count / 10);
-        MESSAGE(decisions_made("segment and triangle that touch", decided));
+        const Point between = on_segment - on_triangle;
+        const Rational squared = between.dot(between);
+        // sqrt(squared) <= sqrt(allowed) + slack, squared twice.
+        const Rational allowed = expected * (Rational(1) + Rational::of(6, -23));
+        const Rational slack = size * Rational::of(1, -21);
+        const Rational above = squared - allowed - slack * slack;
+        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * slack * slack * allowed));
     }
-
-    TEST_CASE("kernel: a segment within a radius of a triangle is decided exactly") {
-        std::uint64_t decided = 0;
-        Random random(2);
-        std::uint64_t exactly = 0;
-        const std::uint64_t count = scaled(2'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Case c = some_case(random);
-            const auto triangle = tests::lattice_triangle(c.triangle);
-            const SegmentDistance distance = detail::distance_to(c.segment, triangle);
-            const Rational squared = exact_square(c);
-            float radius = std::sqrt(distance.squared);
-            for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
-            for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
-                if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
-                const Rational square = Rational::of(radius) * Rational::of(radius);
-                CAPTURE(i);
-                CAPTURE(radius);
-                ++decided;
-                REQUIRE(detail::is_within_radius(c.segment, triangle, distance, radius) == (squared <= square));
-                if (squared == square) ++exactly;
-            }
-            REQUIRE(detail::is_within_radius(c.segment, triangle, distance, 1e30f));
-            REQUIRE(detail::is_within_radius(c.segment, triangle, distance, std::numeric_limits<float>::infinity()));
-        }
-        CHECK(exactly > count / 100);
-        MESSAGE(decisions_made("segment and triangle within a radius", decided));
-    }
-
-    TEST_CASE("kernel: segments out of range and NaN and infinity are refused") {
-        const detail::BlobData asset = tests::lattice_asset(16);
-        RoundedSegment segment;
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        const Vec3 near{1.0f, 2.0f, 3.0f};
-        CHECK(detail::round_segment(asset, {near, {0.0f, nan, 0.0f}}, segment) == QueryStatus::invalid_argument);
-        CHECK(detail::round_segment(asset, {{0.0f, 0.0f, infinity}, near}, segment) == QueryStatus::invalid_argument);
-        CHECK(detail::round_segment(asset, {{0x1p36f, 0.0f, 0.0f}, near}, segment) == QueryStatus::out_of_range);
-        CHECK(detail::round_segment(asset, {near, {0.0f, 0.0f, -0x1p36f}}, segment) == QueryStatus::out_of_range);
-        CHECK(detail::round_segment(asset, {near, {0x1.fep35f, 0.0f, -0x1.fep35f}}, segment) == QueryStatus::ok);
-        CHECK(segment.fraction_bits == 0);
-        CHECK(detail::round_segment(asset, {near, {0x1p24f, 0.0f, 0.015625f}}, segment) == QueryStatus::ok);
-        CHECK(segment.fraction_bits == 6);
-        CHECK(segment.to[2] == 1);
-    }
+    CHECK(touching > count / 20);
+    CHECK(inner > count / 10);
+    MESSAGE(decisions_made("segment and triangle that touch", decided));
 }
+
+TEST_CASE("kernel: a segment within a radius of a triangle is decided exactly") {
+    std::uint64_t decided = 0;
+    Random random(2);
+    std::uint64_t exactly = 0;
+    const std::uint64_t count = scaled(2'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Case c = some_case(random);
+        const auto triangle = tests::lattice_triangle(c.triangle);
+        const SegmentDistance distance = detail::distance_to(c.segment, triangle);
+        const Rational squared = exact_square(c);
+        float radius = std::sqrt(distance.squared);
+        for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
+        for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
+            if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
+            const Rational square = Rational::of(radius) * Rational::of(radius);
+            CAPTURE(i);
+            CAPTURE(radius);
+            ++decided;
+            REQUIRE(detail::is_within_radius(c.segment, triangle, distance, radius) == (squared <= square));
+            if (squared == square) ++exactly;
+        }
+        REQUIRE(detail::is_within_radius(c.segment, triangle, distance, 1e30f));
+        REQUIRE(detail::is_within_radius(c.segment, triangle, distance, std::numeric_limits<float>::infinity()));
+    }
+    CHECK(exactly > count / 100);
+    MESSAGE(decisions_made("segment and triangle within a radius", decided));
+}
+
+TEST_CASE("kernel: segments out of range and NaN and infinity are refused") {
+    const detail::BlobData asset = tests::lattice_asset(16);
+    RoundedSegment segment;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Vec3 near{1.0f, 2.0f, 3.0f};
+    CHECK(detail::round_segment(asset, {near, {0.0f, nan, 0.0f}}, segment) == QueryStatus::invalid_argument);
+    CHECK(detail::round_segment(asset, {{0.0f, 0.0f, infinity}, near}, segment) == QueryStatus::invalid_argument);
+    CHECK(detail::round_segment(asset, {{0x1p36f, 0.0f, 0.0f}, near}, segment) == QueryStatus::out_of_range);
+    CHECK(detail::round_segment(asset, {near, {0.0f, 0.0f, -0x1p36f}}, segment) == QueryStatus::out_of_range);
+    CHECK(detail::round_segment(asset, {near, {0x1.fep35f, 0.0f, -0x1.fep35f}}, segment) == QueryStatus::ok);
+    CHECK(segment.fraction_bits == 0);
+    CHECK(detail::round_segment(asset, {near, {0x1p24f, 0.0f, 0.015625f}}, segment) == QueryStatus::ok);
+    CHECK(segment.fraction_bits == 6);
+    CHECK(segment.to[2] == 1);
+}
+
+}  // namespace
+}  // namespace espalier::tests::segment_triangle_test

@@ -13,12 +13,11 @@
 #include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::triangle_distance_test {
+namespace {
+
 using detail::LatticeTriangle;
 using oracle::Rational;
-
-namespace {
 
 oracle::Point corner_of(const LatticeTriangle& t, int corner) {
     const auto& c = t.corner[corner];
@@ -68,7 +67,7 @@ Rational squared_distance(const LatticeTriangle& a, const LatticeTriangle& b) {
     return best;
 }
 
-LatticeTriangle some_triangle(Random& random, unsigned bits) {
+LatticeTriangle lattice_triangle(Random& random, unsigned bits) {
     LatticeTriangle t;
     const std::int32_t limit = (1 << bits) - 1;
     for (auto& corner : t.corner)
@@ -99,57 +98,55 @@ Rational squared_distance_of_hulls(const LatticeTriangle& a, const LatticeTriang
     return oracle::squared_distance(of_a, of_b);
 }
 
-}  // namespace
-
-TEST_SUITE("triangle distance") {
-    TEST_CASE("kernel: the squared distance of triangles is within 6 ulp and its witnesses are as far") {
-        std::uint64_t decided = 0;
-        Random random(31);
-        Rational worst = 0;
-        std::uint64_t touching = 0, checked = 0, flat = 0;
-        const std::uint64_t count = scaled(1'500);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const unsigned bits = 1 + random.below(24);
-            LatticeTriangle a = some_triangle(random, bits), b = some_triangle(random, bits);
-            if (random.coin())  // beside each other
-                for (auto& corner : b.corner)
-                    corner[random.below(3)] += random.coin() ? 0 : 1 << (bits < 23 ? bits : 22);
-            if (random.below(4) == 0) flatten(a, random);
-            if (random.below(4) == 0) flatten(b, random);
-            const bool is_flat = !has_area(a) || !has_area(b);
-            (is_flat ? flat : checked) += 1;
-            const Rational expected = is_flat ? squared_distance_of_hulls(a, b) : squared_distance(a, b);
-            const detail::TriangleDistance distance = detail::distance_between(a, b);
-            ++decided;
-            REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
-            if (expected.sign() == 0) ++touching;
-            else worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
-            const auto at = [](const LatticeTriangle& t, const detail::Weights& weights) -> oracle::Point {
-                const oracle::Triangle e = exact(t);
-                return e.a + (e.b - e.a) * Rational::of(weights.u) + (e.c - e.a) * Rational::of(weights.v);
-            };
-            const oracle::Point apart = at(a, distance.on_a) - at(b, distance.on_b);
-            // Weights are floats: each witness is off by some 2^-22 of its triangle's size.
-            const Rational off = Rational::of(std::int64_t{1} << bits, -18);
-            for (int k = 0; k < 3; ++k)
-                if (expected.sign() == 0) REQUIRE(oracle::absolute(apart[k]) <= off);
-            if (expected.sign() != 0) {
-                const float root = std::sqrt(distance.squared);
-                const Rational reach = Rational::of(root) + off + off;
-                REQUIRE(apart.dot(apart) <= reach * reach);
-            }
-            float radius = std::sqrt(distance.squared);
-            for (int step = 0; step < 2; ++step) radius = std::nextafter(radius, 0.0f);
-            for (int step = 0; step < 5; ++step, radius = std::nextafter(radius, 1e30f)) {
-                const Rational exact_radius = Rational::of(radius);
-                if (radius > 0.0f && radius < 0x1p-100f) continue;
-                REQUIRE(detail::is_within_radius(a, b, distance, radius) == (expected <= exact_radius * exact_radius));
-            }
+TEST_CASE("kernel: the squared distance of triangles is within 6 ulp and its witnesses are as far") {
+    std::uint64_t decided = 0;
+    Random random(31);
+    Rational worst = 0;
+    std::uint64_t touching = 0, checked = 0, flat = 0;
+    const std::uint64_t count = scaled(1'500);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 1 + random.below(24);
+        LatticeTriangle a = lattice_triangle(random, bits), b = lattice_triangle(random, bits);
+        if (random.coin())  // beside each other
+            for (auto& corner : b.corner) corner[random.below(3)] += random.coin() ? 0 : 1 << (bits < 23 ? bits : 22);
+        if (random.below(4) == 0) flatten(a, random);
+        if (random.below(4) == 0) flatten(b, random);
+        const bool is_flat = !has_area(a) || !has_area(b);
+        (is_flat ? flat : checked) += 1;
+        const Rational expected = is_flat ? squared_distance_of_hulls(a, b) : squared_distance(a, b);
+        const detail::TriangleDistance distance = detail::distance_between(a, b);
+        ++decided;
+        REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
+        if (expected.sign() == 0) ++touching;
+        else worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
+        const auto at = [](const LatticeTriangle& t, const detail::Weights& weights) -> oracle::Point {
+            const oracle::Triangle e = exact(t);
+            return e.a + (e.b - e.a) * Rational::of(weights.u) + (e.c - e.a) * Rational::of(weights.v);
+        };
+        const oracle::Point apart = at(a, distance.on_a) - at(b, distance.on_b);
+        // Weights are floats: each witness is off by some 2^-22 of its triangle's size.
+        const Rational off = Rational::of(std::int64_t{1} << bits, -18);
+        for (int k = 0; k < 3; ++k)
+            if (expected.sign() == 0) REQUIRE(oracle::absolute(apart[k]) <= off);
+        if (expected.sign() != 0) {
+            const float root = std::sqrt(distance.squared);
+            const Rational reach = Rational::of(root) + off + off;
+            REQUIRE(apart.dot(apart) <= reach * reach);
         }
-        CHECK(worst <= Rational(6));
-        CHECK(flat > checked / 4);
-        CHECK(touching > checked / 20);
-        CHECK(touching < checked);
-        MESSAGE(decisions_made("two triangles that touch, by distance", decided));
+        float radius = std::sqrt(distance.squared);
+        for (int step = 0; step < 2; ++step) radius = std::nextafter(radius, 0.0f);
+        for (int step = 0; step < 5; ++step, radius = std::nextafter(radius, 1e30f)) {
+            const Rational exact_radius = Rational::of(radius);
+            if (radius > 0.0f && radius < 0x1p-100f) continue;
+            REQUIRE(detail::is_within_radius(a, b, distance, radius) == (expected <= exact_radius * exact_radius));
+        }
     }
+    CHECK(worst <= Rational(6));
+    CHECK(flat > checked / 4);
+    CHECK(touching > checked / 20);
+    CHECK(touching < checked);
+    MESSAGE(decisions_made("two triangles that touch, by distance", decided));
 }
+
+}  // namespace
+}  // namespace espalier::tests::triangle_distance_test

@@ -12,15 +12,12 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
+namespace espalier::tests::triangle_triangle_test {
+namespace {
+
 using detail::Integer3;
 using detail::IntegerTriangle;
 using oracle::BigInteger;
-using tests::decisions_made;
-using tests::Random;
-using tests::scaled;
-
-namespace {
 
 template <class Number>
 bool meet_in_truth(const IntegerTriangle& p, const IntegerTriangle& q) {
@@ -100,70 +97,69 @@ struct HardPairs {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("triangle triangle") {
-    TEST_CASE("kernel: every pair of triangles in the smallest grids equals the hull of differences") {
-        std::uint64_t decided = 0;
-        struct Grid {
-            std::uint32_t x, y, z, stride;
-        };
-        // All pairs in the corners of a cube and in a plane of 2 x 3, with and without area; of larger grids a share.
-        for (const Grid& grid : {Grid{2, 2, 2, 1}, Grid{2, 3, 1, 1}, Grid{4, 4, 1, 97}, Grid{3, 3, 3, 2477}}) {
-            const std::uint32_t points = grid.x * grid.y * grid.z;
-            const std::uint32_t count = points * points * points;
-            const std::uint64_t stride = std::max<std::uint64_t>(grid.stride / scaled(1), 1);
-            std::uint64_t meeting = 0;
-            std::uint64_t checked = 0;
-            for (std::uint64_t i = 0; i < std::uint64_t{count} * count; i += stride) {
-                const auto first = static_cast<std::uint32_t>(i / count);
-                const auto second = static_cast<std::uint32_t>(i % count);
-                const IntegerTriangle p = nth_triangle(first, grid.x, grid.y, grid.z);
-                const IntegerTriangle q = nth_triangle(second, grid.x, grid.y, grid.z);
-                const bool expected = meet_in_truth<std::int64_t>(p, q);
-                ++decided;
-                if (detail::triangles_meet(p, q) != expected) FAIL(describe(p), "and ", describe(q));
-                meeting += expected ? 1u : 0u;
-                ++checked;
-            }
-            CHECK(meeting > checked / 10);
-            CHECK(meeting < checked);
-        }
-        MESSAGE(decisions_made("two triangles", decided));
-    }
-
-    TEST_CASE("kernel: pairs of triangles that touch or nearly touch are decided exactly at every size") {
-        std::uint64_t decided = 0;
-        HardPairs maker{Random(11)};
+TEST_CASE("kernel: every pair of triangles in the smallest grids equals the hull of differences") {
+    std::uint64_t decided = 0;
+    struct Grid {
+        std::uint32_t x, y, z, stride;
+    };
+    // All pairs in the corners of a cube and in a plane of 2 x 3, with and without area; of larger grids a share.
+    for (const Grid& grid : {Grid{2, 2, 2, 1}, Grid{2, 3, 1, 1}, Grid{4, 4, 1, 97}, Grid{3, 3, 3, 2477}}) {
+        const std::uint32_t points = grid.x * grid.y * grid.z;
+        const std::uint32_t count = points * points * points;
+        const std::uint64_t stride = std::max<std::uint64_t>(grid.stride / scaled(1), 1);
         std::uint64_t meeting = 0;
-        const std::uint64_t count = scaled(3'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            IntegerTriangle p, q;
-            maker.pair(3 + maker.random.below(35), p, q);
-            const bool expected = meet_in_truth<BigInteger>(p, q);
+        std::uint64_t checked = 0;
+        for (std::uint64_t i = 0; i < std::uint64_t{count} * count; i += stride) {
+            const auto first = static_cast<std::uint32_t>(i / count);
+            const auto second = static_cast<std::uint32_t>(i % count);
+            const IntegerTriangle p = nth_triangle(first, grid.x, grid.y, grid.z);
+            const IntegerTriangle q = nth_triangle(second, grid.x, grid.y, grid.z);
+            const bool expected = meet_in_truth<std::int64_t>(p, q);
             ++decided;
             if (detail::triangles_meet(p, q) != expected) FAIL(describe(p), "and ", describe(q));
             meeting += expected ? 1u : 0u;
+            ++checked;
         }
-        CHECK(meeting > count / 10);
-        CHECK(meeting < count - count / 10);
-        MESSAGE(decisions_made("two triangles", decided));
+        CHECK(meeting > checked / 10);
+        CHECK(meeting < checked);
     }
+    MESSAGE(decisions_made("two triangles", decided));
+}
 
-    TEST_CASE("kernel: small pairs far away and pairs at the edge of the fast path are decided alike") {
-        HardPairs maker{Random(12)};
-        const std::uint64_t count = scaled(3'000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            IntegerTriangle p, q;
-            maker.pair(i % 2 == 0 ? 19 + maker.random.below(3) : 4, p, q);
-            const bool expected = detail::triangles_meet(p, q);
-            if (i % 2 == 0) REQUIRE(meet_in_truth<BigInteger>(p, q) == expected);
-            const Integer3 by = {std::int64_t{1} << 60, -(std::int64_t{1} << 61), 12345};
-            for (IntegerTriangle* t : {&p, &q})
-                for (Integer3& v : t->corner) v = moved(v, by);
-            REQUIRE(detail::triangles_meet(p, q) == expected);
-            std::swap(p.corner[0], p.corner[2]);  // neither winding nor order matters
-            REQUIRE(detail::triangles_meet(q, p) == expected);
-        }
+TEST_CASE("kernel: pairs of triangles that touch or nearly touch are decided exactly at every size") {
+    std::uint64_t decided = 0;
+    HardPairs maker{Random(11)};
+    std::uint64_t meeting = 0;
+    const std::uint64_t count = scaled(3'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        IntegerTriangle p, q;
+        maker.pair(3 + maker.random.below(35), p, q);
+        const bool expected = meet_in_truth<BigInteger>(p, q);
+        ++decided;
+        if (detail::triangles_meet(p, q) != expected) FAIL(describe(p), "and ", describe(q));
+        meeting += expected ? 1u : 0u;
+    }
+    CHECK(meeting > count / 10);
+    CHECK(meeting < count - count / 10);
+    MESSAGE(decisions_made("two triangles", decided));
+}
+
+TEST_CASE("kernel: small pairs far away and pairs at the edge of the fast path are decided alike") {
+    HardPairs maker{Random(12)};
+    const std::uint64_t count = scaled(3'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        IntegerTriangle p, q;
+        maker.pair(i % 2 == 0 ? 19 + maker.random.below(3) : 4, p, q);
+        const bool expected = detail::triangles_meet(p, q);
+        if (i % 2 == 0) REQUIRE(meet_in_truth<BigInteger>(p, q) == expected);
+        const Integer3 by = {std::int64_t{1} << 60, -(std::int64_t{1} << 61), 12345};
+        for (IntegerTriangle* t : {&p, &q})
+            for (Integer3& v : t->corner) v = moved(v, by);
+        REQUIRE(detail::triangles_meet(p, q) == expected);
+        std::swap(p.corner[0], p.corner[2]);  // neither winding nor order matters
+        REQUIRE(detail::triangles_meet(q, p) == expected);
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::triangle_triangle_test

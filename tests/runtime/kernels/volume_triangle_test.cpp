@@ -14,14 +14,13 @@
 #include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::volume_triangle_test {
+namespace {
+
 using detail::Integer3;
 using detail::LatticeTriangle;
 using oracle::BigInteger;
 using oracle::Rational;
-
-namespace {
 
 /// Corners of a parallelepiped and of a triangle, in units of 2^-fraction_bits steps.
 template <class Number>
@@ -114,133 +113,125 @@ struct Counts {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("volume triangle") {
-    TEST_CASE("kernel: axis-aligned boxes and triangles overlap as in exact arithmetic") {
-        std::uint64_t decided = 0;
-        Maker maker{Random(3)};
-        for (const unsigned bits : {1u, 2u, 3u, 12u, 24u}) {
-            Counts counts;
-            const detail::BlobData asset = lattice_asset(bits);
-            for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
-                const LatticeTriangle triangle = maker.triangle(bits);
-                const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(3));
-                Box box = {maker.point(bits, fraction), {}};
-                box.max = box.min;
-                for (float* c : {&box.max.x, &box.max.y, &box.max.z})
-                    if (maker.random.below(4) != 0) *c += std::fabs(maker.steps(bits, fraction));
-                if (maker.random.below(4) == 0) box.min.y = -INFINITY;
-                if (maker.random.coin()) {  // around a corner, or up to it
-                    const Vec3 corner = to_vec3(triangle.corner[maker.random.below(3)]);
-                    if (maker.random.coin()) box.min.x = box.max.x - std::fabs(box.max.x - corner.x);
-                    box.min.z = std::min(box.min.z, corner.z);
-                    box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y),
-                               std::max(box.max.z, corner.z)};
-                }
-                detail::Rounded<Box> rounded;
-                const QueryStatus status = round_volume(asset, box, rounded);
-                if (status == QueryStatus::not_found) continue;  // clearly apart
-                REQUIRE(status == QueryStatus::ok);
-                const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
-                const bool expected = meet_in_truth(to_integer3(rounded.center), half,
-                                                    detail::Rounded<Box>::fraction_bits, bits + 8, triangle);
-                CAPTURE(describe(triangle));
-                ++decided;
-                REQUIRE(meets(rounded, triangle) == expected);
-                counts.add(expected);
+TEST_CASE("kernel: axis-aligned boxes and triangles overlap as in exact arithmetic") {
+    std::uint64_t decided = 0;
+    Maker maker{Random(3)};
+    for (const unsigned bits : {1u, 2u, 3u, 12u, 24u}) {
+        Counts counts;
+        const detail::BlobData asset = lattice_asset(bits);
+        for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
+            const LatticeTriangle triangle = maker.triangle(bits);
+            const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(3));
+            Box box = {maker.point(bits, fraction), {}};
+            box.max = box.min;
+            for (float* c : {&box.max.x, &box.max.y, &box.max.z})
+                if (maker.random.below(4) != 0) *c += std::fabs(maker.steps(bits, fraction));
+            if (maker.random.below(4) == 0) box.min.y = -INFINITY;
+            if (maker.random.coin()) {  // around a corner, or up to it
+                const Vec3 corner = to_vec3(triangle.corner[maker.random.below(3)]);
+                if (maker.random.coin()) box.min.x = box.max.x - std::fabs(box.max.x - corner.x);
+                box.min.z = std::min(box.min.z, corner.z);
+                box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y), std::max(box.max.z, corner.z)};
             }
-            counts.check();
+            detail::Rounded<Box> rounded;
+            const QueryStatus status = round_volume(asset, box, rounded);
+            if (status == QueryStatus::not_found) continue;  // clearly apart
+            REQUIRE(status == QueryStatus::ok);
+            const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
+            const bool expected = meet_in_truth(to_integer3(rounded.center), half, detail::Rounded<Box>::fraction_bits,
+                                                bits + 8, triangle);
+            CAPTURE(describe(triangle));
+            ++decided;
+            REQUIRE(meets(rounded, triangle) == expected);
+            counts.add(expected);
         }
-        MESSAGE(decisions_made("box and triangle", decided));
+        counts.check();
     }
-
-    TEST_CASE("kernel: oriented boxes and triangles overlap as in exact arithmetic") {
-        std::uint64_t decided = 0;
-        Maker maker{Random(4)};
-        for (const unsigned bits : {1u, 2u, 3u, 12u, 16u, 24u}) {
-            Counts counts;
-            const detail::BlobData asset = lattice_asset(bits);
-            std::uint64_t flat = 0;
-            for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
-                const LatticeTriangle triangle = maker.triangle(bits);
-                const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(2));
-                OrientedBox box = {maker.point(bits, fraction), {}};
-                for (Vec3& half : box.half_axes) half = maker.point(bits, fraction);
-                switch (maker.random.below(8)) {
-                    case 0:  // in the triangle's plane, or on it
-                        box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
-                        box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
-                        if (maker.random.coin()) box.half_axes[2] = {};
-                        box.center = to_vec3(triangle.corner[0]);
-                        box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
-                        box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
-                        box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
-                        break;
-                    case 1:
-                        box.half_axes[2] = {};
-                        break;
-                    case 2:
-                        box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
-                        break;
-                    case 3:
-                        box.half_axes[1] = box.half_axes[2] = {};
-                        break;
-                    case 4:
-                        box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
-                        break;
-                    case 5:  // touching by a corner
-                        box.center = to_vec3(triangle.corner[1]);
-                        box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
-                        box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
-                        box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
-                        break;
-                    default:
-                        break;
-                }
-                detail::Rounded<OrientedBox> rounded;
-                const QueryStatus status = round_volume(asset, box, rounded);
-                if (status == QueryStatus::not_found) continue;  // clearly apart
-                REQUIRE(status == QueryStatus::ok);
-                flat += rounded.face_reach.is_zero() ? 1u : 0u;
-                const bool expected =
-                    meet_in_truth(rounded.center, rounded.half, rounded.fraction_bits, bits + 8, triangle);
-                CAPTURE(describe(triangle));
-                ++decided;
-                REQUIRE(meets(rounded, triangle) == expected);
-                counts.add(expected);
-            }
-            counts.check();
-            CHECK(flat > 0);
-        }
-        MESSAGE(decisions_made("oriented box and triangle", decided));
-    }
-
-    TEST_CASE("kernel: an oriented box along the axes is the box of the same bounds") {
-        Maker maker{Random(5)};
-        const detail::BlobData asset = lattice_asset(16);
-        for (std::uint64_t i = 0; i < scaled(3'000); ++i) {
-            const LatticeTriangle triangle = maker.triangle(16);
-            const Vec3 half = {std::fabs(maker.steps(14, -1)),
-                               maker.random.coin() ? 0.0f : std::fabs(maker.steps(12, 0)),
-                               std::fabs(maker.steps(15, 0))};
-            const Vec3 center = maker.random.coin() ? maker.point(16, 0) : to_vec3(triangle.corner[0]);
-            detail::Rounded<Box> box;
-            detail::Rounded<OrientedBox> oriented;
-            const auto meets_rounded = [&](const auto& shape, auto& rounded) {
-                const QueryStatus status = round_volume(asset, shape, rounded);
-                REQUIRE(!is_refused(status));
-                return status == QueryStatus::ok && meets(rounded, triangle);
-            };
-            const Box world = {{center.x - half.x, center.y - half.y, center.z - half.z},
-                               {center.x + half.x, center.y + half.y, center.z + half.z}};
-            const OrientedBox same = {center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
-            REQUIRE(meets_rounded(world, box) == meets_rounded(same, oriented));
-        }
-    }
+    MESSAGE(decisions_made("box and triangle", decided));
 }
 
-namespace {
+TEST_CASE("kernel: oriented boxes and triangles overlap as in exact arithmetic") {
+    std::uint64_t decided = 0;
+    Maker maker{Random(4)};
+    for (const unsigned bits : {1u, 2u, 3u, 12u, 16u, 24u}) {
+        Counts counts;
+        const detail::BlobData asset = lattice_asset(bits);
+        std::uint64_t flat = 0;
+        for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
+            const LatticeTriangle triangle = maker.triangle(bits);
+            const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(2));
+            OrientedBox box = {maker.point(bits, fraction), {}};
+            for (Vec3& half : box.half_axes) half = maker.point(bits, fraction);
+            switch (maker.random.below(8)) {
+                case 0:  // in the triangle's plane, or on it
+                    box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
+                    box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
+                    if (maker.random.coin()) box.half_axes[2] = {};
+                    box.center = to_vec3(triangle.corner[0]);
+                    box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
+                    box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
+                    box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
+                    break;
+                case 1:
+                    box.half_axes[2] = {};
+                    break;
+                case 2:
+                    box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
+                    break;
+                case 3:
+                    box.half_axes[1] = box.half_axes[2] = {};
+                    break;
+                case 4:
+                    box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
+                    break;
+                case 5:  // touching by a corner
+                    box.center = to_vec3(triangle.corner[1]);
+                    box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
+                    box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
+                    box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
+                    break;
+                default:
+                    break;
+            }
+            detail::Rounded<OrientedBox> rounded;
+            const QueryStatus status = round_volume(asset, box, rounded);
+            if (status == QueryStatus::not_found) continue;  // clearly apart
+            REQUIRE(status == QueryStatus::ok);
+            flat += rounded.face_reach.is_zero() ? 1u : 0u;
+            const bool expected =
+                meet_in_truth(rounded.center, rounded.half, rounded.fraction_bits, bits + 8, triangle);
+            CAPTURE(describe(triangle));
+            ++decided;
+            REQUIRE(meets(rounded, triangle) == expected);
+            counts.add(expected);
+        }
+        counts.check();
+        CHECK(flat > 0);
+    }
+    MESSAGE(decisions_made("oriented box and triangle", decided));
+}
+
+TEST_CASE("kernel: an oriented box along the axes is the box of the same bounds") {
+    Maker maker{Random(5)};
+    const detail::BlobData asset = lattice_asset(16);
+    for (std::uint64_t i = 0; i < scaled(3'000); ++i) {
+        const LatticeTriangle triangle = maker.triangle(16);
+        const Vec3 half = {std::fabs(maker.steps(14, -1)), maker.random.coin() ? 0.0f : std::fabs(maker.steps(12, 0)),
+                           std::fabs(maker.steps(15, 0))};
+        const Vec3 center = maker.random.coin() ? maker.point(16, 0) : to_vec3(triangle.corner[0]);
+        detail::Rounded<Box> box;
+        detail::Rounded<OrientedBox> oriented;
+        const auto meets_rounded = [&](const auto& shape, auto& rounded) {
+            const QueryStatus status = round_volume(asset, shape, rounded);
+            REQUIRE(!is_refused(status));
+            return status == QueryStatus::ok && meets(rounded, triangle);
+        };
+        const Box world = {{center.x - half.x, center.y - half.y, center.z - half.z},
+                           {center.x + half.x, center.y + half.y, center.z + half.z}};
+        const OrientedBox same = {center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
+        REQUIRE(meets_rounded(world, box) == meets_rounded(same, oriented));
+    }
+}
 
 using Polygon = std::vector<oracle::Point>;
 
@@ -270,92 +261,91 @@ bool meet_in_truth(const detail::Rounded<ConvexVolume>& set, const LatticeTriang
     return !polygon.empty();
 }
 
-}  // namespace
-
-TEST_SUITE("volume triangle") {
-    TEST_CASE("kernel: half-spaces and triangles overlap as in exact arithmetic") {
-        std::uint64_t decided = 0;
-        Maker maker{Random(6)};
-        for (const unsigned bits : {1u, 2u, 4u, 16u, 24u}) {
-            Counts counts;
-            const detail::BlobData asset = lattice_asset(bits);
-            for (std::uint64_t i = 0; i < scaled(bits <= 4 ? 4'000 : 800); ++i) {
-                const LatticeTriangle triangle = maker.triangle(bits);
-                std::vector<Plane> planes(1 + maker.random.below(maker.random.below(8) == 0 ? 32 : 6));
-                const bool round = maker.random.coin();
-                const auto weight = [&] { return static_cast<float>(maker.random.below(3)) * 0.5f; };
-                // Through a point of the triangle or near it, so that planes touch.
-                const float v = weight(), w = weight() * (1.0f - 0.5f * v);
-                const Vec3 a = to_vec3(triangle.corner[0]);
-                const Vec3 ab = difference(triangle.corner[1], triangle.corner[0]);
-                const Vec3 ac = difference(triangle.corner[2], triangle.corner[0]);
-                const Vec3 on = {a.x + v * ab.x + w * ac.x, a.y + v * ab.y + w * ac.y, a.z + v * ab.z + w * ac.z};
-                for (Plane& plane : planes) {
-                    do
-                        plane.normal = round ? Vec3{static_cast<float>(maker.random.between(-2, 2)),
-                                                    static_cast<float>(maker.random.between(-2, 2)),
-                                                    static_cast<float>(maker.random.between(-1, 1))}
-                                             : maker.random.in_cube(1.0f);
-                    while (plane.normal == Vec3{});
-                    plane.offset = plane.normal.x * on.x + plane.normal.y * on.y + plane.normal.z * on.z;
-                    if (maker.random.below(3) == 0) plane.offset += maker.steps(bits, -2) * maker.random.unit();
-                }
-                if (planes.size() > 1 && maker.random.below(4) == 0) {
-                    const Plane& first = planes[0];
-                    planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
-                }
-                detail::Rounded<ConvexVolume> set;
-                REQUIRE(round_volume(asset, ConvexVolume{planes}, set) == QueryStatus::ok);
-                REQUIRE(set.plane_count == planes.size());
-                const bool expected = meet_in_truth(set, triangle);
-                CAPTURE(describe(triangle));
-                CAPTURE(planes.size());
-                ++decided;
-                REQUIRE(meets(set, triangle) == expected);
-                counts.add(expected);
+TEST_CASE("kernel: half-spaces and triangles overlap as in exact arithmetic") {
+    std::uint64_t decided = 0;
+    Maker maker{Random(6)};
+    for (const unsigned bits : {1u, 2u, 4u, 16u, 24u}) {
+        Counts counts;
+        const detail::BlobData asset = lattice_asset(bits);
+        for (std::uint64_t i = 0; i < scaled(bits <= 4 ? 4'000 : 800); ++i) {
+            const LatticeTriangle triangle = maker.triangle(bits);
+            std::vector<Plane> planes(1 + maker.random.below(maker.random.below(8) == 0 ? 32 : 6));
+            const bool round = maker.random.coin();
+            const auto weight = [&] { return static_cast<float>(maker.random.below(3)) * 0.5f; };
+            // Through a point of the triangle or near it, so that planes touch.
+            const float v = weight(), w = weight() * (1.0f - 0.5f * v);
+            const Vec3 a = to_vec3(triangle.corner[0]);
+            const Vec3 ab = difference(triangle.corner[1], triangle.corner[0]);
+            const Vec3 ac = difference(triangle.corner[2], triangle.corner[0]);
+            const Vec3 on = {a.x + v * ab.x + w * ac.x, a.y + v * ab.y + w * ac.y, a.z + v * ab.z + w * ac.z};
+            for (Plane& plane : planes) {
+                do
+                    plane.normal = round ? Vec3{static_cast<float>(maker.random.between(-2, 2)),
+                                                static_cast<float>(maker.random.between(-2, 2)),
+                                                static_cast<float>(maker.random.between(-1, 1))}
+                                         : maker.random.in_cube(1.0f);
+                while (plane.normal == Vec3{});
+                plane.offset = plane.normal.x * on.x + plane.normal.y * on.y + plane.normal.z * on.z;
+                if (maker.random.below(3) == 0) plane.offset += maker.steps(bits, -2) * maker.random.unit();
             }
-            counts.check();
-        }
-        MESSAGE(decisions_made("half-spaces and triangle", decided));
-    }
-
-    TEST_CASE("rounding: a plane gets a normal of 24 bits and the nearest offset") {
-        Random random(7);
-        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-            detail::BlobData asset = lattice_asset(16);
-            asset.step_exponent = static_cast<std::int16_t>(random.between(-40, 40));
-            asset.derive();
-            const auto any = [&](int low, int high) {
-                return random.below(8) == 0 ? 0.0f : std::ldexp(random.signed_unit(), random.between(low, high));
-            };
-            for (int k = 0; k < 3; ++k) asset.origin[k] = std::ldexp(any(0, 30), asset.step_exponent);
-            const int scale = random.between(-90, 40);
-            Plane plane = {{any(scale - 4, scale), any(scale - 30, scale), any(scale, scale)}, 0.0f};
-            if (plane.normal == Vec3{}) plane.normal.x = std::ldexp(1.0f, scale);
-            plane.offset = std::ldexp(any(0, 30), scale + asset.step_exponent);
-            // Subnormal numbers count as zero.
-            for (float* x : {&plane.normal.x, &plane.normal.y, &plane.normal.z, &plane.offset})
-                *x = detail::flush_subnormal(*x);
+            if (planes.size() > 1 && maker.random.below(4) == 0) {
+                const Plane& first = planes[0];
+                planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
+            }
             detail::Rounded<ConvexVolume> set;
-            REQUIRE(round_volume(asset, ConvexVolume{{&plane, 1}}, set) == QueryStatus::ok);
-            const detail::LatticePlane& rounded = set.planes[0];
-            const float normal[3] = {plane.normal.x, plane.normal.y, plane.normal.z};
-            int exponent = -1000;
-            for (const float n : normal)
-                if (n != 0.0f) exponent = std::max(exponent, std::ilogb(n));
-            const Rational scaling = Rational::of(1, 23 - exponent);
-            Rational offset = Rational::of(plane.offset);
-            for (int k = 0; k < 3; ++k) {
-                const Rational exact = Rational::of(normal[k]) * scaling;
-                CHECK(oracle::absolute(exact - Rational(std::int64_t{rounded.normal[k]})) <= Rational::of(1, -1));
-                offset -= Rational::of(normal[k]) * Rational::of(asset.origin[k]);
-            }
-            const Rational exact = offset * scaling * Rational::of(1, -asset.step_exponent);
-            if (oracle::absolute(exact) < Rational::of(1, 52)) {
-                CHECK(oracle::absolute(exact - Rational(rounded.offset)) <= Rational::of(1, -1) + Rational::of(1, -13));
-            } else {
-                CHECK(rounded.offset == (exact.sign() < 0 ? -1 : 1) * (std::int64_t{1} << 52));
-            }
+            REQUIRE(round_volume(asset, ConvexVolume{planes}, set) == QueryStatus::ok);
+            REQUIRE(set.plane_count == planes.size());
+            const bool expected = meet_in_truth(set, triangle);
+            CAPTURE(describe(triangle));
+            CAPTURE(planes.size());
+            ++decided;
+            REQUIRE(meets(set, triangle) == expected);
+            counts.add(expected);
+        }
+        counts.check();
+    }
+    MESSAGE(decisions_made("half-spaces and triangle", decided));
+}
+
+TEST_CASE("rounding: a plane gets a normal of 24 bits and the nearest offset") {
+    Random random(7);
+    for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+        detail::BlobData asset = lattice_asset(16);
+        asset.step_exponent = static_cast<std::int16_t>(random.between(-40, 40));
+        asset.derive();
+        const auto any = [&](int low, int high) {
+            return random.below(8) == 0 ? 0.0f : std::ldexp(random.signed_unit(), random.between(low, high));
+        };
+        for (int k = 0; k < 3; ++k) asset.origin[k] = std::ldexp(any(0, 30), asset.step_exponent);
+        const int scale = random.between(-90, 40);
+        Plane plane = {{any(scale - 4, scale), any(scale - 30, scale), any(scale, scale)}, 0.0f};
+        if (plane.normal == Vec3{}) plane.normal.x = std::ldexp(1.0f, scale);
+        plane.offset = std::ldexp(any(0, 30), scale + asset.step_exponent);
+        // Subnormal numbers count as zero.
+        for (float* x : {&plane.normal.x, &plane.normal.y, &plane.normal.z, &plane.offset})
+            *x = detail::flush_subnormal(*x);
+        detail::Rounded<ConvexVolume> set;
+        REQUIRE(round_volume(asset, ConvexVolume{{&plane, 1}}, set) == QueryStatus::ok);
+        const detail::LatticePlane& rounded = set.planes[0];
+        const float normal[3] = {plane.normal.x, plane.normal.y, plane.normal.z};
+        int exponent = -1000;
+        for (const float n : normal)
+            if (n != 0.0f) exponent = std::max(exponent, std::ilogb(n));
+        const Rational scaling = Rational::of(1, 23 - exponent);
+        Rational offset = Rational::of(plane.offset);
+        for (int k = 0; k < 3; ++k) {
+            const Rational exact = Rational::of(normal[k]) * scaling;
+            CHECK(oracle::absolute(exact - Rational(std::int64_t{rounded.normal[k]})) <= Rational::of(1, -1));
+            offset -= Rational::of(normal[k]) * Rational::of(asset.origin[k]);
+        }
+        const Rational exact = offset * scaling * Rational::of(1, -asset.step_exponent);
+        if (oracle::absolute(exact) < Rational::of(1, 52)) {
+            CHECK(oracle::absolute(exact - Rational(rounded.offset)) <= Rational::of(1, -1) + Rational::of(1, -13));
+        } else {
+            CHECK(rounded.offset == (exact.sign() < 0 ? -1 : 1) * (std::int64_t{1} << 52));
         }
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::volume_triangle_test

@@ -12,9 +12,7 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::rounding_formula_test {
 namespace {
 
 constexpr float extent = 8.0f;  // of the blob, whose lattice has the whole numbers
@@ -55,61 +53,59 @@ void require_bound(const Result<float>& moved, const Shape& shape, int grid, int
     REQUIRE(moved.value == 0.0f);
 }
 
-}  // namespace
-
-TEST_SUITE("rounding formula") {
-    TEST_CASE("rounding: the error is the documented bound at every distance") {
-        BakeOptions options;
-        options.resolution = Resolution::step(0);
-        const OpenedBlob opened(make_cube(0.0f, extent), options);
-        const Blob& blob = opened.blob;
-        Random random(2710);
-        for (int exponent = 2; exponent <= 40; ++exponent) {
-            const float power = std::ldexp(1.0f, exponent);
-            for (const float size : {power, std::nextafter(power, 0.0f), std::nextafter(power, 2.0f * power),
-                                     power * (1.0f + random.unit())}) {
-                for (const float along : {size, -size, extent - size}) {
-                    const unsigned axis = random.below(3);
-                    const auto place = [&](unsigned k, float coordinate) {
-                        float at[3] = {3.0f, 2.0f + random.unit(), 5.0f};
-                        at[k % 3] = coordinate;
-                        return Vec3{at[0], at[1], at[2]};
-                    };
-                    const Vec3 near = place(axis, 4.0f), far = place(axis, along), turned = place(axis + 1, along);
-                    const Shape point = Shape().add(far), segment = Shape().add(near).add(far);
-                    const Shape triangle = Shape().add(near).add(far).add(turned);
-                    require_bound(rounding_error(blob, far), point, 23, 1);
-                    require_bound(rounding_error(blob, Segment{near, far}), segment, 35, 1);
-                    require_bound(rounding_error(blob, Segment{far, near}), segment, 35, 1);
-                    require_bound(rounding_error(blob, Triangle{near, far, turned}), triangle, 22, 1);
-                    require_bound(rounding_error(blob, Triangle{turned, near, far}), triangle, 22, 1);
-                    require_distance(rounding_error(blob, Ray{.origin = far, .direction = {1.0f, 2.0f, 3.0f}}),
-                                     point.moves_as_ray());
-                    // Two half axes along one axis, another along the next.
-                    OrientedBox box = {near, {{}, {}, {}}};
-                    float* const ends[3] = {&box.half_axes[0].x, &box.half_axes[0].y, &box.half_axes[0].z};
-                    *ends[axis] = 0.75f * along;
-                    box.half_axes[1] = {-box.half_axes[0].x / 3.0f, -box.half_axes[0].y / 3.0f,
-                                        -box.half_axes[0].z / 3.0f};
-                    box.half_axes[2] = {box.half_axes[1].z, box.half_axes[1].x, box.half_axes[1].y};
-                    const float spread = 0.75f * std::fabs(along) + 0.75f * std::fabs(along) / 3.0f;
-                    require_bound(rounding_error(blob, box), Shape().add(near, spread), 22, 4);
-                }
+TEST_CASE("rounding: the error is the documented bound at every distance") {
+    BakeOptions options;
+    options.resolution = Resolution::step(0);
+    const OpenedBlob opened(make_cube(0.0f, extent), options);
+    const Blob& blob = opened.blob;
+    Random random(2710);
+    for (int exponent = 2; exponent <= 40; ++exponent) {
+        const float power = std::ldexp(1.0f, exponent);
+        for (const float size : {power, std::nextafter(power, 0.0f), std::nextafter(power, 2.0f * power),
+                                 power * (1.0f + random.unit())}) {
+            for (const float along : {size, -size, extent - size}) {
+                const unsigned axis = random.below(3);
+                const auto place = [&](unsigned k, float coordinate) {
+                    float at[3] = {3.0f, 2.0f + random.unit(), 5.0f};
+                    at[k % 3] = coordinate;
+                    return Vec3{at[0], at[1], at[2]};
+                };
+                const Vec3 near = place(axis, 4.0f), far = place(axis, along), turned = place(axis + 1, along);
+                const Shape point = Shape().add(far), segment = Shape().add(near).add(far);
+                const Shape triangle = Shape().add(near).add(far).add(turned);
+                require_bound(rounding_error(blob, far), point, 23, 1);
+                require_bound(rounding_error(blob, Segment{near, far}), segment, 35, 1);
+                require_bound(rounding_error(blob, Segment{far, near}), segment, 35, 1);
+                require_bound(rounding_error(blob, Triangle{near, far, turned}), triangle, 22, 1);
+                require_bound(rounding_error(blob, Triangle{turned, near, far}), triangle, 22, 1);
+                require_distance(rounding_error(blob, Ray{.origin = far, .direction = {1.0f, 2.0f, 3.0f}}),
+                                 point.moves_as_ray());
+                // Two half axes along one axis, another along the next.
+                OrientedBox box = {near, {{}, {}, {}}};
+                float* const ends[3] = {&box.half_axes[0].x, &box.half_axes[0].y, &box.half_axes[0].z};
+                *ends[axis] = 0.75f * along;
+                box.half_axes[1] = {-box.half_axes[0].x / 3.0f, -box.half_axes[0].y / 3.0f, -box.half_axes[0].z / 3.0f};
+                box.half_axes[2] = {box.half_axes[1].z, box.half_axes[1].x, box.half_axes[1].y};
+                const float spread = 0.75f * std::fabs(along) + 0.75f * std::fabs(along) / 3.0f;
+                require_bound(rounding_error(blob, box), Shape().add(near, spread), 22, 4);
             }
         }
     }
+}
 
-    TEST_CASE("rounding: a ray from 2^120 steps away is out of range and from just before it is not") {
-        BakeOptions options;
-        options.resolution = Resolution::step(0);
-        const OpenedBlob opened(make_cube(0.0f, extent), options);
-        for (const float sign : {-1.0f, 1.0f}) {
-            const auto status_from = [&](float x) {
-                const Ray ray = {.origin = {0.0f, sign * x, 0.0f}, .direction = {1.0f, 2.0f, 3.0f}};
-                return rounding_error(opened.blob, ray).status;
-            };
-            CHECK(status_from(0x1p120f) == QueryStatus::out_of_range);
-            CHECK(status_from(std::nextafter(0x1p120f, 0.0f)) == QueryStatus::ok);
-        }
+TEST_CASE("rounding: a ray from 2^120 steps away is out of range and from just before it is not") {
+    BakeOptions options;
+    options.resolution = Resolution::step(0);
+    const OpenedBlob opened(make_cube(0.0f, extent), options);
+    for (const float sign : {-1.0f, 1.0f}) {
+        const auto status_from = [&](float x) {
+            const Ray ray = {.origin = {0.0f, sign * x, 0.0f}, .direction = {1.0f, 2.0f, 3.0f}};
+            return rounding_error(opened.blob, ray).status;
+        };
+        CHECK(status_from(0x1p120f) == QueryStatus::out_of_range);
+        CHECK(status_from(std::nextafter(0x1p120f, 0.0f)) == QueryStatus::ok);
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::rounding_formula_test

@@ -14,12 +14,11 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::steps_test {
+namespace {
+
 using oracle::BigInteger;
 using oracle::Rational;
-
-namespace {
 
 /// Subnormal ones count as zero.
 float normal(float x) { return std::fpclassify(x) == FP_SUBNORMAL ? 0.0f : x; }
@@ -93,113 +92,111 @@ Drawn draw(Random& random) {
     return drawn;
 }
 
-}  // namespace
-
-TEST_SUITE("steps") {
-    TEST_CASE("lattice: a point converts to the nearest lattice point and ties go up") {
-        Random random(1);
-        std::uint64_t rounded = 0, refused = 0, halves = 0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Drawn drawn = draw(random);
-            const Lattice& lattice = drawn.lattice;
-            const float x = drawn.low;
-            CAPTURE(lattice.step_exponent);
-            CAPTURE(lattice.origin.x);
-            CAPTURE(x);
-            const auto [steps, status] = to_lattice(lattice, Vec3{x, x, x});
-            if (!std::isfinite(x)) {
-                REQUIRE(status == QueryStatus::invalid_argument);
-                continue;
-            }
-            const Rational place = exact_steps(lattice.origin.x, x, lattice.step_exponent) + Rational::of(1, -1);
-            const Rational expected = rounded_down(place);
-            REQUIRE(status == (is_in_range(expected) ? QueryStatus::ok : QueryStatus::out_of_range));
-            if (status != QueryStatus::ok) {
-                ++refused;
-                continue;
-            }
-            REQUIRE(Rational(std::int64_t{steps.x}) == expected);
-            REQUIRE(steps == LatticePoint{steps.x, steps.x, steps.x});
-            ++rounded;
-            halves += place == expected && place.sign() != 0 ? 1u : 0u;
+TEST_CASE("lattice: a point converts to the nearest lattice point and ties go up") {
+    Random random(1);
+    std::uint64_t rounded = 0, refused = 0, halves = 0;
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        const Drawn drawn = draw(random);
+        const Lattice& lattice = drawn.lattice;
+        const float x = drawn.low;
+        CAPTURE(lattice.step_exponent);
+        CAPTURE(lattice.origin.x);
+        CAPTURE(x);
+        const auto [steps, status] = to_lattice(lattice, Vec3{x, x, x});
+        if (!std::isfinite(x)) {
+            REQUIRE(status == QueryStatus::invalid_argument);
+            continue;
         }
-        if (!asks_enough()) return;
-        CHECK(rounded > 2'000);
-        CHECK(refused > 1'000);
-        CHECK(halves > 100);
+        const Rational place = exact_steps(lattice.origin.x, x, lattice.step_exponent) + Rational::of(1, -1);
+        const Rational expected = rounded_down(place);
+        REQUIRE(status == (is_in_range(expected) ? QueryStatus::ok : QueryStatus::out_of_range));
+        if (status != QueryStatus::ok) {
+            ++refused;
+            continue;
+        }
+        REQUIRE(Rational(std::int64_t{steps.x}) == expected);
+        REQUIRE(steps == LatticePoint{steps.x, steps.x, steps.x});
+        ++rounded;
+        halves += place == expected && place.sign() != 0 ? 1u : 0u;
     }
+    if (!asks_enough()) return;
+    CHECK(rounded > 2'000);
+    CHECK(refused > 1'000);
+    CHECK(halves > 100);
+}
 
-    TEST_CASE("lattice: a box converts to the smallest box in whole steps that holds it") {
-        Random random(2);
-        std::uint64_t rounded = 0, refused = 0, empty = 0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Drawn drawn = draw(random);
-            const Lattice& lattice = drawn.lattice;
-            const float low = drawn.low, high = drawn.high;
-            CAPTURE(lattice.step_exponent);
-            CAPTURE(lattice.origin.x);
-            CAPTURE(low);
-            CAPTURE(high);
-            const auto [box, status] = to_lattice(lattice, Box{{low, low, low}, {high, high, high}});
-            if (!std::isfinite(low) || !std::isfinite(high)) {
-                REQUIRE(status == QueryStatus::invalid_argument);
-                continue;
-            }
-            const Rational min = rounded_down(exact_steps(lattice.origin.x, low, lattice.step_exponent));
-            const Rational max = -rounded_down(-exact_steps(lattice.origin.x, high, lattice.step_exponent));
-            REQUIRE(status == (is_in_range(min) && is_in_range(max) ? QueryStatus::ok : QueryStatus::out_of_range));
-            if (status != QueryStatus::ok) {
-                ++refused;
-                continue;
-            }
-            if (normal(low) > normal(high)) {
-                REQUIRE(box.min.x > box.max.x);
-                ++empty;
-                continue;
-            }
-            REQUIRE(Rational(std::int64_t{box.min.x}) == min);
-            REQUIRE(Rational(std::int64_t{box.max.z}) == max);
-            ++rounded;
+TEST_CASE("lattice: a box converts to the smallest box in whole steps that holds it") {
+    Random random(2);
+    std::uint64_t rounded = 0, refused = 0, empty = 0;
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        const Drawn drawn = draw(random);
+        const Lattice& lattice = drawn.lattice;
+        const float low = drawn.low, high = drawn.high;
+        CAPTURE(lattice.step_exponent);
+        CAPTURE(lattice.origin.x);
+        CAPTURE(low);
+        CAPTURE(high);
+        const auto [box, status] = to_lattice(lattice, Box{{low, low, low}, {high, high, high}});
+        if (!std::isfinite(low) || !std::isfinite(high)) {
+            REQUIRE(status == QueryStatus::invalid_argument);
+            continue;
         }
-        if (!asks_enough()) return;
-        CHECK(rounded > 1'000);
-        CHECK(refused > 1'000);
-        CHECK(empty > 100);
+        const Rational min = rounded_down(exact_steps(lattice.origin.x, low, lattice.step_exponent));
+        const Rational max = -rounded_down(-exact_steps(lattice.origin.x, high, lattice.step_exponent));
+        REQUIRE(status == (is_in_range(min) && is_in_range(max) ? QueryStatus::ok : QueryStatus::out_of_range));
+        if (status != QueryStatus::ok) {
+            ++refused;
+            continue;
+        }
+        if (normal(low) > normal(high)) {
+            REQUIRE(box.min.x > box.max.x);
+            ++empty;
+            continue;
+        }
+        REQUIRE(Rational(std::int64_t{box.min.x}) == min);
+        REQUIRE(Rational(std::int64_t{box.max.z}) == max);
+        ++rounded;
     }
+    if (!asks_enough()) return;
+    CHECK(rounded > 1'000);
+    CHECK(refused > 1'000);
+    CHECK(empty > 100);
+}
 
-    TEST_CASE("lattice: a lattice point converts to its place within two roundings of the larger part") {
-        Random random(3);
-        for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
-            const Lattice lattice = draw(random).lattice;
-            const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
-            CAPTURE(lattice.step_exponent);
-            CAPTURE(lattice.origin.x);
-            CAPTURE(number);
-            const float world = to_local(lattice, {number, number, number}).x;
-            if (!std::isfinite(world)) continue;
-            const Rational part = Rational(std::int64_t{number}) * Rational::of(1, lattice.step_exponent);
-            const Rational exact = Rational::of(lattice.origin.x) + part;
-            const Rational larger = std::max(oracle::absolute(part), oracle::absolute(exact));
-            REQUIRE(oracle::absolute(Rational::of(world) - exact) <=
-                    larger * Rational::of(1, -23) + Rational::of(1, -125));
-        }
-    }
-
-    TEST_CASE("lattice: a lattice that no blob has is answered or refused without overflow") {
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        const float endless = std::numeric_limits<float>::infinity();
-        for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})
-            for (const float origin : {0.0f, 1.0f, -1e30f, 1e-45f}) {
-                const Lattice lattice = {{origin, origin, origin}, exponent, {1, 1, 1}};
-                const Vec3 place = {1.0f, 2.0f, 3.0f};
-                CHECK(to_lattice(lattice, place).status == QueryStatus::invalid_argument);
-                CHECK(to_lattice(lattice, Box{place, place}).status == QueryStatus::invalid_argument);
-                (void)to_local(lattice, {INT32_MIN, INT32_MAX, 1});
-            }
-        for (const float origin : {nan, endless, -endless}) {
-            const Lattice lattice = {{0.0f, origin, 0.0f}, 0, {1, 1, 1}};
-            CHECK(to_lattice(lattice, Vec3{}).status == QueryStatus::invalid_argument);
-            CHECK(to_lattice(lattice, Box{}).status == QueryStatus::invalid_argument);
-        }
+TEST_CASE("lattice: a lattice point converts to its place within two roundings of the larger part") {
+    Random random(3);
+    for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
+        const Lattice lattice = draw(random).lattice;
+        const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
+        CAPTURE(lattice.step_exponent);
+        CAPTURE(lattice.origin.x);
+        CAPTURE(number);
+        const float world = to_local(lattice, {number, number, number}).x;
+        if (!std::isfinite(world)) continue;
+        const Rational part = Rational(std::int64_t{number}) * Rational::of(1, lattice.step_exponent);
+        const Rational exact = Rational::of(lattice.origin.x) + part;
+        const Rational larger = std::max(oracle::absolute(part), oracle::absolute(exact));
+        REQUIRE(oracle::absolute(Rational::of(world) - exact) <= larger * Rational::of(1, -23) + Rational::of(1, -125));
     }
 }
+
+TEST_CASE("lattice: a lattice that no blob has is answered or refused without overflow") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float endless = std::numeric_limits<float>::infinity();
+    for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})
+        for (const float origin : {0.0f, 1.0f, -1e30f, 1e-45f}) {
+            const Lattice lattice = {{origin, origin, origin}, exponent, {1, 1, 1}};
+            const Vec3 place = {1.0f, 2.0f, 3.0f};
+            CHECK(to_lattice(lattice, place).status == QueryStatus::invalid_argument);
+            CHECK(to_lattice(lattice, Box{place, place}).status == QueryStatus::invalid_argument);
+            (void)to_local(lattice, {INT32_MIN, INT32_MAX, 1});
+        }
+    for (const float origin : {nan, endless, -endless}) {
+        const Lattice lattice = {{0.0f, origin, 0.0f}, 0, {1, 1, 1}};
+        CHECK(to_lattice(lattice, Vec3{}).status == QueryStatus::invalid_argument);
+        CHECK(to_lattice(lattice, Box{}).status == QueryStatus::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::steps_test

@@ -13,9 +13,7 @@
 #include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::colliding_test {
 namespace {
 
 /// Meshes, a tile of them, and a baked scene with tiles.
@@ -146,117 +144,116 @@ std::vector<Pair> in_pages(std::size_t size, Collect collect) {
     return {};
 }
 
-}  // namespace
-
-TEST_SUITE("colliding") {
-    TEST_CASE("scene: colliding pairs of moving instances are those whose meshes overlap in pages of any size") {
-        std::size_t found = 0;
-        for (std::uint64_t seed = 0; seed < scaled(10); ++seed) {
-            CAPTURE(seed);
-            Trial trial(seed);
-            MovingScene& scene = trial.made.scene;
-            const std::vector<InstancePair> expected = trial.loop(60, true);
-            found += expected.size();
-            for (const std::size_t size : {std::size_t{3}, std::size_t{40}, std::size_t{2'000}}) {
-                CAPTURE(size);
-                CHECK(in_pages<InstancePair>(size, [&](std::span<InstancePair> page, InstancePair from) {
-                          return collect_colliding_pairs(scene, page, WorkLimit::unlimited(), {}, from);
-                      }) == expected);
-            }
-            CHECK(in_pages<InstancePair>(50, [&](std::span<InstancePair> page, InstancePair from) {
-                      return collect_candidate_pairs(scene, page, {}, from);
-                  }) == trial.loop(60, false));
-        }
-        CHECK(found > scaled(10) * 20);
-    }
-
-    TEST_CASE("scene: pairs of a moving and a baked scene are those of the loop in pages of any size") {
-        const BakedScene& baked = world().baked[0].scene;
-        std::size_t found = 0, in_tiles = 0;
-        for (std::uint64_t seed = 20; seed < 20 + scaled(5); ++seed) {
-            CAPTURE(seed);
-            const Trial trial(seed);
-            const MovingScene& scene = trial.made.scene;
-            const std::vector<BakedPair> candidates = trial.loop(baked, false), expected = trial.loop(baked, true);
-            found += expected.size();
-            for (const BakedPair& pair : expected) in_tiles += pair.baked.in_tile != no_instance.in_tile ? 1u : 0u;
-            REQUIRE(candidates.size() > expected.size());
-            for (const std::size_t size : {std::size_t{5}, std::size_t{10'000}}) {
-                CAPTURE(size);
-                CHECK(in_pages<BakedPair>(size, [&](std::span<BakedPair> page, BakedPair from) {
-                          return collect_candidate_pairs(scene, baked, page, {}, from);
-                      }) == candidates);
-                CHECK(in_pages<BakedPair>(size, [&](std::span<BakedPair> page, BakedPair from) {
-                          return collect_colliding_pairs(scene, baked, page, WorkLimit::unlimited(), {}, from);
-                      }) == expected);
-            }
-        }
-        CHECK(found > scaled(5) * 20);
-        CHECK(in_tiles > scaled(5));
-    }
-
-    TEST_CASE("scene: a limit of work ends a page of colliding pairs and the next page goes on") {
-        Trial trial(7);
+TEST_CASE("scene: colliding pairs of moving instances are those whose meshes overlap in pages of any size") {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 0; seed < scaled(10); ++seed) {
+        CAPTURE(seed);
+        Trial trial(seed);
         MovingScene& scene = trial.made.scene;
-        const BakedScene& baked = world().baked[0].scene;
-        std::vector<InstancePair> pairs(2'000);
-        std::vector<BakedPair> baked_pairs(2'000);
-        CHECK(collect_colliding_pairs(scene, pairs, WorkLimit(0)).status == QueryStatus::work_limit);
-        CHECK(collect_colliding_pairs(scene, baked, baked_pairs, WorkLimit(0)).status == QueryStatus::work_limit);
-        CHECK(in_pages<InstancePair>(100, [&](std::span<InstancePair> page, InstancePair from) {
-                  return collect_colliding_pairs(scene, page, WorkLimit(5'000), {}, from);
-              }) == trial.loop(60, true));
-        CHECK(in_pages<BakedPair>(100, [&](std::span<BakedPair> page, BakedPair from) {
-                  return collect_colliding_pairs(scene, baked, page, WorkLimit(5'000), {}, from);
-              }) == trial.loop(baked, true));
+        const std::vector<InstancePair> expected = trial.loop(60, true);
+        found += expected.size();
+        for (const std::size_t size : {std::size_t{3}, std::size_t{40}, std::size_t{2'000}}) {
+            CAPTURE(size);
+            CHECK(in_pages<InstancePair>(size, [&](std::span<InstancePair> page, InstancePair from) {
+                      return collect_colliding_pairs(scene, page, WorkLimit::unlimited(), {}, from);
+                  }) == expected);
+        }
+        CHECK(in_pages<InstancePair>(50, [&](std::span<InstancePair> page, InstancePair from) {
+                  return collect_candidate_pairs(scene, page, {}, from);
+              }) == trial.loop(60, false));
     }
-
-    TEST_CASE("scene: a pair is out of range where no floats hold the place of one in the tile of the other") {
-        std::vector<OpenedBlob> cubes;
-        cubes.emplace_back(make_cube(-0.5f, 0.5f));
-        std::vector<OpenedScene> tiles;
-        tiles.emplace_back(cubes, std::vector<Instance>(1));
-        std::vector<Instance> instances(1);
-        instances[0].mesh = 1;
-        instances[0].transform.scale = 0x1p60f;
-        const OpenedScene baked(cubes, instances, tiles);
-        REQUIRE(baked.scene);
-        MadeScene made(4, -12, baked.meshes, baked.tiles);
-        Instance small;
-        small.transform.scale = 0x1p-100f;
-        REQUIRE(insert(made.scene, small));
-        refit(made.scene);
-        BakedPair pairs[4];
-        REQUIRE(collect_candidate_pairs(made.scene, baked.scene, pairs).count == 1);
-        const FilledPairs<BakedPair> filled =
-            collect_colliding_pairs(made.scene, baked.scene, pairs, WorkLimit::unlimited());
-        CHECK(filled.status == QueryStatus::out_of_range);
-        CHECK(filled.count == 0);
-        CHECK(filled.next == pairs[0]);
-    }
-
-    TEST_CASE("scene: what has moved and what a filter keeps select colliding pairs") {
-        Trial trial(9);
-        MovingScene& scene = trial.made.scene;
-        const BakedScene& baked = world().baked[0].scene;
-        end_step(scene);
-        std::vector<InstancePair> pairs(2'000);
-        std::vector<BakedPair> baked_pairs(5'000);
-        const PairFilter moved = {true, {}};
-        CHECK(collect_candidate_pairs(scene, pairs, moved).count == 0);
-        CHECK(collect_candidate_pairs(scene, baked, baked_pairs, moved).count == 0);
-        // The first of all pairs of slots below 5 is the one that moves.
-        for (std::uint32_t slot = 0; slot < 5; ++slot)
-            REQUIRE(move(scene, *handle_of(scene, slot), trial.instances[slot].transform) == QueryStatus::ok);
-        const FilledPairs<InstancePair> found = collect_colliding_pairs(scene, pairs, WorkLimit::unlimited(), moved);
-        const auto in_first = found.in(pairs);
-        CHECK(std::vector<InstancePair>(in_first.begin(), in_first.end()) == trial.loop(5, true));
-        const auto even = [](InstanceId a, InstanceId b) { return (a.index + b.index) % 2 == 0; };
-        const PairFilter filter = {false, even};
-        std::size_t kept = 0;
-        for (const BakedPair& pair : trial.loop(baked, true)) kept += even({pair.moving}, pair.baked) ? 1u : 0u;
-        CHECK(collect_colliding_pairs(scene, baked, baked_pairs, WorkLimit::unlimited(), filter).count == kept);
-        CHECK(kept > 10);
-        CHECK(collect_candidate_pairs(scene, BakedScene{}, baked_pairs).status == QueryStatus::not_open);
-    }
+    CHECK(found > scaled(10) * 20);
 }
+
+TEST_CASE("scene: pairs of a moving and a baked scene are those of the loop in pages of any size") {
+    const BakedScene& baked = world().baked[0].scene;
+    std::size_t found = 0, in_tiles = 0;
+    for (std::uint64_t seed = 20; seed < 20 + scaled(5); ++seed) {
+        CAPTURE(seed);
+        const Trial trial(seed);
+        const MovingScene& scene = trial.made.scene;
+        const std::vector<BakedPair> candidates = trial.loop(baked, false), expected = trial.loop(baked, true);
+        found += expected.size();
+        for (const BakedPair& pair : expected) in_tiles += pair.baked.in_tile != no_instance.in_tile ? 1u : 0u;
+        REQUIRE(candidates.size() > expected.size());
+        for (const std::size_t size : {std::size_t{5}, std::size_t{10'000}}) {
+            CAPTURE(size);
+            CHECK(in_pages<BakedPair>(size, [&](std::span<BakedPair> page, BakedPair from) {
+                      return collect_candidate_pairs(scene, baked, page, {}, from);
+                  }) == candidates);
+            CHECK(in_pages<BakedPair>(size, [&](std::span<BakedPair> page, BakedPair from) {
+                      return collect_colliding_pairs(scene, baked, page, WorkLimit::unlimited(), {}, from);
+                  }) == expected);
+        }
+    }
+    CHECK(found > scaled(5) * 20);
+    CHECK(in_tiles > scaled(5));
+}
+
+TEST_CASE("scene: a limit of work ends a page of colliding pairs and the next page goes on") {
+    Trial trial(7);
+    MovingScene& scene = trial.made.scene;
+    const BakedScene& baked = world().baked[0].scene;
+    std::vector<InstancePair> pairs(2'000);
+    std::vector<BakedPair> baked_pairs(2'000);
+    CHECK(collect_colliding_pairs(scene, pairs, WorkLimit(0)).status == QueryStatus::work_limit);
+    CHECK(collect_colliding_pairs(scene, baked, baked_pairs, WorkLimit(0)).status == QueryStatus::work_limit);
+    CHECK(in_pages<InstancePair>(100, [&](std::span<InstancePair> page, InstancePair from) {
+              return collect_colliding_pairs(scene, page, WorkLimit(5'000), {}, from);
+          }) == trial.loop(60, true));
+    CHECK(in_pages<BakedPair>(100, [&](std::span<BakedPair> page, BakedPair from) {
+              return collect_colliding_pairs(scene, baked, page, WorkLimit(5'000), {}, from);
+          }) == trial.loop(baked, true));
+}
+
+TEST_CASE("scene: a pair is out of range where no floats hold the place of one in the tile of the other") {
+    std::vector<OpenedBlob> cubes;
+    cubes.emplace_back(make_cube(-0.5f, 0.5f));
+    std::vector<OpenedScene> tiles;
+    tiles.emplace_back(cubes, std::vector<Instance>(1));
+    std::vector<Instance> instances(1);
+    instances[0].mesh = 1;
+    instances[0].transform.scale = 0x1p60f;
+    const OpenedScene baked(cubes, instances, tiles);
+    REQUIRE(baked.scene);
+    MadeScene made(4, -12, baked.meshes, baked.tiles);
+    Instance small;
+    small.transform.scale = 0x1p-100f;
+    REQUIRE(insert(made.scene, small));
+    refit(made.scene);
+    BakedPair pairs[4];
+    REQUIRE(collect_candidate_pairs(made.scene, baked.scene, pairs).count == 1);
+    const FilledPairs<BakedPair> filled =
+        collect_colliding_pairs(made.scene, baked.scene, pairs, WorkLimit::unlimited());
+    CHECK(filled.status == QueryStatus::out_of_range);
+    CHECK(filled.count == 0);
+    CHECK(filled.next == pairs[0]);
+}
+
+TEST_CASE("scene: what has moved and what a filter keeps select colliding pairs") {
+    Trial trial(9);
+    MovingScene& scene = trial.made.scene;
+    const BakedScene& baked = world().baked[0].scene;
+    end_step(scene);
+    std::vector<InstancePair> pairs(2'000);
+    std::vector<BakedPair> baked_pairs(5'000);
+    const PairFilter moved = {true, {}};
+    CHECK(collect_candidate_pairs(scene, pairs, moved).count == 0);
+    CHECK(collect_candidate_pairs(scene, baked, baked_pairs, moved).count == 0);
+    // The first of all pairs of slots below 5 is the one that moves.
+    for (std::uint32_t slot = 0; slot < 5; ++slot)
+        REQUIRE(move(scene, *handle_of(scene, slot), trial.instances[slot].transform) == QueryStatus::ok);
+    const FilledPairs<InstancePair> found = collect_colliding_pairs(scene, pairs, WorkLimit::unlimited(), moved);
+    const auto in_first = found.in(pairs);
+    CHECK(std::vector<InstancePair>(in_first.begin(), in_first.end()) == trial.loop(5, true));
+    const auto even = [](InstanceId a, InstanceId b) { return (a.index + b.index) % 2 == 0; };
+    const PairFilter filter = {false, even};
+    std::size_t kept = 0;
+    for (const BakedPair& pair : trial.loop(baked, true)) kept += even({pair.moving}, pair.baked) ? 1u : 0u;
+    CHECK(collect_colliding_pairs(scene, baked, baked_pairs, WorkLimit::unlimited(), filter).count == kept);
+    CHECK(kept > 10);
+    CHECK(collect_candidate_pairs(scene, BakedScene{}, baked_pairs).status == QueryStatus::not_open);
+}
+
+}  // namespace
+}  // namespace espalier::tests::colliding_test

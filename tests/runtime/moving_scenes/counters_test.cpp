@@ -15,11 +15,10 @@
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using namespace espalier::detail;
-
+namespace espalier::tests::moving_scenes_counters_test {
 namespace {
+
+using namespace espalier::detail;
 
 using Counts = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
@@ -111,142 +110,141 @@ struct Crowd {
 
 constexpr std::uint32_t sizes[] = {0, 1, 2, 9, 60, 600};
 
-}  // namespace
-
-TEST_SUITE("counters") {
-    TEST_CASE("work: the walk for pairs of moving instances counts what a recursion counts on every instruction set") {
-        for (const std::uint32_t size : sizes)
-            for (std::uint64_t seed = 0; seed < 1 + scaled(4); ++seed) {
-                CAPTURE(size);
-                CAPTURE(seed);
-                Crowd crowd(size, seed);
-                MovingScene& scene = crowd.made.scene;
-                for (const bool only_moved : {false, true}) {
-                    CAPTURE(only_moved);
-                    const PairFilter filter = {only_moved, {}};
-                    const SceneCounters expected = PlainWalk(scene, only_moved).counters;
-                    CHECK((size < 60 || expected.pairs > size / 10));
-                    std::vector<InstancePair> plain(20 * size + 1), counted(20 * size + 1);
-                    on_each_instruction_set([&] {
-                        SceneCounters counters;
-                        const auto pairs = collect_candidate_pairs(scene, plain, filter);
-                        const auto same = collect_candidate_pairs(scene, counted, counters, filter);
-                        REQUIRE(pairs.status == QueryStatus::ok);
-                        CHECK(same.status == pairs.status);
-                        CHECK(same.next == pairs.next);
-                        CHECK(same.count == pairs.count);
-                        CHECK(counted == plain);
-                        CHECK(counts_of(counters) == counts_of(expected));
-                        // Masks select some of the pairs that are counted.
-                        CHECK(same.count <= counters.pairs);
-                        CHECK((size < 600 || same.count < counters.pairs));
-                    });
-                }
-            }
-    }
-
-    TEST_CASE("work: a page that is too small for the pairs of moving instances counts a walk for each slot at most") {
-        Crowd crowd(300, 1);
-        MovingScene& scene = crowd.made.scene;
-        SceneCounters once, of_slots;
-        std::vector<InstancePair> all(6'000);
-        const auto whole = collect_candidate_pairs(scene, all, once);
-        REQUIRE(whole.status == QueryStatus::ok);
-        REQUIRE(whole.count > 200);
-        REQUIRE(collect_candidate_pairs(scene, all, of_slots, {}, {0, 1}).count == whole.count);
-        CHECK(of_slots.box_tests > once.box_tests);
-        for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{100}, whole.count - 1}) {
-            const std::span page = std::span(all).first(size);
-            SceneCounters counters;
-            CHECK(collect_candidate_pairs(scene, page, counters).status == QueryStatus::output_full);
-            CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
-            PairCounters triangles;
-            counters = {};
-            CHECK(collect_colliding_pairs(scene, page, WorkLimit::unlimited(), counters, triangles).count <= size);
-            CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
-        }
-        SceneCounters of_pages;
-        InstancePair from;
-        while (from.a < 300) from = collect_candidate_pairs(scene, std::span(all).first(100), of_pages, {}, from).next;
-        CHECK(of_pages.box_tests <= once.box_tests + 2 * of_slots.box_tests);
-    }
-
-    TEST_CASE("work: colliding pairs in a page without room take a walk for each slot however many there are") {
-        OpenedBlob cube(make_cube(-0.5f, 0.5f));
-        const std::vector<Blob> meshes = {cube.blob};
-        constexpr std::uint32_t count = 100;
-        MadeScene made(count, -12, meshes);
-        Instance shell;  // each within the next: all boxes touch, and no triangles
-        for (std::uint32_t i = 0; i < count; ++i) {
-            shell.transform.scale = 1.0f + static_cast<float>(i);
-            REQUIRE(insert(made.scene, shell));
-        }
-        InstancePair one;
-        SceneCounters counters;
-        PairCounters triangles;
-        const auto none =
-            collect_colliding_pairs(made.scene, std::span(&one, 1), WorkLimit::unlimited(), counters, triangles);
-        CHECK(none.status == QueryStatus::ok);
-        CHECK(none.count == 0);
-        CHECK(counters.pairs <= count * (count + 1) * 2);
-    }
-
-    TEST_CASE("work: colliding pairs of moving instances count one walk and the work of all their candidates") {
-        for (const std::uint32_t size : sizes) {
+TEST_CASE("work: the walk for pairs of moving instances counts what a recursion counts on every instruction set") {
+    for (const std::uint32_t size : sizes)
+        for (std::uint64_t seed = 0; seed < 1 + scaled(4); ++seed) {
             CAPTURE(size);
-            Crowd crowd(size, 7);
+            CAPTURE(seed);
+            Crowd crowd(size, seed);
             MovingScene& scene = crowd.made.scene;
-            std::vector<InstancePair> candidates(20 * size + 1), plain(20 * size + 1), counted(20 * size + 1);
-            SceneCounters of_candidates;
-            const auto found = collect_candidate_pairs(scene, candidates, of_candidates);
-            REQUIRE(found.status == QueryStatus::ok);
-            PairCounters expected;
-            std::size_t colliding = 0;
-            const auto placed = [&](std::uint32_t slot) {
-                const Instance instance = *instance_at(scene, *handle_of(scene, slot));
-                return PlacedBlob(crowd.meshes[instance.mesh], instance.transform);
-            };
-            for (const InstancePair& pair : found.in(candidates))
-                if (first_contact(placed(pair.a), placed(pair.b), WorkLimit::unlimited(), expected)) ++colliding;
-            on_each_instruction_set([&] {
-                SceneCounters walk;
-                PairCounters triangles;
-                const WorkLimit limit(expected.box_pairs);
-                const auto pairs = collect_colliding_pairs(scene, plain, limit);
-                const auto same = collect_colliding_pairs(scene, counted, limit, walk, triangles);
-                CHECK(same.status == QueryStatus::ok);
-                CHECK(pairs.status == QueryStatus::ok);
-                CHECK(same.count == colliding);
-                CHECK(counted == plain);
-                CHECK(counts_of(walk) == counts_of(of_candidates));
-                CHECK(counts_of(triangles) == counts_of(expected));
-            });
-            if (expected.box_pairs == 0) continue;
+            for (const bool only_moved : {false, true}) {
+                CAPTURE(only_moved);
+                const PairFilter filter = {only_moved, {}};
+                const SceneCounters expected = PlainWalk(scene, only_moved).counters;
+                CHECK((size < 60 || expected.pairs > size / 10));
+                std::vector<InstancePair> plain(20 * size + 1), counted(20 * size + 1);
+                on_each_instruction_set([&] {
+                    SceneCounters counters;
+                    const auto pairs = collect_candidate_pairs(scene, plain, filter);
+                    const auto same = collect_candidate_pairs(scene, counted, counters, filter);
+                    REQUIRE(pairs.status == QueryStatus::ok);
+                    CHECK(same.status == pairs.status);
+                    CHECK(same.next == pairs.next);
+                    CHECK(same.count == pairs.count);
+                    CHECK(counted == plain);
+                    CHECK(counts_of(counters) == counts_of(expected));
+                    // Masks select some of the pairs that are counted.
+                    CHECK(same.count <= counters.pairs);
+                    CHECK((size < 600 || same.count < counters.pairs));
+                });
+            }
+        }
+}
+
+TEST_CASE("work: a page that is too small for the pairs of moving instances counts a walk for each slot at most") {
+    Crowd crowd(300, 1);
+    MovingScene& scene = crowd.made.scene;
+    SceneCounters once, of_slots;
+    std::vector<InstancePair> all(6'000);
+    const auto whole = collect_candidate_pairs(scene, all, once);
+    REQUIRE(whole.status == QueryStatus::ok);
+    REQUIRE(whole.count > 200);
+    REQUIRE(collect_candidate_pairs(scene, all, of_slots, {}, {0, 1}).count == whole.count);
+    CHECK(of_slots.box_tests > once.box_tests);
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{100}, whole.count - 1}) {
+        const std::span page = std::span(all).first(size);
+        SceneCounters counters;
+        CHECK(collect_candidate_pairs(scene, page, counters).status == QueryStatus::output_full);
+        CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
+        PairCounters triangles;
+        counters = {};
+        CHECK(collect_colliding_pairs(scene, page, WorkLimit::unlimited(), counters, triangles).count <= size);
+        CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
+    }
+    SceneCounters of_pages;
+    InstancePair from;
+    while (from.a < 300) from = collect_candidate_pairs(scene, std::span(all).first(100), of_pages, {}, from).next;
+    CHECK(of_pages.box_tests <= once.box_tests + 2 * of_slots.box_tests);
+}
+
+TEST_CASE("work: colliding pairs in a page without room take a walk for each slot however many there are") {
+    OpenedBlob cube(make_cube(-0.5f, 0.5f));
+    const std::vector<Blob> meshes = {cube.blob};
+    constexpr std::uint32_t count = 100;
+    MadeScene made(count, -12, meshes);
+    Instance shell;  // each within the next: all boxes touch, and no triangles
+    for (std::uint32_t i = 0; i < count; ++i) {
+        shell.transform.scale = 1.0f + static_cast<float>(i);
+        REQUIRE(insert(made.scene, shell));
+    }
+    InstancePair one;
+    SceneCounters counters;
+    PairCounters triangles;
+    const auto none =
+        collect_colliding_pairs(made.scene, std::span(&one, 1), WorkLimit::unlimited(), counters, triangles);
+    CHECK(none.status == QueryStatus::ok);
+    CHECK(none.count == 0);
+    CHECK(counters.pairs <= count * (count + 1) * 2);
+}
+
+TEST_CASE("work: colliding pairs of moving instances count one walk and the work of all their candidates") {
+    for (const std::uint32_t size : sizes) {
+        CAPTURE(size);
+        Crowd crowd(size, 7);
+        MovingScene& scene = crowd.made.scene;
+        std::vector<InstancePair> candidates(20 * size + 1), plain(20 * size + 1), counted(20 * size + 1);
+        SceneCounters of_candidates;
+        const auto found = collect_candidate_pairs(scene, candidates, of_candidates);
+        REQUIRE(found.status == QueryStatus::ok);
+        PairCounters expected;
+        std::size_t colliding = 0;
+        const auto placed = [&](std::uint32_t slot) {
+            const Instance instance = *instance_at(scene, *handle_of(scene, slot));
+            return PlacedBlob(crowd.meshes[instance.mesh], instance.transform);
+        };
+        for (const InstancePair& pair : found.in(candidates))
+            if (first_contact(placed(pair.a), placed(pair.b), WorkLimit::unlimited(), expected)) ++colliding;
+        on_each_instruction_set([&] {
             SceneCounters walk;
             PairCounters triangles;
-            const WorkLimit less(expected.box_pairs - 1);
-            const auto cut_short = collect_colliding_pairs(scene, counted, less, walk, triangles);
-            CHECK(cut_short.status == QueryStatus::work_limit);
-            CHECK(triangles.box_pairs == less.visits());
+            const WorkLimit limit(expected.box_pairs);
+            const auto pairs = collect_colliding_pairs(scene, plain, limit);
+            const auto same = collect_colliding_pairs(scene, counted, limit, walk, triangles);
+            CHECK(same.status == QueryStatus::ok);
+            CHECK(pairs.status == QueryStatus::ok);
+            CHECK(same.count == colliding);
+            CHECK(counted == plain);
             CHECK(counts_of(walk) == counts_of(of_candidates));
-        }
-    }
-
-    TEST_CASE("work: refused searches for pairs of moving instances count nothing") {
-        Crowd crowd(60, 3);
-        MovingScene nothing;
-        std::vector<InstancePair> pairs(1'000);
+            CHECK(counts_of(triangles) == counts_of(expected));
+        });
+        if (expected.box_pairs == 0) continue;
         SceneCounters walk;
         PairCounters triangles;
-        const auto check = [&](MovingScene& scene, QueryStatus status) {
-            CHECK(collect_candidate_pairs(scene, pairs, walk).status == status);
-            CHECK(collect_colliding_pairs(scene, pairs, WorkLimit(9), walk, triangles).status == status);
-            CHECK(counts_of(walk) == Counts{});
-            CHECK(counts_of(triangles) == Counts{});
-        };
-        check(nothing, QueryStatus::not_open);
-        const std::vector<Movement> movements = {{*handle_of(crowd.made.scene, 5), {}}};
-        REQUIRE(move(crowd.made.scene, movements).status == QueryStatus::ok);
-        check(crowd.made.scene, QueryStatus::not_refitted);
+        const WorkLimit less(expected.box_pairs - 1);
+        const auto cut_short = collect_colliding_pairs(scene, counted, less, walk, triangles);
+        CHECK(cut_short.status == QueryStatus::work_limit);
+        CHECK(triangles.box_pairs == less.visits());
+        CHECK(counts_of(walk) == counts_of(of_candidates));
     }
 }
+
+TEST_CASE("work: refused searches for pairs of moving instances count nothing") {
+    Crowd crowd(60, 3);
+    MovingScene nothing;
+    std::vector<InstancePair> pairs(1'000);
+    SceneCounters walk;
+    PairCounters triangles;
+    const auto check = [&](MovingScene& scene, QueryStatus status) {
+        CHECK(collect_candidate_pairs(scene, pairs, walk).status == status);
+        CHECK(collect_colliding_pairs(scene, pairs, WorkLimit(9), walk, triangles).status == status);
+        CHECK(counts_of(walk) == Counts{});
+        CHECK(counts_of(triangles) == Counts{});
+    };
+    check(nothing, QueryStatus::not_open);
+    const std::vector<Movement> movements = {{*handle_of(crowd.made.scene, 5), {}}};
+    REQUIRE(move(crowd.made.scene, movements).status == QueryStatus::ok);
+    check(crowd.made.scene, QueryStatus::not_refitted);
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_scenes_counters_test

@@ -15,9 +15,7 @@
 #include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::moving_scenes_hostile_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -163,98 +161,96 @@ std::uint32_t word_of(const Bytes& bytes, std::size_t at) {
 }
 void set_word(Bytes& bytes, std::size_t at, std::uint32_t word) { std::memcpy(bytes.data() + at, &word, sizeof word); }
 
-}  // namespace
-
-TEST_SUITE("hostile") {
-    TEST_CASE("scene: every truncation of a moving scene and every misaligned copy is refused") {
-        const Bytes bytes = make_bytes(14, 13, false);
-        for (std::size_t size = 0; size < bytes.size(); ++size) {
-            AlignedBuffer cut(std::span<const std::byte>(bytes).first(size));
-            REQUIRE_FALSE(open_bytes(cut.bytes()));
-        }
-        for (std::size_t by = 1; by < AlignedBuffer::alignment; ++by) {
-            AlignedBuffer copy(bytes, by);
-            REQUIRE_FALSE(open_bytes(copy.bytes()));
-            REQUIRE_FALSE(create_moving_scene(copy.bytes(), 14, -12, cubes_and_tile().meshes));
-        }
-        AlignedBuffer whole(bytes);
-        CHECK(open_bytes(whole.bytes()));
+TEST_CASE("scene: every truncation of a moving scene and every misaligned copy is refused") {
+    const Bytes bytes = make_bytes(14, 13, false);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        AlignedBuffer cut(std::span<const std::byte>(bytes).first(size));
+        REQUIRE_FALSE(open_bytes(cut.bytes()));
     }
-
-    TEST_CASE("scene: every flipped bit of a moving scene is refused or safe and exact") {
-        for (const bool must_refit : {false, true}) {
-            const Bytes original = make_bytes(14, 13, must_refit);
-            Tally tally;
-            for (std::size_t byte = 0; byte < original.size(); ++byte)
-                for (unsigned bit = 0; bit < 8; ++bit) {
-                    CAPTURE(byte);
-                    CAPTURE(bit);
-                    Bytes bytes = original;
-                    bytes[byte] ^= static_cast<std::byte>(1u << bit);
-                    tally.add(bytes);
-                }
-            tally.require_both();
-        }
+    for (std::size_t by = 1; by < AlignedBuffer::alignment; ++by) {
+        AlignedBuffer copy(bytes, by);
+        REQUIRE_FALSE(open_bytes(copy.bytes()));
+        REQUIRE_FALSE(create_moving_scene(copy.bytes(), 14, -12, cubes_and_tile().meshes));
     }
+    AlignedBuffer whole(bytes);
+    CHECK(open_bytes(whole.bytes()));
+}
 
-    TEST_CASE("scene: every word of a moving scene may hold any number") {
-        for (const bool must_refit : {false, true}) {
-            const Bytes original = make_bytes(14, 13, must_refit);
-            Tally tally;
-            for (std::size_t at = 0; at + 4 <= original.size(); at += 4) {
-                const std::uint32_t word = word_of(original, at);
-                for (const std::uint32_t value :
-                     {0u,          1u,          2u,          7u,          13u,         14u,
-                      15u,         1u << 24,    0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu,
-                      0xFFFFFFFFu, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7FC00000u, 0xFF800000u,
-                      word + 1,    word - 1,    word + 8,    word - 8,    ~word}) {
-                    CAPTURE(at);
-                    CAPTURE(value);
-                    Bytes bytes = original;
-                    set_word(bytes, at, value);
-                    tally.add(bytes);
-                }
-            }
-            tally.require_both();
-        }
-    }
-
-    TEST_CASE("scene: every byte of the head of a moving scene may hold any number") {
-        for (const std::uint32_t count : {1u, 13u}) {  // all instances are removed again from the first
-            const Bytes original = make_bytes(14, count, false);
-            Tally tally;
-            for (std::size_t at = 0; at < sizeof(detail::BlockHead); ++at)
-                for (unsigned value = 0; value < 256; ++value) {
-                    CAPTURE(at);
-                    CAPTURE(value);
-                    Bytes bytes = original;
-                    bytes[at] = static_cast<std::byte>(value);
-                    tally.add(bytes);
-                }
-            tally.require_both();
-        }
-    }
-
-    TEST_CASE("scene: moving scenes of several levels with changed words are refused or safe and exact") {
-        Random random(8);
-        for (const bool must_refit : {false, true}) {
-            const Bytes original = make_bytes(80, 78, must_refit);
-            const auto words = static_cast<std::uint32_t>(original.size() / 4);
-            REQUIRE(std::to_integer<unsigned>(original[13]) == 3);  // levels
-            Tally tally;
-            for (std::uint64_t i = 0; i < scaled(1'500); ++i) {
-                CAPTURE(i);
+TEST_CASE("scene: every flipped bit of a moving scene is refused or safe and exact") {
+    for (const bool must_refit : {false, true}) {
+        const Bytes original = make_bytes(14, 13, must_refit);
+        Tally tally;
+        for (std::size_t byte = 0; byte < original.size(); ++byte)
+            for (unsigned bit = 0; bit < 8; ++bit) {
+                CAPTURE(byte);
+                CAPTURE(bit);
                 Bytes bytes = original;
-                for (std::uint32_t left = 1 + random.below(2); left > 0; --left) {
-                    const std::size_t at = 4 * std::size_t{random.below(random.coin() ? 16 : words)};
-                    // Often the number of another node, slot or place.
-                    const std::uint32_t other =
-                        random.coin() ? random.below(160) : word_of(bytes, 4 * random.below(words));
-                    set_word(bytes, at, random.coin() ? word_of(bytes, at) + random.below(17) - 8 : other);
-                }
+                bytes[byte] ^= static_cast<std::byte>(1u << bit);
                 tally.add(bytes);
             }
-            tally.require_both();
-        }
+        tally.require_both();
     }
 }
+
+TEST_CASE("scene: every word of a moving scene may hold any number") {
+    for (const bool must_refit : {false, true}) {
+        const Bytes original = make_bytes(14, 13, must_refit);
+        Tally tally;
+        for (std::size_t at = 0; at + 4 <= original.size(); at += 4) {
+            const std::uint32_t word = word_of(original, at);
+            for (const std::uint32_t value :
+                 {0u,          1u,          2u,          7u,          13u,         14u,
+                  15u,         1u << 24,    0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu,
+                  0xFFFFFFFFu, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7FC00000u, 0xFF800000u,
+                  word + 1,    word - 1,    word + 8,    word - 8,    ~word}) {
+                CAPTURE(at);
+                CAPTURE(value);
+                Bytes bytes = original;
+                set_word(bytes, at, value);
+                tally.add(bytes);
+            }
+        }
+        tally.require_both();
+    }
+}
+
+TEST_CASE("scene: every byte of the head of a moving scene may hold any number") {
+    for (const std::uint32_t count : {1u, 13u}) {  // all instances are removed again from the first
+        const Bytes original = make_bytes(14, count, false);
+        Tally tally;
+        for (std::size_t at = 0; at < sizeof(detail::BlockHead); ++at)
+            for (unsigned value = 0; value < 256; ++value) {
+                CAPTURE(at);
+                CAPTURE(value);
+                Bytes bytes = original;
+                bytes[at] = static_cast<std::byte>(value);
+                tally.add(bytes);
+            }
+        tally.require_both();
+    }
+}
+
+TEST_CASE("scene: moving scenes of several levels with changed words are refused or safe and exact") {
+    Random random(8);
+    for (const bool must_refit : {false, true}) {
+        const Bytes original = make_bytes(80, 78, must_refit);
+        const auto words = static_cast<std::uint32_t>(original.size() / 4);
+        REQUIRE(std::to_integer<unsigned>(original[13]) == 3);  // levels
+        Tally tally;
+        for (std::uint64_t i = 0; i < scaled(1'500); ++i) {
+            CAPTURE(i);
+            Bytes bytes = original;
+            for (std::uint32_t left = 1 + random.below(2); left > 0; --left) {
+                const std::size_t at = 4 * std::size_t{random.below(random.coin() ? 16 : words)};
+                // Often the number of another node, slot or place.
+                const std::uint32_t other = random.coin() ? random.below(160) : word_of(bytes, 4 * random.below(words));
+                set_word(bytes, at, random.coin() ? word_of(bytes, at) + random.below(17) - 8 : other);
+            }
+            tally.add(bytes);
+        }
+        tally.require_both();
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_scenes_hostile_test

@@ -19,9 +19,7 @@
 #include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::moving_scenes_scene_test {
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -188,274 +186,273 @@ struct Trial {
     std::size_t any() { return random.below(static_cast<std::uint32_t>(model.handles.size())); }
 };
 
-}  // namespace
-
-TEST_SUITE("scene") {
-    TEST_CASE("scene: random changes leave a moving scene as a list of instances has it and open to a snapshot") {
-        for (const bool is_least : {false, true})
-            for (const std::uint32_t capacity : {1u, 8u, 64u, 300u}) {
-                CAPTURE(is_least);
-                CAPTURE(capacity);
-                Trial trial(capacity, is_least, 1);
-                REQUIRE(trial.made.scene);
-                for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
-                    CAPTURE(i);
-                    trial.operate();
-                    trial.model.check(trial.made.scene);
-                    const MadeScene copy(trial.made.scene.bytes(), parts().meshes, parts().tiles);
-                    REQUIRE(copy.scene);
-                }
+TEST_CASE("scene: random changes leave a moving scene as a list of instances has it and open to a snapshot") {
+    for (const bool is_least : {false, true})
+        for (const std::uint32_t capacity : {1u, 8u, 64u, 300u}) {
+            CAPTURE(is_least);
+            CAPTURE(capacity);
+            Trial trial(capacity, is_least, 1);
+            REQUIRE(trial.made.scene);
+            for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+                CAPTURE(i);
+                trial.operate();
+                trial.model.check(trial.made.scene);
+                const MadeScene copy(trial.made.scene.bytes(), parts().meshes, parts().tiles);
+                REQUIRE(copy.scene);
             }
-    }
-
-    TEST_CASE("scene: a moving scene makes all room that it states in the fewest bytes too") {
-        for (const bool is_least : {false, true})
-            for (std::uint32_t capacity = 1; capacity < 400; capacity += 1 + capacity / 7) {
-                CAPTURE(capacity);
-                MadeScene made(capacity, step_exponent, parts().meshes, {}, is_least);
-                REQUIRE(made.scene);
-                Random random(capacity);
-                for (std::uint32_t i = 0; i < capacity; ++i) {
-                    Instance instance;
-                    instance.transform.translation = random.in_cube(50.0f);
-                    REQUIRE(insert(made.scene, instance));
-                }
-                CHECK(insert(made.scene, {}).status == QueryStatus::no_room);
-                CHECK(open_moving_scene(made.bytes(), parts().meshes));
-            }
-    }
-
-    TEST_CASE("scene: memory that does not fit makes no moving scene") {
-        const std::uint64_t least = least_moving_scene_bytes(10);
-        CHECK(least < moving_scene_bytes(10));
-        std::vector<std::byte> memory(static_cast<std::size_t>(least) + 64);
-        const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
-        const std::span<std::byte> aligned =
-            std::span(memory).subspan((32 - address % 32) % 32).first(static_cast<std::size_t>(least));
-        CHECK(create_moving_scene(aligned, 10, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned.first(aligned.size() - 1), 10, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned.subspan(4), 5, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned, 0, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned, 11, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned, 0xFFFFFFFF, 0, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned, 10, -101, parts().meshes));
-        CHECK_FALSE(create_moving_scene(aligned, 10, 81, parts().meshes));
-        CHECK_FALSE(create_moving_scene({}, 10, 0, parts().meshes));
-        CHECK(create_moving_scene(aligned, 10, 80, {}));
-        CHECK(moving_scene_bytes(0) == 0);
-        CHECK(moving_scene_bytes((1u << 24) + 1) == 0);
-        CHECK(least_moving_scene_bytes((1u << 24) + 1) == 0);
-        CHECK(moving_scene_bytes(1u << 24) < 162ull << 24);
-        CHECK(least_moving_scene_bytes(1u << 24) < 126ull << 24);
-        CHECK(least_moving_scene_bytes(64) <= 8192);
-    }
-
-    TEST_CASE("scene: a scene that was never made refuses every call") {
-        MovingScene none;
-        CHECK_FALSE(none);
-        CHECK(none.bytes().empty());
-        CHECK(none.capacity() == 0);
-        CHECK(none.slot_end() == 0);
-        CHECK(none.step_exponent() == 0);
-        CHECK_FALSE(none.must_refit());
-        CHECK(insert(none, {}).status == QueryStatus::not_open);
-        CHECK(remove(none, {}) == QueryStatus::not_open);
-        CHECK(move(none, {}, Transform{}) == QueryStatus::not_open);
-        CHECK(move(none, std::span<const Movement>{}).status == QueryStatus::not_open);
-        CHECK(set_mask(none, {}, 1) == QueryStatus::not_open);
-        CHECK(set_user(none, {}, 1) == QueryStatus::not_open);
-        CHECK(refit(none) == 0);
-        repack(none);
-        end_step(none);
-        CHECK(quality(none) == 1.0f);
-        CHECK(handle_of(none, 0).status == QueryStatus::not_open);
-        CHECK(instance_at(none, InstanceHandle{}).status == QueryStatus::not_open);
-        CHECK(box_of(none, {}).status == QueryStatus::not_open);
-        CHECK(raycast(none, Ray{}).hit.status == QueryStatus::not_open);
-        CHECK(closest_point(none, {}).hit.status == QueryStatus::not_open);
-        CHECK(overlaps(none, Sphere{}).status() == QueryStatus::not_open);
-        std::vector<InstancePair> pairs(1);
-        CHECK(collect_candidate_pairs(none, pairs).status == QueryStatus::not_open);
-        CHECK(collect_colliding_pairs(none, pairs, WorkLimit::unlimited()).status == QueryStatus::not_open);
-    }
-
-    TEST_CASE("scene: bad instances and places are refused and change nothing") {
-        MadeScene made(4, step_exponent, parts().meshes, parts().tiles);
-        MovingScene& scene = made.scene;
-        const InstanceHandle handle = *insert(scene, instance_at_place({1.0f, 2.0f, 3.0f}));
-        const std::vector<std::byte> before = snapshot_of(scene);
-        const float end = std::ldexp(1.0f, 30 + step_exponent);
-        for (const std::uint32_t mesh : {2u, 4u, 5u, 0xFFFFFFFFu})
-            CHECK(insert(scene, instance_at_place({}, mesh)).status == QueryStatus::invalid_argument);
-        const auto refuses = [&](const Transform& transform, QueryStatus status) {
-            Instance instance;
-            instance.transform = transform;
-            CHECK(insert(scene, instance).status == status);
-            CHECK(move(scene, handle, transform) == status);
-            const Movement movements[] = {{handle, transform}};
-            CHECK(move(scene, movements).status == status);
-        };
-        for (const float bad : {not_a_number, infinity, -infinity}) {
-            refuses({{}, {bad, 0.0f, 0.0f}, 1.0f}, QueryStatus::invalid_argument);
-            refuses({{0.0f, bad, 0.0f, 1.0f}, {}, 1.0f}, QueryStatus::invalid_argument);
-            refuses({{}, {}, bad}, QueryStatus::invalid_argument);
         }
-        for (const float scale : {0.0f, -1.0f, 0x1p-120f, 0x1p101f})
-            refuses({{}, {}, scale}, QueryStatus::invalid_argument);
-        refuses({{0.0f, 0.0f, 0.0f, 0.0f}, {}, 1.0f}, QueryStatus::invalid_argument);
-        for (const float x : {end, -end, 1e30f}) refuses({{}, {0.0f, x, 0.0f}, 1.0f}, QueryStatus::out_of_range);
-        refuses({{}, {}, 1e20f}, QueryStatus::out_of_range);
-        CHECK(snapshot_of(scene) == before);
-        CHECK(insert(scene, instance_at_place({0.0f, end - 2.0f, 0.0f}, 3)));
-    }
-
-    TEST_CASE("scene: stale and random handles are refused and change nothing") {
-        MadeScene made(8, step_exponent, parts().meshes);
-        MovingScene& scene = made.scene;
-        Random random(4);
-        const InstanceHandle kept = *insert(scene, {});
-        const InstanceHandle old = *insert(scene, {});
-        REQUIRE(remove(scene, old) == QueryStatus::ok);
-        const InstanceHandle again = *insert(scene, {});
-        CHECK(again.slot == old.slot);
-        CHECK(again != old);
-        const std::vector<std::byte> before = snapshot_of(scene);
-        const auto refuses = [&](InstanceHandle handle) {
-            CHECK(remove(scene, handle) == QueryStatus::stale_handle);
-            CHECK(move(scene, handle, Transform{}) == QueryStatus::stale_handle);
-            CHECK(set_mask(scene, handle, 5) == QueryStatus::stale_handle);
-            CHECK(set_user(scene, handle, 5) == QueryStatus::stale_handle);
-            CHECK(instance_at(scene, handle).status == QueryStatus::stale_handle);
-            CHECK(box_of(scene, handle).status == QueryStatus::stale_handle);
-        };
-        refuses(old);
-        refuses({});
-        refuses({kept.slot, kept.generation + 1});
-        refuses({2, 0});
-        refuses({7, 1});
-        for (int i = 0; i < 1'000; ++i) {
-            const auto any = [&] { return static_cast<std::uint32_t>(random.next()); };
-            const InstanceHandle handle = {random.coin() ? random.below(10) : any(),
-                                           random.coin() ? random.below(4) : any()};
-            if (handle != kept && handle != again) refuses(handle);
-        }
-        CHECK(snapshot_of(scene) == before);
-        CHECK(handle_of(scene, 2).status == QueryStatus::out_of_range);
-    }
-
-    TEST_CASE("scene: queries wait for a refit after a batch of moves and see its places then") {
-        MadeScene made(4, step_exponent, parts().meshes);
-        MovingScene& scene = made.scene;
-        const InstanceHandle handle = *insert(scene, instance_at_place({0.0f, 0.0f, 0.0f}));
-        (void)*insert(scene, instance_at_place({0.0f, 9.0f, 0.0f}));
-        const Ray ray = {{5.0f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}};
-        CHECK_FALSE(raycast(scene, ray));
-        Movement movements[] = {{handle, {}}};
-        movements[0].transform.translation.x = 5.0f;
-        CHECK(move(scene, movements).count == 1);
-        std::vector<InstancePair> pairs(4);
-        std::vector<Ray> rays(1);
-        std::vector<InScene<RayHit>> hits(1);
-        const auto none = [](auto...) {};
-        CHECK(raycast(scene, ray).hit.status == QueryStatus::not_refitted);
-        CHECK(raycast(scene, rays, hits).status == QueryStatus::not_refitted);
-        CHECK(occluded(scene, ray).status() == QueryStatus::not_refitted);
-        CHECK(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}) == QueryStatus::not_refitted);
-        CHECK(closest_point(scene, {}).hit.status == QueryStatus::not_refitted);
-        CHECK(sweep(scene, Sphere{}, {}).hit.status == QueryStatus::not_refitted);
-        CHECK(overlaps(scene, Sphere{}).status() == QueryStatus::not_refitted);
-        CHECK(for_each_overlap(scene, Sphere{}, none) == QueryStatus::not_refitted);
-        CHECK(for_each_candidate(scene, Box{}, [](InstanceId) {}) == QueryStatus::not_refitted);
-        CHECK(collect_candidate_pairs(scene, pairs).status == QueryStatus::not_refitted);
-        CHECK(collect_colliding_pairs(scene, pairs, WorkLimit::unlimited()).status == QueryStatus::not_refitted);
-        CHECK(refit(scene) == 0);  // the root is the only node
-        const InScene<RayHit> hit = raycast(scene, ray);
-        REQUIRE(hit);
-        CHECK(hit.instance == InstanceId{handle.slot});
-        CHECK(hit->t == 2.5f);
-    }
-
-    TEST_CASE("scene: quality rises as instances move away from their neighbours and is one after a repack") {
-        MadeScene made(500, step_exponent, parts().meshes);
-        MovingScene& scene = made.scene;
-        Random random(6);
-        std::vector<Movement> movements;
-        for (int i = 0; i < 500; ++i) {
-            movements.push_back({*insert(scene, instance_at_place(random.in_cube(40.0f))), {}});
-        }
-        CHECK(quality(scene) == infinity);
-        repack(scene);
-        CHECK(quality(scene) == 1.0f);
-        for (Movement& movement : movements) movement.transform.translation = random.in_cube(40.0f);
-        REQUIRE(move(scene, movements).count == 500);
-        CHECK(refit(scene) > 60);
-        CHECK(quality(scene) > 2.0f);
-        repack(scene);
-        CHECK(quality(scene) == 1.0f);
-    }
-
-    TEST_CASE("scene: the box of an instance is that of its mesh and a little more") {
-        MadeScene made(2, step_exponent, parts().meshes);
-        MovingScene& scene = made.scene;
-        const InstanceHandle handle = *insert(scene, instance_at_place({100.0f, -7.0f, 0.25f}));
-        const Box box = *box_of(scene, handle);
-        CHECK(box.min.x < 99.5f);
-        CHECK(box.min.x > 99.49f);
-        CHECK(box.max.x > 100.5f);
-        CHECK(box.max.x < 100.51f);
-        CHECK(box.min.y < -7.5f);
-        CHECK(box.max.z > 0.75f);
-    }
-
-    TEST_CASE("scene: a snapshot continues with the same bytes as the scene") {
-        Trial trial(100, false, 8);
-        for (int i = 0; i < 400; ++i) trial.operate();
-        Trial copy(100, false, 9);
-        std::memcpy(copy.made.bytes().data(), trial.made.bytes().data(), trial.made.bytes().size());
-        copy.made.scene = open_moving_scene(copy.made.bytes(), parts().meshes, parts().tiles);
-        REQUIRE(copy.made.scene);
-        copy.model = trial.model;
-        trial.random = copy.random;
-        for (int i = 0; i < 400; ++i) {
-            trial.operate();
-            copy.operate();
-        }
-        CHECK(snapshot_of(trial.made.scene) == snapshot_of(copy.made.scene));
-    }
-
-    TEST_CASE("scene: one batch or several slices of it leave the same bytes") {
-        const auto bytes_after = [](std::size_t slices) {
-            Trial trial(200, false, 10);
-            for (int i = 0; i < 150; ++i) trial.insert_any();
-            for (int round = 0; round < 20; ++round) {
-                std::vector<Movement> movements;
-                for (const InstanceHandle& handle : trial.model.handles)
-                    movements.push_back({handle, random_transform(trial.random)});
-                const std::span<const Movement> all = movements;
-                for (std::size_t i = 0; i < slices; ++i) {
-                    const std::size_t from = all.size() * i / slices, to = all.size() * (i + 1) / slices;
-                    REQUIRE(move(trial.made.scene, all.subspan(from, to - from)).count == to - from);
-                }
-                refit(trial.made.scene);
-                if (round % 8 == 7) repack(trial.made.scene);
-            }
-            return snapshot_of(trial.made.scene);
-        };
-        const std::vector<std::byte> whole = bytes_after(1);
-        CHECK(bytes_after(2) == whole);
-        CHECK(bytes_after(7) == whole);
-    }
-
-    TEST_CASE("scene: a snapshot of other meshes is refused") {
-        MadeScene made(4, step_exponent, parts().meshes, parts().tiles);
-        (void)*insert(made.scene, instance_at_place({}, 1));
-        (void)*insert(made.scene, instance_at_place({}, 3));
-        CHECK(open_moving_scene(made.bytes(), parts().meshes, parts().tiles));
-        CHECK_FALSE(open_moving_scene(made.bytes(), parts().meshes));
-        std::vector<Blob> others = parts().meshes;
-        std::swap(others[0], others[1]);
-        CHECK_FALSE(open_moving_scene(made.bytes(), others, parts().tiles));
-        others[1] = parts().meshes[2];
-        CHECK_FALSE(open_moving_scene(made.bytes(), others, parts().tiles));
-    }
 }
+
+TEST_CASE("scene: a moving scene makes all room that it states in the fewest bytes too") {
+    for (const bool is_least : {false, true})
+        for (std::uint32_t capacity = 1; capacity < 400; capacity += 1 + capacity / 7) {
+            CAPTURE(capacity);
+            MadeScene made(capacity, step_exponent, parts().meshes, {}, is_least);
+            REQUIRE(made.scene);
+            Random random(capacity);
+            for (std::uint32_t i = 0; i < capacity; ++i) {
+                Instance instance;
+                instance.transform.translation = random.in_cube(50.0f);
+                REQUIRE(insert(made.scene, instance));
+            }
+            CHECK(insert(made.scene, {}).status == QueryStatus::no_room);
+            CHECK(open_moving_scene(made.bytes(), parts().meshes));
+        }
+}
+
+TEST_CASE("scene: memory that does not fit makes no moving scene") {
+    const std::uint64_t least = least_moving_scene_bytes(10);
+    CHECK(least < moving_scene_bytes(10));
+    std::vector<std::byte> memory(static_cast<std::size_t>(least) + 64);
+    const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
+    const std::span<std::byte> aligned =
+        std::span(memory).subspan((32 - address % 32) % 32).first(static_cast<std::size_t>(least));
+    CHECK(create_moving_scene(aligned, 10, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned.first(aligned.size() - 1), 10, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned.subspan(4), 5, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned, 0, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned, 11, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned, 0xFFFFFFFF, 0, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned, 10, -101, parts().meshes));
+    CHECK_FALSE(create_moving_scene(aligned, 10, 81, parts().meshes));
+    CHECK_FALSE(create_moving_scene({}, 10, 0, parts().meshes));
+    CHECK(create_moving_scene(aligned, 10, 80, {}));
+    CHECK(moving_scene_bytes(0) == 0);
+    CHECK(moving_scene_bytes((1u << 24) + 1) == 0);
+    CHECK(least_moving_scene_bytes((1u << 24) + 1) == 0);
+    CHECK(moving_scene_bytes(1u << 24) < 162ull << 24);
+    CHECK(least_moving_scene_bytes(1u << 24) < 126ull << 24);
+    CHECK(least_moving_scene_bytes(64) <= 8192);
+}
+
+TEST_CASE("scene: a scene that was never made refuses every call") {
+    MovingScene none;
+    CHECK_FALSE(none);
+    CHECK(none.bytes().empty());
+    CHECK(none.capacity() == 0);
+    CHECK(none.slot_end() == 0);
+    CHECK(none.step_exponent() == 0);
+    CHECK_FALSE(none.must_refit());
+    CHECK(insert(none, {}).status == QueryStatus::not_open);
+    CHECK(remove(none, {}) == QueryStatus::not_open);
+    CHECK(move(none, {}, Transform{}) == QueryStatus::not_open);
+    CHECK(move(none, std::span<const Movement>{}).status == QueryStatus::not_open);
+    CHECK(set_mask(none, {}, 1) == QueryStatus::not_open);
+    CHECK(set_user(none, {}, 1) == QueryStatus::not_open);
+    CHECK(refit(none) == 0);
+    repack(none);
+    end_step(none);
+    CHECK(quality(none) == 1.0f);
+    CHECK(handle_of(none, 0).status == QueryStatus::not_open);
+    CHECK(instance_at(none, InstanceHandle{}).status == QueryStatus::not_open);
+    CHECK(box_of(none, {}).status == QueryStatus::not_open);
+    CHECK(raycast(none, Ray{}).hit.status == QueryStatus::not_open);
+    CHECK(closest_point(none, {}).hit.status == QueryStatus::not_open);
+    CHECK(overlaps(none, Sphere{}).status() == QueryStatus::not_open);
+    std::vector<InstancePair> pairs(1);
+    CHECK(collect_candidate_pairs(none, pairs).status == QueryStatus::not_open);
+    CHECK(collect_colliding_pairs(none, pairs, WorkLimit::unlimited()).status == QueryStatus::not_open);
+}
+
+TEST_CASE("scene: bad instances and places are refused and change nothing") {
+    MadeScene made(4, step_exponent, parts().meshes, parts().tiles);
+    MovingScene& scene = made.scene;
+    const InstanceHandle handle = *insert(scene, instance_at_place({1.0f, 2.0f, 3.0f}));
+    const std::vector<std::byte> before = snapshot_of(scene);
+    const float end = std::ldexp(1.0f, 30 + step_exponent);
+    for (const std::uint32_t mesh : {2u, 4u, 5u, 0xFFFFFFFFu})
+        CHECK(insert(scene, instance_at_place({}, mesh)).status == QueryStatus::invalid_argument);
+    const auto refuses = [&](const Transform& transform, QueryStatus status) {
+        Instance instance;
+        instance.transform = transform;
+        CHECK(insert(scene, instance).status == status);
+        CHECK(move(scene, handle, transform) == status);
+        const Movement movements[] = {{handle, transform}};
+        CHECK(move(scene, movements).status == status);
+    };
+    for (const float bad : {not_a_number, infinity, -infinity}) {
+        refuses({{}, {bad, 0.0f, 0.0f}, 1.0f}, QueryStatus::invalid_argument);
+        refuses({{0.0f, bad, 0.0f, 1.0f}, {}, 1.0f}, QueryStatus::invalid_argument);
+        refuses({{}, {}, bad}, QueryStatus::invalid_argument);
+    }
+    for (const float scale : {0.0f, -1.0f, 0x1p-120f, 0x1p101f})
+        refuses({{}, {}, scale}, QueryStatus::invalid_argument);
+    refuses({{0.0f, 0.0f, 0.0f, 0.0f}, {}, 1.0f}, QueryStatus::invalid_argument);
+    for (const float x : {end, -end, 1e30f}) refuses({{}, {0.0f, x, 0.0f}, 1.0f}, QueryStatus::out_of_range);
+    refuses({{}, {}, 1e20f}, QueryStatus::out_of_range);
+    CHECK(snapshot_of(scene) == before);
+    CHECK(insert(scene, instance_at_place({0.0f, end - 2.0f, 0.0f}, 3)));
+}
+
+TEST_CASE("scene: stale and random handles are refused and change nothing") {
+    MadeScene made(8, step_exponent, parts().meshes);
+    MovingScene& scene = made.scene;
+    Random random(4);
+    const InstanceHandle kept = *insert(scene, {});
+    const InstanceHandle old = *insert(scene, {});
+    REQUIRE(remove(scene, old) == QueryStatus::ok);
+    const InstanceHandle again = *insert(scene, {});
+    CHECK(again.slot == old.slot);
+    CHECK(again != old);
+    const std::vector<std::byte> before = snapshot_of(scene);
+    const auto refuses = [&](InstanceHandle handle) {
+        CHECK(remove(scene, handle) == QueryStatus::stale_handle);
+        CHECK(move(scene, handle, Transform{}) == QueryStatus::stale_handle);
+        CHECK(set_mask(scene, handle, 5) == QueryStatus::stale_handle);
+        CHECK(set_user(scene, handle, 5) == QueryStatus::stale_handle);
+        CHECK(instance_at(scene, handle).status == QueryStatus::stale_handle);
+        CHECK(box_of(scene, handle).status == QueryStatus::stale_handle);
+    };
+    refuses(old);
+    refuses({});
+    refuses({kept.slot, kept.generation + 1});
+    refuses({2, 0});
+    refuses({7, 1});
+    for (int i = 0; i < 1'000; ++i) {
+        const auto any = [&] { return static_cast<std::uint32_t>(random.next()); };
+        const InstanceHandle handle = {random.coin() ? random.below(10) : any(),
+                                       random.coin() ? random.below(4) : any()};
+        if (handle != kept && handle != again) refuses(handle);
+    }
+    CHECK(snapshot_of(scene) == before);
+    CHECK(handle_of(scene, 2).status == QueryStatus::out_of_range);
+}
+
+TEST_CASE("scene: queries wait for a refit after a batch of moves and see its places then") {
+    MadeScene made(4, step_exponent, parts().meshes);
+    MovingScene& scene = made.scene;
+    const InstanceHandle handle = *insert(scene, instance_at_place({0.0f, 0.0f, 0.0f}));
+    (void)*insert(scene, instance_at_place({0.0f, 9.0f, 0.0f}));
+    const Ray ray = {{5.0f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}};
+    CHECK_FALSE(raycast(scene, ray));
+    Movement movements[] = {{handle, {}}};
+    movements[0].transform.translation.x = 5.0f;
+    CHECK(move(scene, movements).count == 1);
+    std::vector<InstancePair> pairs(4);
+    std::vector<Ray> rays(1);
+    std::vector<InScene<RayHit>> hits(1);
+    const auto none = [](auto...) {};
+    CHECK(raycast(scene, ray).hit.status == QueryStatus::not_refitted);
+    CHECK(raycast(scene, rays, hits).status == QueryStatus::not_refitted);
+    CHECK(occluded(scene, ray).status() == QueryStatus::not_refitted);
+    CHECK(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}) == QueryStatus::not_refitted);
+    CHECK(closest_point(scene, {}).hit.status == QueryStatus::not_refitted);
+    CHECK(sweep(scene, Sphere{}, {}).hit.status == QueryStatus::not_refitted);
+    CHECK(overlaps(scene, Sphere{}).status() == QueryStatus::not_refitted);
+    CHECK(for_each_overlap(scene, Sphere{}, none) == QueryStatus::not_refitted);
+    CHECK(for_each_candidate(scene, Box{}, [](InstanceId) {}) == QueryStatus::not_refitted);
+    CHECK(collect_candidate_pairs(scene, pairs).status == QueryStatus::not_refitted);
+    CHECK(collect_colliding_pairs(scene, pairs, WorkLimit::unlimited()).status == QueryStatus::not_refitted);
+    CHECK(refit(scene) == 0);  // the root is the only node
+    const InScene<RayHit> hit = raycast(scene, ray);
+    REQUIRE(hit);
+    CHECK(hit.instance == InstanceId{handle.slot});
+    CHECK(hit->t == 2.5f);
+}
+
+TEST_CASE("scene: quality rises as instances move away from their neighbours and is one after a repack") {
+    MadeScene made(500, step_exponent, parts().meshes);
+    MovingScene& scene = made.scene;
+    Random random(6);
+    std::vector<Movement> movements;
+    for (int i = 0; i < 500; ++i) {
+        movements.push_back({*insert(scene, instance_at_place(random.in_cube(40.0f))), {}});
+    }
+    CHECK(quality(scene) == infinity);
+    repack(scene);
+    CHECK(quality(scene) == 1.0f);
+    for (Movement& movement : movements) movement.transform.translation = random.in_cube(40.0f);
+    REQUIRE(move(scene, movements).count == 500);
+    CHECK(refit(scene) > 60);
+    CHECK(quality(scene) > 2.0f);
+    repack(scene);
+    CHECK(quality(scene) == 1.0f);
+}
+
+TEST_CASE("scene: the box of an instance is that of its mesh and a little more") {
+    MadeScene made(2, step_exponent, parts().meshes);
+    MovingScene& scene = made.scene;
+    const InstanceHandle handle = *insert(scene, instance_at_place({100.0f, -7.0f, 0.25f}));
+    const Box box = *box_of(scene, handle);
+    CHECK(box.min.x < 99.5f);
+    CHECK(box.min.x > 99.49f);
+    CHECK(box.max.x > 100.5f);
+    CHECK(box.max.x < 100.51f);
+    CHECK(box.min.y < -7.5f);
+    CHECK(box.max.z > 0.75f);
+}
+
+TEST_CASE("scene: a snapshot continues with the same bytes as the scene") {
+    Trial trial(100, false, 8);
+    for (int i = 0; i < 400; ++i) trial.operate();
+    Trial copy(100, false, 9);
+    std::memcpy(copy.made.bytes().data(), trial.made.bytes().data(), trial.made.bytes().size());
+    copy.made.scene = open_moving_scene(copy.made.bytes(), parts().meshes, parts().tiles);
+    REQUIRE(copy.made.scene);
+    copy.model = trial.model;
+    trial.random = copy.random;
+    for (int i = 0; i < 400; ++i) {
+        trial.operate();
+        copy.operate();
+    }
+    CHECK(snapshot_of(trial.made.scene) == snapshot_of(copy.made.scene));
+}
+
+TEST_CASE("scene: one batch or several slices of it leave the same bytes") {
+    const auto bytes_after = [](std::size_t slices) {
+        Trial trial(200, false, 10);
+        for (int i = 0; i < 150; ++i) trial.insert_any();
+        for (int round = 0; round < 20; ++round) {
+            std::vector<Movement> movements;
+            for (const InstanceHandle& handle : trial.model.handles)
+                movements.push_back({handle, random_transform(trial.random)});
+            const std::span<const Movement> all = movements;
+            for (std::size_t i = 0; i < slices; ++i) {
+                const std::size_t from = all.size() * i / slices, to = all.size() * (i + 1) / slices;
+                REQUIRE(move(trial.made.scene, all.subspan(from, to - from)).count == to - from);
+            }
+            refit(trial.made.scene);
+            if (round % 8 == 7) repack(trial.made.scene);
+        }
+        return snapshot_of(trial.made.scene);
+    };
+    const std::vector<std::byte> whole = bytes_after(1);
+    CHECK(bytes_after(2) == whole);
+    CHECK(bytes_after(7) == whole);
+}
+
+TEST_CASE("scene: a snapshot of other meshes is refused") {
+    MadeScene made(4, step_exponent, parts().meshes, parts().tiles);
+    (void)*insert(made.scene, instance_at_place({}, 1));
+    (void)*insert(made.scene, instance_at_place({}, 3));
+    CHECK(open_moving_scene(made.bytes(), parts().meshes, parts().tiles));
+    CHECK_FALSE(open_moving_scene(made.bytes(), parts().meshes));
+    std::vector<Blob> others = parts().meshes;
+    std::swap(others[0], others[1]);
+    CHECK_FALSE(open_moving_scene(made.bytes(), others, parts().tiles));
+    others[1] = parts().meshes[2];
+    CHECK_FALSE(open_moving_scene(made.bytes(), others, parts().tiles));
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_scenes_scene_test

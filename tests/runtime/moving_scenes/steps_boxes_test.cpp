@@ -17,11 +17,10 @@
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using namespace espalier::detail;
-
+namespace espalier::tests::steps_boxes_test {
 namespace {
+
+using namespace espalier::detail;
 
 constexpr unsigned count = EightStepsBoxes::count;
 constexpr std::int32_t step_exponent = -12;
@@ -47,74 +46,73 @@ PartBounds random_part(Random& random) {
 
 bool is_scale_in_range(float scale) { return scale >= 0x1p-100f && scale <= 0x1p100f; }
 
-}  // namespace
-
-TEST_SUITE("steps boxes") {
-    TEST_CASE("scene: boxes of eight moving instances have the bits of each alone on every instruction set") {
-        Random random(5);
-        std::uint64_t groups = 0, found = 0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            CAPTURE(i);
-            PartBounds parts[count];
-            Transform transforms[count];
-            EightPlaces places{};
-            bool are_ordinary = true;
-            for (unsigned k = 0; k < count; ++k) {
-                const bool is_awkward = random.below(24) == 0;
-                are_ordinary = are_ordinary && !is_awkward;
-                parts[k] = random_part(random);
-                transforms[k] = is_awkward ? awkward_place(random) : random_place(random);
-                places.parts[k] = &parts[random.below(k + 1)];
-                places.transforms[k] = &transforms[k];
-            }
-            on_each_instruction_set([&] {
-                EightStepsBoxes boxes;
-                const bool are_found = find_steps_boxes_by_best_set(places, step_exponent, boxes);
-                if (are_ordinary) {
-                    ++groups;
-                    found += are_found ? 1u : 0u;
-                }
-                for (unsigned k = 0; k < count && are_found; ++k) {
-                    StepsBox alone{};
-                    REQUIRE(is_scale_in_range(transforms[k].scale));
-                    REQUIRE(find_steps_box(*places.parts[k], transforms[k], step_exponent, alone));
-                    REQUIRE(boxes[k] == alone);
-                }
-            });
+TEST_CASE("scene: boxes of eight moving instances have the bits of each alone on every instruction set") {
+    Random random(5);
+    std::uint64_t groups = 0, found = 0;
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        CAPTURE(i);
+        PartBounds parts[count];
+        Transform transforms[count];
+        EightPlaces places{};
+        bool are_ordinary = true;
+        for (unsigned k = 0; k < count; ++k) {
+            const bool is_awkward = random.below(24) == 0;
+            are_ordinary = are_ordinary && !is_awkward;
+            parts[k] = random_part(random);
+            transforms[k] = is_awkward ? awkward_place(random) : random_place(random);
+            places.parts[k] = &parts[random.below(k + 1)];
+            places.transforms[k] = &transforms[k];
         }
-        CHECK(found == groups);
+        on_each_instruction_set([&] {
+            EightStepsBoxes boxes;
+            const bool are_found = find_steps_boxes_by_best_set(places, step_exponent, boxes);
+            if (are_ordinary) {
+                ++groups;
+                found += are_found ? 1u : 0u;
+            }
+            for (unsigned k = 0; k < count && are_found; ++k) {
+                StepsBox alone{};
+                REQUIRE(is_scale_in_range(transforms[k].scale));
+                REQUIRE(find_steps_box(*places.parts[k], transforms[k], step_exponent, alone));
+                REQUIRE(boxes[k] == alone);
+            }
+        });
     }
+    CHECK(found == groups);
+}
 
-    TEST_CASE("scene: a batch of several meshes moves as single calls do up to a refused movement") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f)), torus(make_torus(16, 9, 2.0, 0.5));
-        const std::vector<Blob> meshes = {cube.blob, torus.blob};
-        Random random(6);
-        for (std::uint64_t i = 0; i < scaled(400); ++i) {
-            CAPTURE(i);
-            MadeScene batch(40, -10, meshes), single(40, -10, meshes);
-            std::vector<InstanceHandle> handles;
-            for (unsigned k = 0; k < 40; ++k) {
-                Instance instance;
-                instance.mesh = random.below(8) == 0 ? 1 : 0;
-                instance.transform = random_place(random);
-                handles.push_back(*insert(batch.scene, instance));
-                REQUIRE(*insert(single.scene, instance) == handles.back());
-            }
-            end_step(batch.scene);
-            end_step(single.scene);
-            const unsigned refused = static_cast<unsigned>(random.below(60));
-            std::vector<Movement> movements;
-            for (unsigned k = 0; k < 40; ++k) movements.push_back({handles[random.below(40)], random_place(random)});
-            if (refused < 40 && refused % 2 == 0) movements[refused].instance.generation += 2;
-            if (refused < 40 && refused % 2 == 1) movements[refused].transform.scale = -1.0f;
-            const Filled moved = move(batch.scene, movements);
-            CHECK(moved.count == (refused < 40 ? refused : 40u));
-            CHECK((moved.status == QueryStatus::ok) == (refused >= 40));
-            for (std::size_t k = 0; k < moved.count; ++k)
-                REQUIRE(move(single.scene, movements[k].instance, movements[k].transform) == QueryStatus::ok);
-            refit(batch.scene);
-            const auto a = batch.scene.bytes(), b = single.scene.bytes();
-            REQUIRE(std::vector(a.begin(), a.end()) == std::vector(b.begin(), b.end()));
+TEST_CASE("scene: a batch of several meshes moves as single calls do up to a refused movement") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f)), torus(make_torus(16, 9, 2.0, 0.5));
+    const std::vector<Blob> meshes = {cube.blob, torus.blob};
+    Random random(6);
+    for (std::uint64_t i = 0; i < scaled(400); ++i) {
+        CAPTURE(i);
+        MadeScene batch(40, -10, meshes), single(40, -10, meshes);
+        std::vector<InstanceHandle> handles;
+        for (unsigned k = 0; k < 40; ++k) {
+            Instance instance;
+            instance.mesh = random.below(8) == 0 ? 1 : 0;
+            instance.transform = random_place(random);
+            handles.push_back(*insert(batch.scene, instance));
+            REQUIRE(*insert(single.scene, instance) == handles.back());
         }
+        end_step(batch.scene);
+        end_step(single.scene);
+        const unsigned refused = static_cast<unsigned>(random.below(60));
+        std::vector<Movement> movements;
+        for (unsigned k = 0; k < 40; ++k) movements.push_back({handles[random.below(40)], random_place(random)});
+        if (refused < 40 && refused % 2 == 0) movements[refused].instance.generation += 2;
+        if (refused < 40 && refused % 2 == 1) movements[refused].transform.scale = -1.0f;
+        const Filled moved = move(batch.scene, movements);
+        CHECK(moved.count == (refused < 40 ? refused : 40u));
+        CHECK((moved.status == QueryStatus::ok) == (refused >= 40));
+        for (std::size_t k = 0; k < moved.count; ++k)
+            REQUIRE(move(single.scene, movements[k].instance, movements[k].transform) == QueryStatus::ok);
+        refit(batch.scene);
+        const auto a = batch.scene.bytes(), b = single.scene.bytes();
+        REQUIRE(std::vector(a.begin(), a.end()) == std::vector(b.begin(), b.end()));
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::steps_boxes_test

@@ -13,11 +13,10 @@
 #include "made_block.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using namespace espalier::detail;
-
+namespace espalier::tests::moving_scenes_tree_test {
 namespace {
+
+using namespace espalier::detail;
 
 constexpr std::int32_t region = 1 << 25;
 
@@ -101,134 +100,132 @@ struct Model {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("tree") {
-    TEST_CASE("scene: a tree of moving instances stays sound through random insertions moves and removals") {
-        Random random(1);
-        for (const std::uint32_t capacity : {1u, 2u, 7u, 8u, 9u, 30u, 100u, 500u}) {
-            CAPTURE(capacity);
-            Model model{MadeBlock(capacity), {}};
-            for (std::uint64_t i = 0; i < scaled(1'500); ++i) {
-                CAPTURE(i);
-                model.operate(random);
-                check_block(model.made.block);
-                if (i % 50 != 0) continue;
-                model.refit();
-                REQUIRE(is_sound(model.made.block));
-                REQUIRE(pairs_of_tree(model.made.block) == pairs_of_loop(model.made.block));
-            }
-            while (!model.live.empty()) model.remove(0);
+TEST_CASE("scene: a tree of moving instances stays sound through random insertions moves and removals") {
+    Random random(1);
+    for (const std::uint32_t capacity : {1u, 2u, 7u, 8u, 9u, 30u, 100u, 500u}) {
+        CAPTURE(capacity);
+        Model model{MadeBlock(capacity), {}};
+        for (std::uint64_t i = 0; i < scaled(1'500); ++i) {
+            CAPTURE(i);
+            model.operate(random);
             check_block(model.made.block);
-            CHECK(model.made.block.head->levels == 0);
+            if (i % 50 != 0) continue;
+            model.refit();
+            REQUIRE(is_sound(model.made.block));
+            REQUIRE(pairs_of_tree(model.made.block) == pairs_of_loop(model.made.block));
         }
-    }
-
-    TEST_CASE("scene: a tree of moving instances keeps its depth for insertions in any order") {
-        constexpr std::uint32_t count = 3'000;
-        const auto cube = [](std::int32_t x, std::int32_t y, std::int32_t z) {
-            return StepsBox{{x, y, z}, {x + 100, y + 100, z + 100}};
-        };
-        const auto depth_of = [&](auto box_of) {
-            MadeBlock made(count);
-            for (std::uint32_t i = 0; i < count; ++i) made.insert(box_of(static_cast<std::int32_t>(i)));
-            check_block(made.block);
-            return made.block.head->levels;
-        };
-        CHECK(depth_of([&](std::int32_t i) { return cube(50 * i, 0, 0); }) <= most_levels(count));
-        CHECK(depth_of([&](std::int32_t i) { return cube(i, i, i); }) <= most_levels(count));
-        CHECK(depth_of([&](std::int32_t) { return cube(0, 0, 0); }) <= most_levels(count));
-        CHECK(depth_of([&](std::int32_t i) { return cube(i % 55 * 200, i / 55 * 200, 0); }) <= most_levels(count));
-        CHECK(depth_of([&](std::int32_t i) { return cube(i % 2 == 0 ? -i : i, 1 << 29, -(1 << 29)); }) <=
-              most_levels(count));
-    }
-
-    TEST_CASE("scene: a block with nodes for any order of insertions repacks none") {
-        for (const std::uint32_t capacity : {1u, 4u, 5u, 7u, 10u, 41u, 79u, 159u}) {
-            CAPTURE(capacity);
-            MadeBlock made(capacity);
-            Random random(capacity);
-            std::vector<std::uint32_t> live;
-            for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-                if (live.size() == capacity || (!live.empty() && random.below(2) == 0)) {
-                    const std::size_t at = random.below(static_cast<std::uint32_t>(live.size()));
-                    made.remove(live[at]);
-                    live[at] = live.back();
-                    live.pop_back();
-                } else {
-                    live.push_back(made.insert(random_box(random, 1 << 22)));
-                }
-            }
-            CHECK(made.block.head->packed_area == 0.0f);
-        }
-    }
-
-    TEST_CASE("scene: a tree is the same after a repack whatever came before it") {
-        Random random(2);
-        Model one{MadeBlock(300), {}};
-        for (std::uint64_t i = 0; i < 2'000; ++i) one.operate(random);
-        // The same slots and boxes in a block without a history.
-        MadeBlock fresh(300);
-        SceneBlock &a = one.made.block, &b = fresh.block;
-        *b.head = *a.head;
-        std::memcpy(b.slots, a.slots, sizeof(InstanceSlot) * a.head->slots_used);
-        repack_boxes(a);
-        repack_boxes(b);
-        check_block(a);
-        REQUIRE(a.head->nodes_used == b.head->nodes_used);
-        REQUIRE(a.head->nodes_used <= a.head->live / 8 + a.head->live / 64 + 4);
-        CHECK(std::memcmp(a.nodes, b.nodes, sizeof(BoxNode) * a.head->nodes_used) == 0);
-        CHECK(std::memcmp(a.slots, b.slots, sizeof(InstanceSlot) * a.head->slots_used) == 0);
-    }
-
-    TEST_CASE("scene: a copy of the block of a moving scene continues as the block does") {
-        Random random(3);
-        Model model{MadeBlock(200), {}};
-        for (std::uint64_t i = 0; i < 500; ++i) model.operate(random);
-        Model copy{model.made, model.live};
-        Random same(4), again(4);
-        for (std::uint64_t i = 0; i < 500; ++i) {
-            model.operate(same);
-            copy.operate(again);
-        }
-        REQUIRE(model.made.size() == copy.made.size());
-        CHECK(std::memcmp(model.made.bytes(), copy.made.bytes(), model.made.size()) == 0);
-    }
-
-    TEST_CASE("scene: a damaged block of moving instances is refused or every operation on it is safe") {
-        Random random(5);
-        Model model{MadeBlock(40), {}};
-        for (std::uint64_t i = 0; i < 400; ++i) model.operate(random);
-        REQUIRE(is_sound(model.made.block));
-        std::size_t refused = 0, sound = 0;
-        const std::uint64_t tries = scaled(20'000);
-        for (std::uint64_t i = 0; i < tries; ++i) {
-            MadeBlock damaged = model.made;
-            for (std::uint32_t n = 1 + random.below(2); n > 0; --n) {
-                const auto at = random.below(static_cast<std::uint32_t>(damaged.size()));
-                damaged.bytes()[at] ^= static_cast<std::byte>(1u << random.below(8));
-            }
-            const BlockHead &own = *damaged.block.head, &first = *model.made.block.head;
-            const bool has_capacity =
-                own.slot_capacity == first.slot_capacity && own.node_capacity == first.node_capacity;
-            if (!has_capacity || !is_sound(damaged.block)) {
-                ++refused;
-                continue;
-            }
-            ++sound;
-            Model used{damaged, {}};
-            SceneBlock& block = used.made.block;
-            for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
-                if (is_live(block.slots[slot])) used.live.push_back(slot);
-            (void)pairs_of_tree(block);
-            refit_boxes(block);
-            block.head->must_refit = 0;
-            for (int n = 0; n < 20 && !used.live.empty(); ++n) used.remove(0);
-            while (used.live.size() < 40) used.insert(random_box(random, region));
-            repack_boxes(block);
-            check_block(block);
-        }
-        CHECK(refused > tries / 10);
-        CHECK(sound > tries / 10);
+        while (!model.live.empty()) model.remove(0);
+        check_block(model.made.block);
+        CHECK(model.made.block.head->levels == 0);
     }
 }
+
+TEST_CASE("scene: a tree of moving instances keeps its depth for insertions in any order") {
+    constexpr std::uint32_t count = 3'000;
+    const auto cube = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+        return StepsBox{{x, y, z}, {x + 100, y + 100, z + 100}};
+    };
+    const auto depth_of = [&](auto box_of) {
+        MadeBlock made(count);
+        for (std::uint32_t i = 0; i < count; ++i) made.insert(box_of(static_cast<std::int32_t>(i)));
+        check_block(made.block);
+        return made.block.head->levels;
+    };
+    CHECK(depth_of([&](std::int32_t i) { return cube(50 * i, 0, 0); }) <= most_levels(count));
+    CHECK(depth_of([&](std::int32_t i) { return cube(i, i, i); }) <= most_levels(count));
+    CHECK(depth_of([&](std::int32_t) { return cube(0, 0, 0); }) <= most_levels(count));
+    CHECK(depth_of([&](std::int32_t i) { return cube(i % 55 * 200, i / 55 * 200, 0); }) <= most_levels(count));
+    CHECK(depth_of([&](std::int32_t i) { return cube(i % 2 == 0 ? -i : i, 1 << 29, -(1 << 29)); }) <=
+          most_levels(count));
+}
+
+TEST_CASE("scene: a block with nodes for any order of insertions repacks none") {
+    for (const std::uint32_t capacity : {1u, 4u, 5u, 7u, 10u, 41u, 79u, 159u}) {
+        CAPTURE(capacity);
+        MadeBlock made(capacity);
+        Random random(capacity);
+        std::vector<std::uint32_t> live;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            if (live.size() == capacity || (!live.empty() && random.below(2) == 0)) {
+                const std::size_t at = random.below(static_cast<std::uint32_t>(live.size()));
+                made.remove(live[at]);
+                live[at] = live.back();
+                live.pop_back();
+            } else {
+                live.push_back(made.insert(random_box(random, 1 << 22)));
+            }
+        }
+        CHECK(made.block.head->packed_area == 0.0f);
+    }
+}
+
+TEST_CASE("scene: a tree is the same after a repack whatever came before it") {
+    Random random(2);
+    Model one{MadeBlock(300), {}};
+    for (std::uint64_t i = 0; i < 2'000; ++i) one.operate(random);
+    // The same slots and boxes in a block without a history.
+    MadeBlock fresh(300);
+    SceneBlock &a = one.made.block, &b = fresh.block;
+    *b.head = *a.head;
+    std::memcpy(b.slots, a.slots, sizeof(InstanceSlot) * a.head->slots_used);
+    repack_boxes(a);
+    repack_boxes(b);
+    check_block(a);
+    REQUIRE(a.head->nodes_used == b.head->nodes_used);
+    REQUIRE(a.head->nodes_used <= a.head->live / 8 + a.head->live / 64 + 4);
+    CHECK(std::memcmp(a.nodes, b.nodes, sizeof(BoxNode) * a.head->nodes_used) == 0);
+    CHECK(std::memcmp(a.slots, b.slots, sizeof(InstanceSlot) * a.head->slots_used) == 0);
+}
+
+TEST_CASE("scene: a copy of the block of a moving scene continues as the block does") {
+    Random random(3);
+    Model model{MadeBlock(200), {}};
+    for (std::uint64_t i = 0; i < 500; ++i) model.operate(random);
+    Model copy{model.made, model.live};
+    Random same(4), again(4);
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        model.operate(same);
+        copy.operate(again);
+    }
+    REQUIRE(model.made.size() == copy.made.size());
+    CHECK(std::memcmp(model.made.bytes(), copy.made.bytes(), model.made.size()) == 0);
+}
+
+TEST_CASE("scene: a damaged block of moving instances is refused or every operation on it is safe") {
+    Random random(5);
+    Model model{MadeBlock(40), {}};
+    for (std::uint64_t i = 0; i < 400; ++i) model.operate(random);
+    REQUIRE(is_sound(model.made.block));
+    std::size_t refused = 0, sound = 0;
+    const std::uint64_t tries = scaled(20'000);
+    for (std::uint64_t i = 0; i < tries; ++i) {
+        MadeBlock damaged = model.made;
+        for (std::uint32_t n = 1 + random.below(2); n > 0; --n) {
+            const auto at = random.below(static_cast<std::uint32_t>(damaged.size()));
+            damaged.bytes()[at] ^= static_cast<std::byte>(1u << random.below(8));
+        }
+        const BlockHead &own = *damaged.block.head, &first = *model.made.block.head;
+        const bool has_capacity = own.slot_capacity == first.slot_capacity && own.node_capacity == first.node_capacity;
+        if (!has_capacity || !is_sound(damaged.block)) {
+            ++refused;
+            continue;
+        }
+        ++sound;
+        Model used{damaged, {}};
+        SceneBlock& block = used.made.block;
+        for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
+            if (is_live(block.slots[slot])) used.live.push_back(slot);
+        (void)pairs_of_tree(block);
+        refit_boxes(block);
+        block.head->must_refit = 0;
+        for (int n = 0; n < 20 && !used.live.empty(); ++n) used.remove(0);
+        while (used.live.size() < 40) used.insert(random_box(random, region));
+        repack_boxes(block);
+        check_block(block);
+    }
+    CHECK(refused > tries / 10);
+    CHECK(sound > tries / 10);
+}
+
+}  // namespace
+}  // namespace espalier::tests::moving_scenes_tree_test

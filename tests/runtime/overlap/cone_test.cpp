@@ -21,11 +21,10 @@
 #include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using oracle::Rational;
-
+namespace espalier::tests::cone_test {
 namespace {
+
+using oracle::Rational;
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
@@ -219,166 +218,165 @@ QueryStatus status_of(const Blob& blob, const Cone& cone) {
     return any.status();
 }
 
-}  // namespace
-
-TEST_SUITE("cone") {
-    TEST_CASE("overlap: a cone touches with its apex and slope and rim and base and axis") {
-        BakeOptions options;
-        options.resolution = Resolution::step(-8);
-        const float hair = 0x1p-14f;  // of the grid, here
-        // Flat in z = 0, from (0, 0) to (8, 0) and (0, 8).
-        const OpenedBlob opened(make_triangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}), options);
-        const Blob& blob = opened.blob;
-        const auto touches = [&](const Cone& cone) { return overlaps(blob, cone).yes(); };
-        const Vec3 up = {0, 0, 2};
-        for (const float z : {0.0f, hair}) {
-            const bool at_height = z == 0.0f;
-            CAPTURE(z);
-            CHECK(touches({{2, 2, z}, up, 1.0f}) == at_height);                 // the apex, inside
-            CHECK(touches({{4, 0, z}, up, 1.0f}) == at_height);                 // the apex, on a side
-            CHECK(touches({{0, 0, z}, up, 1.0f}) == at_height);                 // the apex, on a corner
-            CHECK(touches({{2, 2, -2 - z}, up, 0.125f}) == at_height);          // the base, inside
-            CHECK(touches({{2, 2, -2 - z}, up, 99.0f}) == at_height);           // the base, around all of it
-            CHECK(touches({{2, 2, -2 - z}, up, 0.0f}) == at_height);            // a segment's end
-            CHECK(touches({{2, 2, 1.5f + z}, {2, 0, 0}, 1.5f}) == at_height);   // the rim, inside
-            CHECK(touches({{2, 2, 3 + z}, {4, 0, -3}, 0.0f}) == at_height);     // a segment's end, askew
-            CHECK(touches({{-1 - z, 4, 0}, {1, 0, 0}, 0.5f}) == at_height);     // the base, on a side
-            CHECK(touches({{-1 - z, 4, 0}, {0, 0, 4}, 4.0f}) == false);         // the slope, above the side
-            CHECK(touches({{-3 - z, 4, -4}, {0, 0, 8}, 6.0f}) == at_height);    // the slope, on a side
-            CHECK(touches({{-3 - z, -4, -4}, {0, 0, 8}, 10.0f}) == at_height);  // the slope, on a corner
-            CHECK(touches({{-3 - z, -4, -8}, {0, 0, 8}, 5.0f}) == at_height);   // the rim, on a corner
-        }
-        CHECK(touches({{2, 2, -1}, up, 0.0f}));  // a segment through the inside
-        CHECK(touches({{2, 2, -1}, up, 0.25f}));
-        CHECK_FALSE(touches({{2, 2, -3}, up, 0.25f}));
-        CHECK_FALSE(touches({{2, 2, 1}, up, 99.0f}));
-        CHECK_FALSE(touches({{9, 9, -1}, up, 3.0f}));
+TEST_CASE("overlap: a cone touches with its apex and slope and rim and base and axis") {
+    BakeOptions options;
+    options.resolution = Resolution::step(-8);
+    const float hair = 0x1p-14f;  // of the grid, here
+    // Flat in z = 0, from (0, 0) to (8, 0) and (0, 8).
+    const OpenedBlob opened(make_triangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}), options);
+    const Blob& blob = opened.blob;
+    const auto touches = [&](const Cone& cone) { return overlaps(blob, cone).yes(); };
+    const Vec3 up = {0, 0, 2};
+    for (const float z : {0.0f, hair}) {
+        const bool at_height = z == 0.0f;
+        CAPTURE(z);
+        CHECK(touches({{2, 2, z}, up, 1.0f}) == at_height);                 // the apex, inside
+        CHECK(touches({{4, 0, z}, up, 1.0f}) == at_height);                 // the apex, on a side
+        CHECK(touches({{0, 0, z}, up, 1.0f}) == at_height);                 // the apex, on a corner
+        CHECK(touches({{2, 2, -2 - z}, up, 0.125f}) == at_height);          // the base, inside
+        CHECK(touches({{2, 2, -2 - z}, up, 99.0f}) == at_height);           // the base, around all of it
+        CHECK(touches({{2, 2, -2 - z}, up, 0.0f}) == at_height);            // a segment's end
+        CHECK(touches({{2, 2, 1.5f + z}, {2, 0, 0}, 1.5f}) == at_height);   // the rim, inside
+        CHECK(touches({{2, 2, 3 + z}, {4, 0, -3}, 0.0f}) == at_height);     // a segment's end, askew
+        CHECK(touches({{-1 - z, 4, 0}, {1, 0, 0}, 0.5f}) == at_height);     // the base, on a side
+        CHECK(touches({{-1 - z, 4, 0}, {0, 0, 4}, 4.0f}) == false);         // the slope, above the side
+        CHECK(touches({{-3 - z, 4, -4}, {0, 0, 8}, 6.0f}) == at_height);    // the slope, on a side
+        CHECK(touches({{-3 - z, -4, -4}, {0, 0, 8}, 10.0f}) == at_height);  // the slope, on a corner
+        CHECK(touches({{-3 - z, -4, -8}, {0, 0, 8}, 5.0f}) == at_height);   // the rim, on a corner
     }
-    TEST_CASE("overlap: hostile cones are refused and never taken for no overlap") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const Blob& blob = cube.blob;
-        const Vec3 up = {0, 0, 1};
-        constexpr QueryStatus invalid = QueryStatus::invalid_argument, far = QueryStatus::out_of_range;
-        const float tiny = std::numeric_limits<float>::denorm_min();
-        for (const float bad : {not_a_number, infinity, -infinity}) {
-            CHECK(status_of(blob, {{bad, 0, 0}, up, 1.0f}) == invalid);
-            CHECK(status_of(blob, {{}, {0, bad, 1}, 1.0f}) == invalid);
-            CHECK(status_of(blob, {{}, up, bad}) == invalid);
-        }
-        CHECK(status_of(blob, {{}, up, -tiny}) == invalid);
-        CHECK(status_of(blob, {{0, 0, -0.5f}, up, -0.0f}) == QueryStatus::not_found);
-        CHECK(status_of(blob, {{}, {}, 1.0f}) == invalid);
-        CHECK(status_of(blob, {{}, {0, 0, -tiny}, 1.0f}) == invalid);
-        const float step = std::ldexp(1.0f, blob.lattice().step_exponent);
-        CHECK(status_of(blob, {{0, 0, 0x1p36f * step}, up, 1.0f}) == far);
-        CHECK(status_of(blob, {{0, 0, 0x1p35f * step}, up, 1.0f}) == QueryStatus::not_found);
-        CHECK(status_of(blob, {{}, {0, 0, 0x1p36f * step}, 1.0f}) == far);
-        CHECK(status_of(blob, {{}, {0, 0, 0x1p35f * step}, 1.0f}) == QueryStatus::ok);
-        CHECK(status_of(blob, {{0, 0, -3}, up, 3e38f}) == QueryStatus::not_found);
-        CHECK(status_of(blob, {{0, 0, -2}, up, 3e38f}) == QueryStatus::ok);
-        CHECK(status_of(blob, {{0, 0, -2}, up, tiny}) == QueryStatus::ok);
-        CHECK(status_of(Blob(), {{}, up, 1.0f}) == QueryStatus::not_open);
-        int visited = 0;
-        CHECK(for_each_overlap(blob, Cone{}, [&](TriangleId) { ++visited; }) == invalid);
-        CHECK(visited == 0);
-    }
-    TEST_CASE("overlap: a cone inside a closed mesh overlaps none of its surface") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 0.5f}).no());
-        CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 1.0f}).yes());
-    }
-    TEST_CASE("deformation: cones equal exact arithmetic in every pose and on triangles without area") {
-        Tally tally;
-        Random random(5);
-        for (const Mesh& mesh : {make_plane_grid(6), make_icosphere(1, 1.0, {1.0f, 0.0f, 0.0f})})
-            for (const unsigned bits : {4u, 16u}) {
-                DeformedMesh moving(mesh, bits);
-                for (const Motion motion : every_motion) {
-                    moving.move_to(posed(mesh, motion));
-                    const DecodedBlob decoded = moving.decoded();
-                    for (std::uint64_t i = 0; i < scaled(12); ++i) {
-                        const Cone cone = large_cone(decoded, random);
-                        if (!is_refused(overlaps(moving.deformable.blob(), cone).status()))
-                            check_overlaps(moving.deformable.blob(), decoded, cone, 8, random, tally);
-                    }
-                }
-            }
-        CHECK(tally.yes > 0);
-        CHECK(tally.no > 0);
-    }
-    TEST_CASE("overlap: cones in every profile equal exact arithmetic") {
-        Tally tally;
-        Random random(3);
-        for (const std::vector<TestBlob>* blobs : {&small_test_blobs(), &medium_test_blobs()}) {
-            for (const TestBlob& blob : *blobs) {
-                CAPTURE(blob.name);
-                for (std::uint64_t i = 0; i < scaled_share(20); ++i) {
-                    const Cone cone = large_cone(blob.decoded, random);
-                    if (!is_refused(overlaps(blob.opened.blob, cone).status()))
-                        check_overlaps(blob.opened.blob, blob.decoded, cone, 6, random, tally);
-                }
-            }
-        }
-        CHECK(tally.yes > 0);
-        CHECK(tally.no > 0);
-    }
-    TEST_CASE("overlap: cones and triangles without area equal exact arithmetic") {
-        Tally tally;
-        Random random(4);
-        for (std::uint64_t i = 0; i < scaled(60); ++i) {
-            const PlainBlob plain = make_weird_blob(random);
-            const OpenedBlob opened(encode(plain));
-            if (opened.blob.triangle_count() == 0 || opened.blob.duplicate_reference_count() != 0) continue;
-            const DecodedBlob decoded = decode(opened.bytes);
-            for (int k = 0; k < 4; ++k) {
-                const Cone cone = large_cone(decoded, random);
-                if (!is_refused(overlaps(opened.blob, cone).status()))
-                    check_overlaps(opened.blob, decoded, cone, 8, random, tally);
-            }
-        }
-        CHECK(tally.yes > 0);
-        CHECK(tally.no > 0);
-    }
-    TEST_CASE("overlap: cones of small whole numbers equal exact arithmetic where they touch") {
-        Tally tally;
-        std::uint64_t touching = 0;
-        Random random(1);
-        for (std::uint64_t i = 0; i < scaled(150); ++i) {
-            const unsigned bits = 1 + random.below(4);
-            BakeOptions options;
-            options.resolution = Resolution::step(0);
-            const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
-            const DecodedBlob decoded = decode(opened.bytes);
-            for (int k = 0; k < 8; ++k) {
-                Cone cone = random.coin() ? small_cone(bits, random) : touching_cone(decoded, random);
-                const auto found = check_overlaps(opened.blob, decoded, cone, 40, random, tally);
-                if (cone.radius == 0.0f) continue;
-                cone.radius = std::nextafter(cone.radius, 0.0f);
-                touching += check_overlaps(opened.blob, decoded, cone, 40, random, tally) != found ? 1u : 0u;
-            }
-        }
-        MESSAGE(tally.yes << " yes, " << tally.no << " no, " << touching << " that only touched something");
-        CHECK(tally.yes > 0);
-        CHECK(tally.no > 0);
-        if (asks_enough()) CHECK(touching > 20);
-    }
-    TEST_CASE("overlap: cones of all sizes and from all distances equal exact arithmetic") {
-        Tally tally;
-        Random random(2);
-        for (const unsigned bits : {3u, 12u, 17u, 24u}) {
-            BakeOptions options;
-            options.resolution = Resolution::step(0);
-            const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
-            const DecodedBlob decoded = decode(opened.bytes);
-            for (std::uint64_t i = 0; i < scaled(100); ++i) {
-                const Cone cone = large_cone(decoded, random);
-                const YesNo any = overlaps(opened.blob, cone);
-                if (is_refused(any.status())) continue;
-                check_overlaps(opened.blob, decoded, cone, 6, random, tally);
-            }
-        }
-        MESSAGE(tally.yes << " yes, " << tally.no << " no");
-        CHECK(tally.yes > (tally.yes + tally.no) / 10);
-        CHECK(tally.no > (tally.yes + tally.no) / 10);
-    }
+    CHECK(touches({{2, 2, -1}, up, 0.0f}));  // a segment through the inside
+    CHECK(touches({{2, 2, -1}, up, 0.25f}));
+    CHECK_FALSE(touches({{2, 2, -3}, up, 0.25f}));
+    CHECK_FALSE(touches({{2, 2, 1}, up, 99.0f}));
+    CHECK_FALSE(touches({{9, 9, -1}, up, 3.0f}));
 }
+TEST_CASE("overlap: hostile cones are refused and never taken for no overlap") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const Blob& blob = cube.blob;
+    const Vec3 up = {0, 0, 1};
+    constexpr QueryStatus invalid = QueryStatus::invalid_argument, far = QueryStatus::out_of_range;
+    const float tiny = std::numeric_limits<float>::denorm_min();
+    for (const float bad : {not_a_number, infinity, -infinity}) {
+        CHECK(status_of(blob, {{bad, 0, 0}, up, 1.0f}) == invalid);
+        CHECK(status_of(blob, {{}, {0, bad, 1}, 1.0f}) == invalid);
+        CHECK(status_of(blob, {{}, up, bad}) == invalid);
+    }
+    CHECK(status_of(blob, {{}, up, -tiny}) == invalid);
+    CHECK(status_of(blob, {{0, 0, -0.5f}, up, -0.0f}) == QueryStatus::not_found);
+    CHECK(status_of(blob, {{}, {}, 1.0f}) == invalid);
+    CHECK(status_of(blob, {{}, {0, 0, -tiny}, 1.0f}) == invalid);
+    const float step = std::ldexp(1.0f, blob.lattice().step_exponent);
+    CHECK(status_of(blob, {{0, 0, 0x1p36f * step}, up, 1.0f}) == far);
+    CHECK(status_of(blob, {{0, 0, 0x1p35f * step}, up, 1.0f}) == QueryStatus::not_found);
+    CHECK(status_of(blob, {{}, {0, 0, 0x1p36f * step}, 1.0f}) == far);
+    CHECK(status_of(blob, {{}, {0, 0, 0x1p35f * step}, 1.0f}) == QueryStatus::ok);
+    CHECK(status_of(blob, {{0, 0, -3}, up, 3e38f}) == QueryStatus::not_found);
+    CHECK(status_of(blob, {{0, 0, -2}, up, 3e38f}) == QueryStatus::ok);
+    CHECK(status_of(blob, {{0, 0, -2}, up, tiny}) == QueryStatus::ok);
+    CHECK(status_of(Blob(), {{}, up, 1.0f}) == QueryStatus::not_open);
+    int visited = 0;
+    CHECK(for_each_overlap(blob, Cone{}, [&](TriangleId) { ++visited; }) == invalid);
+    CHECK(visited == 0);
+}
+TEST_CASE("overlap: a cone inside a closed mesh overlaps none of its surface") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 0.5f}).no());
+    CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 1.0f}).yes());
+}
+TEST_CASE("deformation: cones equal exact arithmetic in every pose and on triangles without area") {
+    Tally tally;
+    Random random(5);
+    for (const Mesh& mesh : {make_plane_grid(6), make_icosphere(1, 1.0, {1.0f, 0.0f, 0.0f})})
+        for (const unsigned bits : {4u, 16u}) {
+            DeformedMesh moving(mesh, bits);
+            for (const Motion motion : every_motion) {
+                moving.move_to(posed(mesh, motion));
+                const DecodedBlob decoded = moving.decoded();
+                for (std::uint64_t i = 0; i < scaled(12); ++i) {
+                    const Cone cone = large_cone(decoded, random);
+                    if (!is_refused(overlaps(moving.deformable.blob(), cone).status()))
+                        check_overlaps(moving.deformable.blob(), decoded, cone, 8, random, tally);
+                }
+            }
+        }
+    CHECK(tally.yes > 0);
+    CHECK(tally.no > 0);
+}
+TEST_CASE("overlap: cones in every profile equal exact arithmetic") {
+    Tally tally;
+    Random random(3);
+    for (const std::vector<TestBlob>* blobs : {&small_test_blobs(), &medium_test_blobs()}) {
+        for (const TestBlob& blob : *blobs) {
+            CAPTURE(blob.name);
+            for (std::uint64_t i = 0; i < scaled_share(20); ++i) {
+                const Cone cone = large_cone(blob.decoded, random);
+                if (!is_refused(overlaps(blob.opened.blob, cone).status()))
+                    check_overlaps(blob.opened.blob, blob.decoded, cone, 6, random, tally);
+            }
+        }
+    }
+    CHECK(tally.yes > 0);
+    CHECK(tally.no > 0);
+}
+TEST_CASE("overlap: cones and triangles without area equal exact arithmetic") {
+    Tally tally;
+    Random random(4);
+    for (std::uint64_t i = 0; i < scaled(60); ++i) {
+        const PlainBlob plain = make_weird_blob(random);
+        const OpenedBlob opened(encode(plain));
+        if (opened.blob.triangle_count() == 0 || opened.blob.duplicate_reference_count() != 0) continue;
+        const DecodedBlob decoded = decode(opened.bytes);
+        for (int k = 0; k < 4; ++k) {
+            const Cone cone = large_cone(decoded, random);
+            if (!is_refused(overlaps(opened.blob, cone).status()))
+                check_overlaps(opened.blob, decoded, cone, 8, random, tally);
+        }
+    }
+    CHECK(tally.yes > 0);
+    CHECK(tally.no > 0);
+}
+TEST_CASE("overlap: cones of small whole numbers equal exact arithmetic where they touch") {
+    Tally tally;
+    std::uint64_t touching = 0;
+    Random random(1);
+    for (std::uint64_t i = 0; i < scaled(150); ++i) {
+        const unsigned bits = 1 + random.below(4);
+        BakeOptions options;
+        options.resolution = Resolution::step(0);
+        const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
+        const DecodedBlob decoded = decode(opened.bytes);
+        for (int k = 0; k < 8; ++k) {
+            Cone cone = random.coin() ? small_cone(bits, random) : touching_cone(decoded, random);
+            const auto found = check_overlaps(opened.blob, decoded, cone, 40, random, tally);
+            if (cone.radius == 0.0f) continue;
+            cone.radius = std::nextafter(cone.radius, 0.0f);
+            touching += check_overlaps(opened.blob, decoded, cone, 40, random, tally) != found ? 1u : 0u;
+        }
+    }
+    MESSAGE(tally.yes << " yes, " << tally.no << " no, " << touching << " that only touched something");
+    CHECK(tally.yes > 0);
+    CHECK(tally.no > 0);
+    if (asks_enough()) CHECK(touching > 20);
+}
+TEST_CASE("overlap: cones of all sizes and from all distances equal exact arithmetic") {
+    Tally tally;
+    Random random(2);
+    for (const unsigned bits : {3u, 12u, 17u, 24u}) {
+        BakeOptions options;
+        options.resolution = Resolution::step(0);
+        const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
+        const DecodedBlob decoded = decode(opened.bytes);
+        for (std::uint64_t i = 0; i < scaled(100); ++i) {
+            const Cone cone = large_cone(decoded, random);
+            const YesNo any = overlaps(opened.blob, cone);
+            if (is_refused(any.status())) continue;
+            check_overlaps(opened.blob, decoded, cone, 6, random, tally);
+        }
+    }
+    MESSAGE(tally.yes << " yes, " << tally.no << " no");
+    CHECK(tally.yes > (tally.yes + tally.no) / 10);
+    CHECK(tally.no > (tally.yes + tally.no) / 10);
+}
+
+}  // namespace
+}  // namespace espalier::tests::cone_test

@@ -18,11 +18,10 @@
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using detail::round_volume;
-
+namespace espalier::tests::overlap_duplicate_references_test {
 namespace {
+
+using detail::round_volume;
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -96,75 +95,74 @@ void check_volume(const SplitBlob& split, const Shape& shape, Tally& tally) {
     check_shape(split, shape, status == QueryStatus::not_found ? Indices() : split.loop.every_overlap(rounded), tally);
 }
 
-}  // namespace
-
-TEST_SUITE("duplicate references") {
-    TEST_CASE("overlap: duplicate references are reported once each and pages of them resume anywhere") {
-        Tally tally[7];
-        for (std::uint64_t seed = 0; seed < scaled(6); ++seed) {
-            const SplitBlob split(seed);
-            ShapeMaker shapes(split.decoded, seed + 7);
-            QueryMaker spheres(split.decoded, seed + 8);
-            for (int i = 0; i < 40; ++i) {
-                const bool awkward = i % 2 == 0;
-                check_volume<detail::Rounded<Capsule>>(split, shapes.capsule(awkward), tally[0]);
-                check_volume<detail::Rounded<Box>>(split, shapes.box(awkward), tally[1]);
-                check_volume<detail::Rounded<OrientedBox>>(split, shapes.oriented_box(awkward), tally[2]);
-                check_volume<detail::Rounded<Triangle>>(split, shapes.corners(awkward), tally[3]);
-                check_volume<detail::Rounded<ConvexVolume>>(split, shapes.planes(awkward), tally[4]);
-                const Sphere sphere = awkward ? spheres.sphere() : spheres.random_sphere();
-                detail::RoundedPoint rounded;
-                if (detail::round_point(detail::data_of(split.opened.blob), sphere.center, sphere.radius, rounded) ==
-                    QueryStatus::ok)
-                    check_shape(split, sphere, split.loop.every_overlap(rounded), tally[5]);
-                if (const auto box = to_lattice(split.opened.blob.lattice(), shapes.box(awkward)))
-                    check_volume<detail::Rounded<Box>>(split, *box, tally[6]);
-            }
-        }
-        for (const Tally& each : tally) {
-            CHECK(each.overlapping > each.shapes / 8);
-            CHECK(each.reordered > 0);
+TEST_CASE("overlap: duplicate references are reported once each and pages of them resume anywhere") {
+    Tally tally[7];
+    for (std::uint64_t seed = 0; seed < scaled(6); ++seed) {
+        const SplitBlob split(seed);
+        ShapeMaker shapes(split.decoded, seed + 7);
+        QueryMaker spheres(split.decoded, seed + 8);
+        for (int i = 0; i < 40; ++i) {
+            const bool awkward = i % 2 == 0;
+            check_volume<detail::Rounded<Capsule>>(split, shapes.capsule(awkward), tally[0]);
+            check_volume<detail::Rounded<Box>>(split, shapes.box(awkward), tally[1]);
+            check_volume<detail::Rounded<OrientedBox>>(split, shapes.oriented_box(awkward), tally[2]);
+            check_volume<detail::Rounded<Triangle>>(split, shapes.corners(awkward), tally[3]);
+            check_volume<detail::Rounded<ConvexVolume>>(split, shapes.planes(awkward), tally[4]);
+            const Sphere sphere = awkward ? spheres.sphere() : spheres.random_sphere();
+            detail::RoundedPoint rounded;
+            if (detail::round_point(detail::data_of(split.opened.blob), sphere.center, sphere.radius, rounded) ==
+                QueryStatus::ok)
+                check_shape(split, sphere, split.loop.every_overlap(rounded), tally[5]);
+            if (const auto box = to_lattice(split.opened.blob.lattice(), shapes.box(awkward)))
+                check_volume<detail::Rounded<Box>>(split, *box, tally[6]);
         }
     }
-
-    TEST_CASE("overlap: a shape around a blob with duplicate references reports its triangles in ascending order") {
-        const SplitBlob split(3);
-        const Blob& blob = split.opened.blob;
-        Indices found;
-        CHECK(for_each_overlap(blob, ConvexVolume{}, [&](TriangleId triangle) { found.push_back(triangle.index); }) ==
-              QueryStatus::ok);
-        CHECK(found.size() == blob.triangle_count() - blob.duplicate_reference_count());
-        CHECK(std::is_sorted(found.begin(), found.end()));
-    }
-
-    TEST_CASE("ray: duplicate references are hit once each and in one order on every path") {
-        std::uint64_t hits = 0, reordered = 0;
-        for (std::uint64_t seed = 0; seed < scaled(6); ++seed) {
-            const SplitBlob split(seed + 50);
-            const Blob& blob = split.opened.blob;
-            QueryMaker maker(split.decoded, seed);
-            for (int i = 0; i < 500; ++i) {
-                Ray ray = maker.any_ray();
-                if (i % 3 == 0) maker.restrict(ray);
-                Indices found, expected;
-                (void)for_each_hit(blob, ray, [&](const RayHit& hit) { found.push_back(hit.triangle.index); });
-                for (const InstructionPath& path : instruction_paths()) {
-                    CAPTURE(path.name);
-                    Indices again;
-                    (void)path.every_hit(detail::data_of(blob), ray,
-                                         [&](const RayHit& hit) { again.push_back(hit.triangle.index); });
-                    REQUIRE(again == found);
-                }
-                detail::LatticeRay rounded;
-                if (detail::round_ray(detail::data_of(blob), ray, rounded))
-                    for (const detail::FoundHit& hit : split.loop.every_hit(rounded)) expected.push_back(hit.index);
-                hits += found.size();
-                reordered += std::is_sorted(found.begin(), found.end()) ? 0u : 1u;
-                std::sort(found.begin(), found.end());
-                REQUIRE(found == expected);
-            }
-        }
-        CHECK(hits > 80 * scaled(6));
-        CHECK(reordered > 0);
+    for (const Tally& each : tally) {
+        CHECK(each.overlapping > each.shapes / 8);
+        CHECK(each.reordered > 0);
     }
 }
+
+TEST_CASE("overlap: a shape around a blob with duplicate references reports its triangles in ascending order") {
+    const SplitBlob split(3);
+    const Blob& blob = split.opened.blob;
+    Indices found;
+    CHECK(for_each_overlap(blob, ConvexVolume{}, [&](TriangleId triangle) { found.push_back(triangle.index); }) ==
+          QueryStatus::ok);
+    CHECK(found.size() == blob.triangle_count() - blob.duplicate_reference_count());
+    CHECK(std::is_sorted(found.begin(), found.end()));
+}
+
+TEST_CASE("ray: duplicate references are hit once each and in one order on every path") {
+    std::uint64_t hits = 0, reordered = 0;
+    for (std::uint64_t seed = 0; seed < scaled(6); ++seed) {
+        const SplitBlob split(seed + 50);
+        const Blob& blob = split.opened.blob;
+        QueryMaker maker(split.decoded, seed);
+        for (int i = 0; i < 500; ++i) {
+            Ray ray = maker.any_ray();
+            if (i % 3 == 0) maker.restrict(ray);
+            Indices found, expected;
+            (void)for_each_hit(blob, ray, [&](const RayHit& hit) { found.push_back(hit.triangle.index); });
+            for (const InstructionPath& path : instruction_paths()) {
+                CAPTURE(path.name);
+                Indices again;
+                (void)path.every_hit(detail::data_of(blob), ray,
+                                     [&](const RayHit& hit) { again.push_back(hit.triangle.index); });
+                REQUIRE(again == found);
+            }
+            detail::LatticeRay rounded;
+            if (detail::round_ray(detail::data_of(blob), ray, rounded))
+                for (const detail::FoundHit& hit : split.loop.every_hit(rounded)) expected.push_back(hit.index);
+            hits += found.size();
+            reordered += std::is_sorted(found.begin(), found.end()) ? 0u : 1u;
+            std::sort(found.begin(), found.end());
+            REQUIRE(found == expected);
+        }
+    }
+    CHECK(hits > 80 * scaled(6));
+    CHECK(reordered > 0);
+}
+
+}  // namespace
+}  // namespace espalier::tests::overlap_duplicate_references_test

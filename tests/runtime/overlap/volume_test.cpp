@@ -18,11 +18,10 @@
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using detail::round_volume;
-
+namespace espalier::tests::volume_test {
 namespace {
+
+using detail::round_volume;
 
 std::vector<std::uint32_t> indices_of(std::span<const TriangleId> triangles) {
     std::vector<std::uint32_t> indices;
@@ -208,37 +207,36 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
     }
 }
 
-}  // namespace
-
-TEST_SUITE("volume") {
-    TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
-        std::uint64_t near = 0;
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            ShapeMaker maker(blob.decoded, 70);
-            for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
-                const Capsule capsule = maker.capsule(maker.random().coin());
-                CAPTURE(describe(capsule));
-                detail::Rounded<Capsule> rounded;
-                if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) continue;
-                const auto& all = blob.decoded.triangles;
-                for (int k = 0; k < 40; ++k) {
-                    const detail::LatticeTriangle triangle =
-                        lattice_triangle(all[maker.random().below(static_cast<std::uint32_t>(all.size()))]);
-                    const auto distance = detail::distance_to(rounded.segment, triangle);
-                    const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
-                    REQUIRE(meets(rounded, triangle) == expected);
-                    near += expected ? 1u : 0u;
-                }
+TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
+    std::uint64_t near = 0;
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        ShapeMaker maker(blob.decoded, 70);
+        for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
+            const Capsule capsule = maker.capsule(maker.random().coin());
+            CAPTURE(describe(capsule));
+            detail::Rounded<Capsule> rounded;
+            if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) continue;
+            const auto& all = blob.decoded.triangles;
+            for (int k = 0; k < 40; ++k) {
+                const detail::LatticeTriangle triangle =
+                    lattice_triangle(all[maker.random().below(static_cast<std::uint32_t>(all.size()))]);
+                const auto distance = detail::distance_to(rounded.segment, triangle);
+                const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
+                REQUIRE(meets(rounded, triangle) == expected);
+                near += expected ? 1u : 0u;
             }
         }
-        CHECK(near > 100);
     }
-    TEST_CASE("overlap: spheres equal the loop in any and all and pages") { check_shapes("spheres"); }
-    TEST_CASE("overlap: capsules equal the loop in any and all and pages") { check_shapes("capsules"); }
-    TEST_CASE("overlap: boxes equal the loop in any and all and pages") { check_shapes("boxes"); }
-    TEST_CASE("overlap: oriented boxes equal the loop in any and all and pages") { check_shapes("oriented boxes"); }
-    TEST_CASE("overlap: triangles equal the loop in any and all and pages") { check_shapes("triangles"); }
-    TEST_CASE("overlap: sets of planes equal the loop in any and all and pages") { check_shapes("sets of planes"); }
-    TEST_CASE("overlap: volumes of every kind equal the loop on real meshes") { for_each_real_mesh(check_real_mesh); }
+    CHECK(near > 100);
 }
+TEST_CASE("overlap: spheres equal the loop in any and all and pages") { check_shapes("spheres"); }
+TEST_CASE("overlap: capsules equal the loop in any and all and pages") { check_shapes("capsules"); }
+TEST_CASE("overlap: boxes equal the loop in any and all and pages") { check_shapes("boxes"); }
+TEST_CASE("overlap: oriented boxes equal the loop in any and all and pages") { check_shapes("oriented boxes"); }
+TEST_CASE("overlap: triangles equal the loop in any and all and pages") { check_shapes("triangles"); }
+TEST_CASE("overlap: sets of planes equal the loop in any and all and pages") { check_shapes("sets of planes"); }
+TEST_CASE("overlap: volumes of every kind equal the loop on real meshes") { for_each_real_mesh(check_real_mesh); }
+
+}  // namespace
+}  // namespace espalier::tests::volume_test

@@ -12,9 +12,7 @@
 #include "support/queries/placement_maker.hpp"
 #include "support/queries/test_pair_frame.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::distance_work_test {
 namespace {
 
 constexpr std::uint64_t no_limit = std::uint64_t{1} << 40;
@@ -54,40 +52,39 @@ void for_each_frame_apart(const Mesh& mesh, Profile profile, int count, Call cal
     }
 }
 
-}  // namespace
-
-TEST_SUITE("distance work") {
-    TEST_CASE("work: a distance takes the same work on every instruction set") {
-        for_each_profile([](Profile profile) {
-            for_each_frame_apart(make_terrain(30, 5), profile, 8, [](const detail::PairFrame& frame) {
-                const Outcome whole = nearest_of(instruction_paths().front(), frame, no_limit);
-                REQUIRE(whole.status == QueryStatus::ok);
-                REQUIRE(whole.found);
-                // The first look ends among the first some dozens.
-                for (std::uint64_t limit = 0; limit <= whole.work; limit += limit < 100 ? 1 : 1 + whole.work / 16) {
-                    CAPTURE(limit);
-                    const Outcome expected = nearest_of(instruction_paths().front(), frame, limit);
-                    CHECK(expected.status == (limit < whole.work ? QueryStatus::work_limit : QueryStatus::ok));
-                    CHECK(expected.work == limit);
-                    for (const InstructionPath& path : instruction_paths()) {
-                        CAPTURE(path.name);
-                        const Outcome outcome = nearest_of(path, frame, limit);
-                        CHECK(outcome.status == expected.status);
-                        CHECK(outcome.work == expected.work);
-                        CHECK(outcome.found == expected.found);
-                        if (expected.found) CHECK(outcome.best.pair == expected.best.pair);
-                    }
+TEST_CASE("work: a distance takes the same work on every instruction set") {
+    for_each_profile([](Profile profile) {
+        for_each_frame_apart(make_terrain(30, 5), profile, 8, [](const detail::PairFrame& frame) {
+            const Outcome whole = nearest_of(instruction_paths().front(), frame, no_limit);
+            REQUIRE(whole.status == QueryStatus::ok);
+            REQUIRE(whole.found);
+            // The first look ends among the first some dozens.
+            for (std::uint64_t limit = 0; limit <= whole.work; limit += limit < 100 ? 1 : 1 + whole.work / 16) {
+                CAPTURE(limit);
+                const Outcome expected = nearest_of(instruction_paths().front(), frame, limit);
+                CHECK(expected.status == (limit < whole.work ? QueryStatus::work_limit : QueryStatus::ok));
+                CHECK(expected.work == limit);
+                for (const InstructionPath& path : instruction_paths()) {
+                    CAPTURE(path.name);
+                    const Outcome outcome = nearest_of(path, frame, limit);
+                    CHECK(outcome.status == expected.status);
+                    CHECK(outcome.work == expected.work);
+                    CHECK(outcome.found == expected.found);
+                    if (expected.found) CHECK(outcome.best.pair == expected.best.pair);
                 }
-            });
+            }
         });
-    }
-
-    TEST_CASE("work: the first look of a distance query saves more than it costs") {
-        std::uint64_t work = 0;
-        for_each_frame_apart(make_terrain(120, 5), Profile::fast, 20, [&](const detail::PairFrame& frame) {
-            work += nearest_of(instruction_paths().back(), frame, no_limit).work;
-        });
-        // 3,761 with what it takes, without it more than 5,500; of the placements that another compiler draws 4,095.
-        CHECK(work < 4'500);
-    }
+    });
 }
+
+TEST_CASE("work: the first look of a distance query saves more than it costs") {
+    std::uint64_t work = 0;
+    for_each_frame_apart(make_terrain(120, 5), Profile::fast, 20, [&](const detail::PairFrame& frame) {
+        work += nearest_of(instruction_paths().back(), frame, no_limit).work;
+    });
+    // 3,761 with what it takes, without it more than 5,500; of the placements that another compiler draws 4,095.
+    CHECK(work < 4'500);
+}
+
+}  // namespace
+}  // namespace espalier::tests::distance_work_test

@@ -13,9 +13,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::pairs_loop_test {
 namespace {
 
 enum class Kind { random, apart, adversarial };
@@ -60,44 +58,43 @@ TestBlob make_split_blob(std::uint64_t seed) {
     return blob;
 }
 
-}  // namespace
-
-TEST_SUITE("loop") {
-    TEST_CASE("pair: duplicate references give each contact once in one order on every path and in pages") {
-        PlacementCounts counts;
-        for (std::uint64_t seed = 0; seed < 4; ++seed) {
-            std::vector<TestBlob> tests;
-            tests.push_back(make_split_blob(2 * seed));
-            tests.push_back(make_split_blob(2 * seed + 1));
-            for (const Profile other : {Profile::balanced, Profile::tiny})
-                tests.push_back(make_test_blob(crossed_by_beams(20, 60, seed), with_profile(other)));
-            const std::vector<PairedBlob> blobs(tests.begin(), tests.end());
-            for (const auto& [i, j] : {std::pair{0, 1}, {0, 0}, {0, 2}, {2, 0}, {0, 3}, {3, 0}}) {
-                const PairedBlob &a = blobs[static_cast<std::size_t>(i)], &b = blobs[static_cast<std::size_t>(j)];
-                PlacementMaker maker(a.test.decoded, b.test.decoded, 70 + seed);
-                for (std::uint64_t n = 0; n < scaled(8); ++n) {
-                    const Kind kind = n % 3 == 0 ? Kind::adversarial : n % 3 == 1 ? Kind::random : Kind::apart;
-                    check_placement(a, b, make(maker, kind), {.distances = true}, counts);
-                }
+TEST_CASE("pair: duplicate references give each contact once in one order on every path and in pages") {
+    PlacementCounts counts;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        std::vector<TestBlob> tests;
+        tests.push_back(make_split_blob(2 * seed));
+        tests.push_back(make_split_blob(2 * seed + 1));
+        for (const Profile other : {Profile::balanced, Profile::tiny})
+            tests.push_back(make_test_blob(crossed_by_beams(20, 60, seed), with_profile(other)));
+        const std::vector<PairedBlob> blobs(tests.begin(), tests.end());
+        for (const auto& [i, j] : {std::pair{0, 1}, {0, 0}, {0, 2}, {2, 0}, {0, 3}, {3, 0}}) {
+            const PairedBlob &a = blobs[static_cast<std::size_t>(i)], &b = blobs[static_cast<std::size_t>(j)];
+            PlacementMaker maker(a.test.decoded, b.test.decoded, 70 + seed);
+            for (std::uint64_t n = 0; n < scaled(8); ++n) {
+                const Kind kind = n % 3 == 0 ? Kind::adversarial : n % 3 == 1 ? Kind::random : Kind::apart;
+                check_placement(a, b, make(maker, kind), {.distances = true}, counts);
             }
         }
-        CHECK(counts.touching > 0);
-        CHECK(counts.repeated > 0);
-        if (!asks_enough()) return;
-        CHECK(counts.touching > 50);
-        CHECK(counts.repeated > 100);
     }
-
-    TEST_CASE("pair: random placements give all contacts in one order on every path") {
-        check_blobs(small_test_blobs(), scaled_share(30), Kind::random, false);
-    }
-    TEST_CASE("pair: touching and coplanar and extreme placements give all contacts on every path") {
-        check_blobs(small_test_blobs(), scaled_share(30), Kind::adversarial, false);
-    }
-    TEST_CASE("pair: separate placements give the smallest distance and all pairs within a distance") {
-        check_blobs(small_test_blobs(), scaled_share(6), Kind::apart, true);
-    }
-    TEST_CASE("pair: nearly touching placements give the smallest distance and all pairs within one") {
-        check_blobs(small_test_blobs(), scaled_share(6), Kind::adversarial, true);
-    }
+    CHECK(counts.touching > 0);
+    CHECK(counts.repeated > 0);
+    if (!asks_enough()) return;
+    CHECK(counts.touching > 50);
+    CHECK(counts.repeated > 100);
 }
+
+TEST_CASE("pair: random placements give all contacts in one order on every path") {
+    check_blobs(small_test_blobs(), scaled_share(30), Kind::random, false);
+}
+TEST_CASE("pair: touching and coplanar and extreme placements give all contacts on every path") {
+    check_blobs(small_test_blobs(), scaled_share(30), Kind::adversarial, false);
+}
+TEST_CASE("pair: separate placements give the smallest distance and all pairs within a distance") {
+    check_blobs(small_test_blobs(), scaled_share(6), Kind::apart, true);
+}
+TEST_CASE("pair: nearly touching placements give the smallest distance and all pairs within one") {
+    check_blobs(small_test_blobs(), scaled_share(6), Kind::adversarial, true);
+}
+
+}  // namespace
+}  // namespace espalier::tests::pairs_loop_test

@@ -13,9 +13,7 @@
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/placement_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::real_meshes_test {
 namespace {
 
 std::vector<TestBlob> bake_in_every_profile(const Mesh& mesh) {
@@ -97,17 +95,15 @@ void check_against_small(const std::string& name, const std::vector<PairedBlob>&
     }
 }
 
-}  // namespace
-
-TEST_SUITE("real meshes") {
-    TEST_CASE("pair: two real meshes have the contacts and the distance of the loop") {
-        for_each_mesh(check_against_itself);
-    }
-
-    TEST_CASE("pair: a real mesh and small awkward ones have the contacts and the distance of the loop") {
-        const std::vector<PairedBlob> small(small_test_blobs().begin(), small_test_blobs().end());
-        for_each_mesh([&](const std::string& name, const std::vector<PairedBlob>& real) {
-            check_against_small(name, real, small);
-        });
-    }
+TEST_CASE("pair: two real meshes have the contacts and the distance of the loop") {
+    for_each_mesh(check_against_itself);
 }
+
+TEST_CASE("pair: a real mesh and small awkward ones have the contacts and the distance of the loop") {
+    const std::vector<PairedBlob> small(small_test_blobs().begin(), small_test_blobs().end());
+    for_each_mesh(
+        [&](const std::string& name, const std::vector<PairedBlob>& real) { check_against_small(name, real, small); });
+}
+
+}  // namespace
+}  // namespace espalier::tests::real_meshes_test

@@ -21,9 +21,7 @@
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/shape_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::closest_pair_test {
 namespace {
 
 Vec3 sum(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -127,212 +125,208 @@ void check(const std::vector<TestBlob>& blobs, std::uint64_t count) {
     CHECK(tally.nothing > blobs.size() * count / 10);
 }
 
-}  // namespace
+TEST_CASE("closest point: segments and boxes equal the loop and agree with overlaps") {
+    check(small_test_blobs(), scaled_share(100));
+    check(medium_test_blobs(), scaled_share(12));
+}
 
-TEST_SUITE("closest pair") {
-    TEST_CASE("closest point: segments and boxes equal the loop and agree with overlaps") {
-        check(small_test_blobs(), scaled_share(100));
-        check(medium_test_blobs(), scaled_share(12));
-    }
+TEST_CASE("closest point: segments and boxes equal the loop on real meshes") {
+    for_each_real_mesh([](const Mesh& mesh, Profile profile) {
+        OpenedBlob opened(mesh, with_profile(profile));
+        DecodedBlob decoded = decode(opened.bytes);
+        const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
+        const TriangleLoop loop(blob.decoded);
+        ShapeMaker maker(blob.decoded, 1500 + static_cast<std::uint64_t>(profile));
+        Tally tally;
+        // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+        const std::uint64_t count = scaled_share(blob.decoded.triangles.size() > 200'000 ? 3 : 112);
+        for (std::uint64_t i = 0; i < count; ++i) check_one(blob, loop, maker, i % 10 == 9, tally);
+        tell_calls(mesh.name, count - count / 10, count / 10);
+        if (count >= 20) CHECK(tally.found > 0);
+    });
+}
 
-    TEST_CASE("closest point: segments and boxes equal the loop on real meshes") {
-        for_each_real_mesh([](const Mesh& mesh, Profile profile) {
-            OpenedBlob opened(mesh, with_profile(profile));
-            DecodedBlob decoded = decode(opened.bytes);
-            const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
-            const TriangleLoop loop(blob.decoded);
-            ShapeMaker maker(blob.decoded, 1500 + static_cast<std::uint64_t>(profile));
-            Tally tally;
-            // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-            const std::uint64_t count = scaled_share(blob.decoded.triangles.size() > 200'000 ? 3 : 112);
-            for (std::uint64_t i = 0; i < count; ++i) check_one(blob, loop, maker, i % 10 == 9, tally);
-            tell_calls(mesh.name, count - count / 10, count / 10);
-            if (count >= 20) CHECK(tally.found > 0);
-        });
+TEST_CASE("closest point: a cube and a segment match hand-computed values") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    // Above a face, across a side, past a corner, through the cube, and one end inside.
+    ClosestPoint pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, 3.0f}, {0.25f, 0.5f, 9.0f}});
+    REQUIRE(pair);
+    CHECK(pair.on_shape == Vec3{0.25f, 0.5f, 3.0f});
+    CHECK(pair.point == Vec3{0.25f, 0.5f, 1.0f});
+    CHECK(pair.distance == 2.0f);
+    CHECK(pair.face_normal == Vec3{0.0f, 0.0f, 1.0f});
+    CHECK(pair.feature == Feature::face);
+    CHECK(pair.side == Side::front);
+    pair = closest_point(cube.blob, Segment{{4.0f, 0.0f, 5.0f}, {4.0f, 10.0f, 5.0f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 5.0f);
+    CHECK(pair.point.x == 1.0f);
+    CHECK(pair.point.z == 1.0f);
+    CHECK(pair.on_shape.y == pair.point.y);
+    CHECK(pair.feature != Feature::face);
+    pair = closest_point(cube.blob, Segment{{4.0f, 4.0f, 1.0f}, {4.0f, 4.0f, 30.0f}});
+    REQUIRE(pair);
+    CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
+    CHECK(pair.on_shape == Vec3{4.0f, 4.0f, 1.0f});
+    CHECK(pair.feature >= Feature::vertex_a);
+    pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, -3.0f}, {0.25f, 0.5f, 3.0f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.0f);
+    CHECK(pair.on_shape == pair.point);
+    CHECK(pair.feature == Feature::face);
+    CHECK(pair.side == Side::front);  // a part of it is
+    pair = closest_point(cube.blob, Segment{{0.25f, 0.25f, -3.0f}, {0.25f, 0.25f, 3.0f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.0f);
+    CHECK(pair.feature != Feature::face);  // through a diagonal
+    pair = closest_point(cube.blob, Segment{{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.5f);
+    CHECK(pair.side == Side::back);
+    pair = closest_point(cube.blob, Segment{{4.0f, 5.0f, 13.0f}, {4.0f, 5.0f, 13.0f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 13.0f);
+}
+
+TEST_CASE("closest point: a cube and a box match hand-computed values") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    ClosestPoint pair = closest_point(cube.blob, Box{{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}});
+    REQUIRE(pair);
+    CHECK(pair.on_shape == Vec3{4.0f, 5.0f, 13.0f});
+    CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
+    CHECK(pair.distance == 13.0f);
+    CHECK(pair.feature >= Feature::vertex_a);
+    // Around all of the cube, touching it, and within it: a box is solid, a surface is not.
+    pair = closest_point(cube.blob, Box{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, 0.0f);
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.0f);
+    CHECK(pair.triangle.index == 0);
+    CHECK(pair.side == Side::front);
+    pair = closest_point(cube.blob, Box{{1.0f, 0.0f, 0.0f}, {2.0f, 0.5f, 0.5f}}, 0.0f);
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.0f);
+    CHECK(pair.on_shape == pair.point);
+    pair = closest_point(cube.blob, Box{{-0.25f, -0.5f, -0.5f}, {0.75f, 0.5f, 0.5f}});
+    REQUIRE(pair);
+    CHECK(pair.distance == 0.25f);
+    CHECK(pair.point.x == 1.0f);
+    CHECK(pair.face_normal == Vec3{1.0f, 0.0f, 0.0f});
+    CHECK(pair.side == Side::back);
+}
+
+TEST_CASE("closest point: the two points are as far apart as the distance within some ulp") {
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        ShapeMaker maker(blob.decoded, 1600);
+        const Blob& opened = blob.opened.blob;
+        for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
+            const Capsule capsule = maker.capsule(i % 2 == 0);
+            const Box box = maker.box(i % 2 == 0);
+            const auto check_pair = [&](const ClosestPoint& pair, Vec3 from, Vec3 to) {
+                double largest = 0.0;
+                for (const Vec3& v : {from, to, opened.bounds().min, opened.bounds().max})
+                    largest = std::max({largest, std::fabs(static_cast<double>(v.x)),
+                                        std::fabs(static_cast<double>(v.y)), std::fabs(static_cast<double>(v.z))});
+                // The shape is rounded to the lattice's grid too.
+                const double slack = largest * 28.0 * 0x1p-23 + std::ldexp(1.0, opened.lattice().step_exponent - 5);
+                REQUIRE(std::fabs(length(difference(pair.on_shape, pair.point)) - static_cast<double>(pair.distance)) <=
+                        slack);
+                const double low = std::min(static_cast<double>(from.x), static_cast<double>(to.x)) - slack;
+                const double high = std::max(static_cast<double>(from.x), static_cast<double>(to.x)) + slack;
+                REQUIRE(static_cast<double>(pair.on_shape.x) >= low);
+                REQUIRE(static_cast<double>(pair.on_shape.x) <= high);
+            };
+            CAPTURE(describe(capsule));
+            if (const ClosestPoint pair = closest_point(opened, Segment{capsule.from, capsule.to}))
+                check_pair(pair, capsule.from, capsule.to);
+            CAPTURE(describe(box));
+            if (const ClosestPoint pair = closest_point(opened, box)) check_pair(pair, box.min, box.max);
+        }
     }
 }
 
-TEST_SUITE("closest pair") {
-    TEST_CASE("closest point: a cube and a segment match hand-computed values") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        // Above a face, across a side, past a corner, through the cube, and one end inside.
-        ClosestPoint pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, 3.0f}, {0.25f, 0.5f, 9.0f}});
-        REQUIRE(pair);
-        CHECK(pair.on_shape == Vec3{0.25f, 0.5f, 3.0f});
-        CHECK(pair.point == Vec3{0.25f, 0.5f, 1.0f});
-        CHECK(pair.distance == 2.0f);
-        CHECK(pair.face_normal == Vec3{0.0f, 0.0f, 1.0f});
-        CHECK(pair.feature == Feature::face);
-        CHECK(pair.side == Side::front);
-        pair = closest_point(cube.blob, Segment{{4.0f, 0.0f, 5.0f}, {4.0f, 10.0f, 5.0f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 5.0f);
-        CHECK(pair.point.x == 1.0f);
-        CHECK(pair.point.z == 1.0f);
-        CHECK(pair.on_shape.y == pair.point.y);
-        CHECK(pair.feature != Feature::face);
-        pair = closest_point(cube.blob, Segment{{4.0f, 4.0f, 1.0f}, {4.0f, 4.0f, 30.0f}});
-        REQUIRE(pair);
-        CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
-        CHECK(pair.on_shape == Vec3{4.0f, 4.0f, 1.0f});
-        CHECK(pair.feature >= Feature::vertex_a);
-        pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, -3.0f}, {0.25f, 0.5f, 3.0f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.0f);
-        CHECK(pair.on_shape == pair.point);
-        CHECK(pair.feature == Feature::face);
-        CHECK(pair.side == Side::front);  // a part of it is
-        pair = closest_point(cube.blob, Segment{{0.25f, 0.25f, -3.0f}, {0.25f, 0.25f, 3.0f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.0f);
-        CHECK(pair.feature != Feature::face);  // through a diagonal
-        pair = closest_point(cube.blob, Segment{{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.5f);
-        CHECK(pair.side == Side::back);
-        pair = closest_point(cube.blob, Segment{{4.0f, 5.0f, 13.0f}, {4.0f, 5.0f, 13.0f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 13.0f);
-    }
-
-    TEST_CASE("closest point: a cube and a box match hand-computed values") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        ClosestPoint pair = closest_point(cube.blob, Box{{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}});
-        REQUIRE(pair);
-        CHECK(pair.on_shape == Vec3{4.0f, 5.0f, 13.0f});
-        CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
-        CHECK(pair.distance == 13.0f);
-        CHECK(pair.feature >= Feature::vertex_a);
-        // Around all of the cube, touching it, and within it: a box is solid, a surface is not.
-        pair = closest_point(cube.blob, Box{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, 0.0f);
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.0f);
-        CHECK(pair.triangle.index == 0);
-        CHECK(pair.side == Side::front);
-        pair = closest_point(cube.blob, Box{{1.0f, 0.0f, 0.0f}, {2.0f, 0.5f, 0.5f}}, 0.0f);
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.0f);
-        CHECK(pair.on_shape == pair.point);
-        pair = closest_point(cube.blob, Box{{-0.25f, -0.5f, -0.5f}, {0.75f, 0.5f, 0.5f}});
-        REQUIRE(pair);
-        CHECK(pair.distance == 0.25f);
-        CHECK(pair.point.x == 1.0f);
-        CHECK(pair.face_normal == Vec3{1.0f, 0.0f, 0.0f});
-        CHECK(pair.side == Side::back);
-    }
-
-    TEST_CASE("closest point: the two points are as far apart as the distance within some ulp") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            ShapeMaker maker(blob.decoded, 1600);
-            const Blob& opened = blob.opened.blob;
-            for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
-                const Capsule capsule = maker.capsule(i % 2 == 0);
-                const Box box = maker.box(i % 2 == 0);
-                const auto check_pair = [&](const ClosestPoint& pair, Vec3 from, Vec3 to) {
-                    double largest = 0.0;
-                    for (const Vec3& v : {from, to, opened.bounds().min, opened.bounds().max})
-                        largest = std::max({largest, std::fabs(static_cast<double>(v.x)),
-                                            std::fabs(static_cast<double>(v.y)), std::fabs(static_cast<double>(v.z))});
-                    // The shape is rounded to the lattice's grid too.
-                    const double slack = largest * 28.0 * 0x1p-23 + std::ldexp(1.0, opened.lattice().step_exponent - 5);
-                    REQUIRE(std::fabs(length(difference(pair.on_shape, pair.point)) -
-                                      static_cast<double>(pair.distance)) <= slack);
-                    const double low = std::min(static_cast<double>(from.x), static_cast<double>(to.x)) - slack;
-                    const double high = std::max(static_cast<double>(from.x), static_cast<double>(to.x)) + slack;
-                    REQUIRE(static_cast<double>(pair.on_shape.x) >= low);
-                    REQUIRE(static_cast<double>(pair.on_shape.x) <= high);
-                };
-                CAPTURE(describe(capsule));
-                if (const ClosestPoint pair = closest_point(opened, Segment{capsule.from, capsule.to}))
-                    check_pair(pair, capsule.from, capsule.to);
-                CAPTURE(describe(box));
-                if (const ClosestPoint pair = closest_point(opened, box)) check_pair(pair, box.min, box.max);
-            }
-        }
-    }
-
-    TEST_CASE("closest point: feature and side of segments and boxes are exact") {
-        std::uint64_t behind = 0, asked = 0, features[7] = {};
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            ShapeMaker maker(blob.decoded, 1620);
-            const Blob& opened = blob.opened.blob;
-            for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
-                const Capsule capsule = maker.capsule(i % 2 == 0);
-                const Box box = maker.box(i % 2 == 0);
-                const Segment segment = {capsule.from, capsule.to};
-                const auto check_one_shape = [&](const ClosestPoint& pair, const Segment& rounded_from, bool is_box) {
-                    if (!pair) return;
-                    detail::RoundedSegment rounded;
-                    REQUIRE(detail::round_segment(detail::data_of(opened), rounded_from, rounded) == QueryStatus::ok);
-                    const oracle::Triangle t = exact_triangle(blob.decoded.triangles.at(pair.triangle.index));
-                    const oracle::Point normal = oracle::normal_of(t);
-                    bool all_behind = true;
-                    for (unsigned corner = 0; corner < 8; ++corner) {
-                        oracle::Point at;
-                        for (unsigned k = 0; k < 3; ++k) {
-                            const bool is_to = is_box ? (corner >> k & 1u) != 0 : (corner & 1u) != 0;
-                            at[k] =
-                                oracle::Rational::of(is_to ? rounded.to[k] : rounded.from[k], -rounded.fraction_bits);
-                        }
-                        const oracle::Point from_plane = at - t.a;
-                        all_behind = all_behind && normal.dot(from_plane).sign() < 0;
-                    }
-                    REQUIRE(pair.side == (all_behind ? Side::back : Side::front));
-                    behind += all_behind ? 1u : 0u;
-                    ++asked;
-                    ++features[static_cast<unsigned>(pair.feature)];
-                    // Weights are rounded: those of a corner or side are zero, those of the rest may be.
-                    const float w = 1.0f - pair.u - pair.v;
-                    const float weights[3] = {std::fabs(w) < 0x1p-20f ? 0.0f : w, pair.u, pair.v};
-                    const Feature edges[3] = {Feature::edge_bc, Feature::edge_ca, Feature::edge_ab};
-                    const Feature corners[3] = {Feature::vertex_a, Feature::vertex_b, Feature::vertex_c};
+TEST_CASE("closest point: feature and side of segments and boxes are exact") {
+    std::uint64_t behind = 0, asked = 0, features[7] = {};
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        ShapeMaker maker(blob.decoded, 1620);
+        const Blob& opened = blob.opened.blob;
+        for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
+            const Capsule capsule = maker.capsule(i % 2 == 0);
+            const Box box = maker.box(i % 2 == 0);
+            const Segment segment = {capsule.from, capsule.to};
+            const auto check_one_shape = [&](const ClosestPoint& pair, const Segment& rounded_from, bool is_box) {
+                if (!pair) return;
+                detail::RoundedSegment rounded;
+                REQUIRE(detail::round_segment(detail::data_of(opened), rounded_from, rounded) == QueryStatus::ok);
+                const oracle::Triangle t = exact_triangle(blob.decoded.triangles.at(pair.triangle.index));
+                const oracle::Point normal = oracle::normal_of(t);
+                bool all_behind = true;
+                for (unsigned corner = 0; corner < 8; ++corner) {
+                    oracle::Point at;
                     for (unsigned k = 0; k < 3; ++k) {
-                        if (pair.feature == edges[k]) REQUIRE(weights[k] == 0.0f);
-                        if (pair.feature != corners[k]) continue;
-                        REQUIRE(weights[(k + 1) % 3] == 0.0f);
-                        REQUIRE(weights[(k + 2) % 3] == 0.0f);
+                        const bool is_to = is_box ? (corner >> k & 1u) != 0 : (corner & 1u) != 0;
+                        at[k] = oracle::Rational::of(is_to ? rounded.to[k] : rounded.from[k], -rounded.fraction_bits);
                     }
-                };
-                CAPTURE(describe(capsule));
-                check_one_shape(closest_point(opened, segment), segment, false);
-                CAPTURE(describe(box));
-                check_one_shape(closest_point(opened, box), {box.min, box.max}, true);
-            }
+                    const oracle::Point from_plane = at - t.a;
+                    all_behind = all_behind && normal.dot(from_plane).sign() < 0;
+                }
+                REQUIRE(pair.side == (all_behind ? Side::back : Side::front));
+                behind += all_behind ? 1u : 0u;
+                ++asked;
+                ++features[static_cast<unsigned>(pair.feature)];
+                // Weights are rounded: those of a corner or side are zero, those of the rest may be.
+                const float w = 1.0f - pair.u - pair.v;
+                const float weights[3] = {std::fabs(w) < 0x1p-20f ? 0.0f : w, pair.u, pair.v};
+                const Feature edges[3] = {Feature::edge_bc, Feature::edge_ca, Feature::edge_ab};
+                const Feature corners[3] = {Feature::vertex_a, Feature::vertex_b, Feature::vertex_c};
+                for (unsigned k = 0; k < 3; ++k) {
+                    if (pair.feature == edges[k]) REQUIRE(weights[k] == 0.0f);
+                    if (pair.feature != corners[k]) continue;
+                    REQUIRE(weights[(k + 1) % 3] == 0.0f);
+                    REQUIRE(weights[(k + 2) % 3] == 0.0f);
+                }
+            };
+            CAPTURE(describe(capsule));
+            check_one_shape(closest_point(opened, segment), segment, false);
+            CAPTURE(describe(box));
+            check_one_shape(closest_point(opened, box), {box.min, box.max}, true);
         }
-        if (!asks_enough()) return;
-        CHECK(behind > asked / 20);
-        CHECK(behind < asked);
-        for (const std::uint64_t each : features) CHECK(each > 0);
     }
-
-    TEST_CASE("closest point: shapes that are refused are no misses") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        const Vec3 near{2.0f, 0.0f, 0.0f};
-        const Vec3 far{1e30f, 0.0f, 0.0f};
-        const auto check_status = [](const ClosestPoint& pair, QueryStatus status) {
-            CHECK_FALSE(pair);
-            ClosestPoint expected;
-            expected.status = status;
-            CHECK(same_bits(pair, expected));
-        };
-        check_status(closest_point(cube.blob, Segment{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Segment{near, {0.0f, infinity, 0.0f}}), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Segment{near, near}, -1.0f), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Segment{near, far}), QueryStatus::out_of_range);
-        check_status(closest_point(cube.blob, Box{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Box{near, near}, -infinity), QueryStatus::invalid_argument);
-        check_status(closest_point(cube.blob, Box{near, far}), QueryStatus::out_of_range);
-        check_status(closest_point(Blob(), Segment{near, near}), QueryStatus::not_open);
-        check_status(closest_point(Blob(), Box{near, {nan, 0.0f, 0.0f}}), QueryStatus::not_open);
-        check_status(closest_point(cube.blob, Segment{near, near}, 0.5f), QueryStatus::not_found);
-        check_status(closest_point(cube.blob, Box{{1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 1.0f}}), QueryStatus::not_found);
-        const OpenedBlob empty(Mesh{});
-        check_status(closest_point(empty.blob, Segment{near, near}), QueryStatus::not_found);
-        check_status(closest_point(empty.blob, Box{near, near}), QueryStatus::not_found);
-        check_status(closest_point(empty.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
-    }
+    if (!asks_enough()) return;
+    CHECK(behind > asked / 20);
+    CHECK(behind < asked);
+    for (const std::uint64_t each : features) CHECK(each > 0);
 }
+
+TEST_CASE("closest point: shapes that are refused are no misses") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Vec3 near{2.0f, 0.0f, 0.0f};
+    const Vec3 far{1e30f, 0.0f, 0.0f};
+    const auto check_status = [](const ClosestPoint& pair, QueryStatus status) {
+        CHECK_FALSE(pair);
+        ClosestPoint expected;
+        expected.status = status;
+        CHECK(same_bits(pair, expected));
+    };
+    check_status(closest_point(cube.blob, Segment{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, {0.0f, infinity, 0.0f}}), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, near}, -1.0f), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, far}), QueryStatus::out_of_range);
+    check_status(closest_point(cube.blob, Box{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Box{near, near}, -infinity), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Box{near, far}), QueryStatus::out_of_range);
+    check_status(closest_point(Blob(), Segment{near, near}), QueryStatus::not_open);
+    check_status(closest_point(Blob(), Box{near, {nan, 0.0f, 0.0f}}), QueryStatus::not_open);
+    check_status(closest_point(cube.blob, Segment{near, near}, 0.5f), QueryStatus::not_found);
+    check_status(closest_point(cube.blob, Box{{1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 1.0f}}), QueryStatus::not_found);
+    const OpenedBlob empty(Mesh{});
+    check_status(closest_point(empty.blob, Segment{near, near}), QueryStatus::not_found);
+    check_status(closest_point(empty.blob, Box{near, near}), QueryStatus::not_found);
+    check_status(closest_point(empty.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
+}
+
+}  // namespace
+}  // namespace espalier::tests::closest_pair_test

@@ -19,14 +19,13 @@
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::inside_loop_test {
+namespace {
+
 using detail::AxisDirection;
 using detail::RoundedPoint;
 using detail::Winding;
 using detail::WindingRay;
-
-namespace {
 
 constexpr AxisDirection all_directions[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
 
@@ -131,37 +130,36 @@ void tell_calls(const std::string& mesh, const Tally& tally) {
     MESSAGE(calls_made("distance: contains, signed distance", mesh, tally.random, tally.awkward));
 }
 
-}  // namespace
-
-TEST_SUITE("inside loop") {
-    TEST_CASE("inside: winding numbers and signed distances equal the loop for every direction") {
-        Tally tally;
-        for (const TestBlob& blob : closed_blobs()) check_points(blob, 1100, scaled_share(2'000), 5, true, tally);
-        tell_calls(generated_meshes, tally);
-        CHECK(tally.inside > tally.random / 10);
-    }
-
-    TEST_CASE("inside: crossings of open surfaces equal the loop") {
-        Tally tally;
-        for (const TestBlob& blob : small_test_blobs()) {
-            if (blob.opened.blob.is_closed()) continue;
-            const TestBlob forged = said_to_be_closed(OpenedBlob(blob.opened.bytes), blob.name);
-            check_points(forged, 1120, scaled_share(300), 5, false, tally);
-        }
-        CHECK(tally.inside > 0);
-    }
-
-    TEST_CASE("inside: winding numbers and signed distances equal the loop on real meshes") {
-        for_each_real_mesh(
-            [](const Mesh& mesh, Profile profile) {
-                OpenedBlob opened(mesh, with_profile(profile));
-                const bool is_closed = opened.blob.is_closed();
-                const TestBlob blob = said_to_be_closed(std::move(opened), mesh.name);
-                Tally tally;
-                // Times a scale of 1,000 these are at least the counts that a release must show.
-                check_points(blob, 1150 + static_cast<std::uint64_t>(profile), scaled_share(112), 1, is_closed, tally);
-                tell_calls(mesh.name, tally);
-            },
-            quickly_baked);
-    }
+TEST_CASE("inside: winding numbers and signed distances equal the loop for every direction") {
+    Tally tally;
+    for (const TestBlob& blob : closed_blobs()) check_points(blob, 1100, scaled_share(2'000), 5, true, tally);
+    tell_calls(generated_meshes, tally);
+    CHECK(tally.inside > tally.random / 10);
 }
+
+TEST_CASE("inside: crossings of open surfaces equal the loop") {
+    Tally tally;
+    for (const TestBlob& blob : small_test_blobs()) {
+        if (blob.opened.blob.is_closed()) continue;
+        const TestBlob forged = said_to_be_closed(OpenedBlob(blob.opened.bytes), blob.name);
+        check_points(forged, 1120, scaled_share(300), 5, false, tally);
+    }
+    CHECK(tally.inside > 0);
+}
+
+TEST_CASE("inside: winding numbers and signed distances equal the loop on real meshes") {
+    for_each_real_mesh(
+        [](const Mesh& mesh, Profile profile) {
+            OpenedBlob opened(mesh, with_profile(profile));
+            const bool is_closed = opened.blob.is_closed();
+            const TestBlob blob = said_to_be_closed(std::move(opened), mesh.name);
+            Tally tally;
+            // Times a scale of 1,000 these are at least the counts that a release must show.
+            check_points(blob, 1150 + static_cast<std::uint64_t>(profile), scaled_share(112), 1, is_closed, tally);
+            tell_calls(mesh.name, tally);
+        },
+        quickly_baked);
+}
+
+}  // namespace
+}  // namespace espalier::tests::inside_loop_test

@@ -16,9 +16,7 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::mean_winding_test {
 namespace {
 
 struct Double3 {
@@ -64,61 +62,60 @@ double error_of(const Blob& blob, unsigned directions, std::uint64_t count, doub
     return std::sqrt(squares / static_cast<double>(count));
 }
 
-}  // namespace
-
-TEST_SUITE("mean winding") {
-    TEST_CASE("inside: the winding number of a closed surface is whole and that of contains") {
-        Random random(41);
-        std::uint64_t inside = 0;
-        for_each_profile([&](Profile profile) {
-            const OpenedBlob opened(make_icosphere(2, 1.0, {0.1f, 0.0f, 0.2f}), with_profile(profile));
-            for (std::uint64_t i = 0; i < scaled(200); ++i) {
-                const Vec3 point = random.in_cube(1.3f);
-                const Result<float> winding = winding_number(opened.blob, point, 2 + random.below(20));
-                REQUIRE(winding.status == QueryStatus::ok);
-                REQUIRE(*winding == (contains(opened.blob, point).yes() ? 1.0f : 0.0f));
-                inside += *winding == 1.0f ? 1u : 0u;
-            }
-        });
-        CHECK(inside > 0);
-    }
-
-    TEST_CASE("inside: the winding number of a surface that was baked inside out is negative") {
-        Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
-        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-        const OpenedBlob opened(mesh);
-        CHECK(*winding_number(opened.blob, {0.1f, 0.2f, 0.3f}) == -1.0f);
-        CHECK(*winding_number(opened.blob, {2.0f, 0.2f, 0.3f}) == 0.0f);
-    }
-
-    TEST_CASE("inside: the winding number of an open surface is near its solid angle and nearer with more directions") {
-        const Mesh sphere = make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f});
-        const std::size_t all = sphere.triangles.size();
-        for (const std::size_t missing : {all / 20, all / 4, all / 2}) {
-            CAPTURE(missing);
-            const OpenedBlob opened(without(sphere, all / 3, missing));
-            double worst = 0.0, worst_of_many = 0.0;
-            const double of_few = error_of(opened.blob, 64, scaled(400), worst);
-            const double of_many = error_of(opened.blob, 1024, scaled(100), worst_of_many);
-            CHECK(of_few < 0.03);
-            CHECK(worst < 0.15);
-            CHECK(of_many < 0.006);
-            CHECK(worst_of_many < 0.04);
-            MESSAGE(missing, " of ", all, " triangles missing: error ", of_few, ", at most ", worst,
-                    " by 64 directions, ", of_many, ", at most ", worst_of_many, " by 1024");
+TEST_CASE("inside: the winding number of a closed surface is whole and that of contains") {
+    Random random(41);
+    std::uint64_t inside = 0;
+    for_each_profile([&](Profile profile) {
+        const OpenedBlob opened(make_icosphere(2, 1.0, {0.1f, 0.0f, 0.2f}), with_profile(profile));
+        for (std::uint64_t i = 0; i < scaled(200); ++i) {
+            const Vec3 point = random.in_cube(1.3f);
+            const Result<float> winding = winding_number(opened.blob, point, 2 + random.below(20));
+            REQUIRE(winding.status == QueryStatus::ok);
+            REQUIRE(*winding == (contains(opened.blob, point).yes() ? 1.0f : 0.0f));
+            inside += *winding == 1.0f ? 1u : 0u;
         }
-    }
+    });
+    CHECK(inside > 0);
+}
 
-    TEST_CASE("inside: a winding number refuses what it cannot answer") {
-        const OpenedBlob opened(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}));
-        const Vec3 middle = {0.0f, 0.0f, 0.0f};
-        CHECK(winding_number(Blob(), middle).status == QueryStatus::not_open);
-        for (const unsigned directions : {0u, 1u, max_winding_directions + 1})
-            CHECK(winding_number(opened.blob, middle, directions).status == QueryStatus::invalid_argument);
-        CHECK(*winding_number(opened.blob, middle, 3) == 1.0f);
-        CHECK(*winding_number(opened.blob, middle, max_winding_directions) == 1.0f);
-        for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
-            CHECK(winding_number(opened.blob, {0.0f, bad, 0.0f}).status == QueryStatus::invalid_argument);
-        CHECK(*winding_number(opened.blob, {1e6f, 0.0f, 0.0f}) == 0.0f);
+TEST_CASE("inside: the winding number of a surface that was baked inside out is negative") {
+    Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    const OpenedBlob opened(mesh);
+    CHECK(*winding_number(opened.blob, {0.1f, 0.2f, 0.3f}) == -1.0f);
+    CHECK(*winding_number(opened.blob, {2.0f, 0.2f, 0.3f}) == 0.0f);
+}
+
+TEST_CASE("inside: the winding number of an open surface is near its solid angle and nearer with more directions") {
+    const Mesh sphere = make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f});
+    const std::size_t all = sphere.triangles.size();
+    for (const std::size_t missing : {all / 20, all / 4, all / 2}) {
+        CAPTURE(missing);
+        const OpenedBlob opened(without(sphere, all / 3, missing));
+        double worst = 0.0, worst_of_many = 0.0;
+        const double of_few = error_of(opened.blob, 64, scaled(400), worst);
+        const double of_many = error_of(opened.blob, 1024, scaled(100), worst_of_many);
+        CHECK(of_few < 0.03);
+        CHECK(worst < 0.15);
+        CHECK(of_many < 0.006);
+        CHECK(worst_of_many < 0.04);
+        MESSAGE(missing, " of ", all, " triangles missing: error ", of_few, ", at most ", worst, " by 64 directions, ",
+                of_many, ", at most ", worst_of_many, " by 1024");
     }
 }
+
+TEST_CASE("inside: a winding number refuses what it cannot answer") {
+    const OpenedBlob opened(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}));
+    const Vec3 middle = {0.0f, 0.0f, 0.0f};
+    CHECK(winding_number(Blob(), middle).status == QueryStatus::not_open);
+    for (const unsigned directions : {0u, 1u, max_winding_directions + 1})
+        CHECK(winding_number(opened.blob, middle, directions).status == QueryStatus::invalid_argument);
+    CHECK(*winding_number(opened.blob, middle, 3) == 1.0f);
+    CHECK(*winding_number(opened.blob, middle, max_winding_directions) == 1.0f);
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        CHECK(winding_number(opened.blob, {0.0f, bad, 0.0f}).status == QueryStatus::invalid_argument);
+    CHECK(*winding_number(opened.blob, {1e6f, 0.0f, 0.0f}) == 0.0f);
+}
+
+}  // namespace
+}  // namespace espalier::tests::mean_winding_test

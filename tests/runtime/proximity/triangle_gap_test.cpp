@@ -12,12 +12,11 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::triangle_gap_test {
+namespace {
+
 using detail::Integer3;
 using detail::LatticeTriangle;
-
-namespace {
 
 /// Triangles of a lattice, and points beside them.
 class Cases {
@@ -95,38 +94,37 @@ struct Outcome {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("triangle gap") {
-    TEST_CASE("kernel: bounds of the gap to a triangle are never above the exact distance and mostly close to it") {
-        Outcome points, segments;
-        const std::uint64_t count = scaled(200'000);
-        for (const unsigned bits : {8u, 16u, 20u}) {
-            Cases cases(bits);
-            const int f = cases.fraction_bits();
-            for (std::uint64_t i = 0; i < count; ++i) {
-                const LatticeTriangle triangle = cases.triangle();
-                const Integer3 from = cases.point(), to = i % 16 == 0 ? from : cases.point();
-                const Steps start(from, f), end(to, f);
-                float reach = 0.0f;
-                for (int k = 0; k < 3; ++k) {
-                    float farthest = 0.0f;
-                    for (const auto& corner : triangle.corner)
-                        farthest = std::max(std::abs(static_cast<float>(corner[k]) - start.at[k]), farthest);
-                    reach += farthest;
-                }
-                points.add(detail::squared_gap_to_point(triangle, start.at, reach),
-                           detail::distance_to(detail::relative_to(from, f, triangle), f).squared);
-                segments.add(detail::squared_gap_to_segment(triangle, start.at, end.at, reach),
-                             detail::distance_to({from, to, f}, triangle).squared);
+TEST_CASE("kernel: bounds of the gap to a triangle are never above the exact distance and mostly close to it") {
+    Outcome points, segments;
+    const std::uint64_t count = scaled(200'000);
+    for (const unsigned bits : {8u, 16u, 20u}) {
+        Cases cases(bits);
+        const int f = cases.fraction_bits();
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const LatticeTriangle triangle = cases.triangle();
+            const Integer3 from = cases.point(), to = i % 16 == 0 ? from : cases.point();
+            const Steps start(from, f), end(to, f);
+            float reach = 0.0f;
+            for (int k = 0; k < 3; ++k) {
+                float farthest = 0.0f;
+                for (const auto& corner : triangle.corner)
+                    farthest = std::max(std::abs(static_cast<float>(corner[k]) - start.at[k]), farthest);
+                reach += farthest;
             }
+            points.add(detail::squared_gap_to_point(triangle, start.at, reach),
+                       detail::distance_to(detail::relative_to(from, f, triangle), f).squared);
+            segments.add(detail::squared_gap_to_segment(triangle, start.at, end.at, reach),
+                         detail::distance_to({from, to, f}, triangle).squared);
         }
-        for (const Outcome& outcome : {points, segments}) {
-            MESSAGE(outcome.apart, " apart, ", outcome.close, " close");
-            CHECK(outcome.wrong == 0);
-        }
-        if (!asks_enough()) return;
-        CHECK(points.close > points.apart - points.apart / 10);
-        CHECK(segments.close > segments.apart / 2);
     }
+    for (const Outcome& outcome : {points, segments}) {
+        MESSAGE(outcome.apart, " apart, ", outcome.close, " close");
+        CHECK(outcome.wrong == 0);
+    }
+    if (!asks_enough()) return;
+    CHECK(points.close > points.apart - points.apart / 10);
+    CHECK(segments.close > segments.apart / 2);
 }
+
+}  // namespace
+}  // namespace espalier::tests::triangle_gap_test

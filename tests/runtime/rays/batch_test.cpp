@@ -16,9 +16,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::batch_test {
 namespace {
 
 Vec3 beside(Vec3 v, float distance, Random& random) {
@@ -206,86 +204,84 @@ Mesh make_soup_of_pairs() {
     return mesh;
 }
 
-}  // namespace
+TEST_CASE("batch: each ray gets the answer of a single call on every path") {
+    check_batches(small_test_blobs(), scaled_share(12));
+    check_batches(medium_test_blobs(), scaled_share(12));
+}
 
-TEST_SUITE("batch") {
-    TEST_CASE("batch: each ray gets the answer of a single call on every path") {
-        check_batches(small_test_blobs(), scaled_share(12));
-        check_batches(medium_test_blobs(), scaled_share(12));
+TEST_CASE("batch: each ray gets the answer of a single call also with copies") {
+    BakeOptions options = with_profile(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
+    const OpenedBlob opened(make_soup(400, 3), options);
+    REQUIRE(opened.blob.duplicate_reference_count() > 0);
+    const DecodedBlob decoded = decode(opened.bytes);
+    QueryMaker maker(decoded, 401);
+    std::size_t hits = 0;
+    for (std::uint64_t batch = 0; batch < scaled(12); ++batch) hits += check_batch(opened.blob, mixed_rays(maker, 300));
+    CHECK(hits > 0);
+}
+
+TEST_CASE("batch: groups of only alike or only unlike or only invalid rays give the same answers") {
+    for (const TestBlob& blob : medium_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 402);
+        std::vector<Ray> alike, strangers, nonsense;
+        add_alike(alike, maker, 256);
+        for (std::uint64_t i = 0; i < scaled(600); ++i) strangers.push_back(maker.any_ray());
+        for (std::uint64_t i = 0; i < scaled(100); ++i) add_hostile(nonsense, maker.random());
+        check_batch(blob.opened.blob, alike);
+        check_batch(blob.opened.blob, strangers);
+        check_batch(blob.opened.blob, nonsense);
     }
+}
 
-    TEST_CASE("batch: each ray gets the answer of a single call also with copies") {
-        BakeOptions options = with_profile(Profile::fast);
-        options.build.builder = Builder::spatial_splits;
-        options.build.duplicate_budget = 1.0;
-        const OpenedBlob opened(make_soup(400, 3), options);
-        REQUIRE(opened.blob.duplicate_reference_count() > 0);
-        const DecodedBlob decoded = decode(opened.bytes);
-        QueryMaker maker(decoded, 401);
-        std::size_t hits = 0;
-        for (std::uint64_t batch = 0; batch < scaled(12); ++batch)
-            hits += check_batch(opened.blob, mixed_rays(maker, 300));
-        CHECK(hits > 0);
-    }
+TEST_CASE("batch: a batch that begins where triangles meet gives the first of them") {
+    for (const bool has_copies : {false, true})
+        for_each_profile([&](Profile profile) {
+            if (has_copies && profile != Profile::fast) return;
+            BakeOptions options = with_profile(profile);
+            options.resolution = Resolution::bits(10);  // then floats hold every vertex
+            if (has_copies) {
+                options.build.builder = Builder::spatial_splits;
+                options.build.duplicate_budget = 1.0;
+            }
+            const OpenedBlob opened(has_copies ? make_soup_of_pairs() : make_terrain(20, 3), options);
+            if (has_copies) REQUIRE(opened.blob.duplicate_reference_count() > 20);
+            CHECK(check_beginnings(opened.blob) > 300);
+        });
+}
 
-    TEST_CASE("batch: groups of only alike or only unlike or only invalid rays give the same answers") {
-        for (const TestBlob& blob : medium_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 402);
-            std::vector<Ray> alike, strangers, nonsense;
-            add_alike(alike, maker, 256);
-            for (std::uint64_t i = 0; i < scaled(600); ++i) strangers.push_back(maker.any_ray());
-            for (std::uint64_t i = 0; i < scaled(100); ++i) add_hostile(nonsense, maker.random());
-            check_batch(blob.opened.blob, alike);
-            check_batch(blob.opened.blob, strangers);
-            check_batch(blob.opened.blob, nonsense);
-        }
-    }
-
-    TEST_CASE("batch: a batch that begins where triangles meet gives the first of them") {
-        for (const bool has_copies : {false, true})
-            for_each_profile([&](Profile profile) {
-                if (has_copies && profile != Profile::fast) return;
-                BakeOptions options = with_profile(profile);
-                options.resolution = Resolution::bits(10);  // then floats hold every vertex
-                if (has_copies) {
-                    options.build.builder = Builder::spatial_splits;
-                    options.build.duplicate_budget = 1.0;
+TEST_CASE("batch: spans of different sizes and a blob that is not open are refused and nothing is written") {
+    const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f})), empty(Mesh{});
+    const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
+    for (const Blob& blob : {opened.blob, empty.blob, Blob()}) {
+        for (const std::size_t rays_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
+            for (const std::size_t answers_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
+                const std::vector<Ray> rays(rays_size, ray);
+                std::vector<RayHit> hits(answers_size, untouched_hit);
+                std::vector<YesNo> answers(answers_size, untouched);
+                const bool is_written = blob && rays_size == answers_size;
+                const QueryStatus expected = !blob        ? QueryStatus::not_open
+                                             : is_written ? QueryStatus::ok
+                                                          : QueryStatus::invalid_argument;
+                for (const Filled& filled : {raycast(blob, rays, hits), occluded(blob, rays, answers)}) {
+                    CHECK(filled.status == expected);
+                    CHECK(filled.count == (is_written ? rays_size : 0));
                 }
-                const OpenedBlob opened(has_copies ? make_soup_of_pairs() : make_terrain(20, 3), options);
-                if (has_copies) REQUIRE(opened.blob.duplicate_reference_count() > 20);
-                CHECK(check_beginnings(opened.blob) > 300);
-            });
-    }
-
-    TEST_CASE("batch: spans of different sizes and a blob that is not open are refused and nothing is written") {
-        const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f})), empty(Mesh{});
-        const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
-        for (const Blob& blob : {opened.blob, empty.blob, Blob()}) {
-            for (const std::size_t rays_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
-                for (const std::size_t answers_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
-                    const std::vector<Ray> rays(rays_size, ray);
-                    std::vector<RayHit> hits(answers_size, untouched_hit);
-                    std::vector<YesNo> answers(answers_size, untouched);
-                    const bool is_written = blob && rays_size == answers_size;
-                    const QueryStatus expected = !blob        ? QueryStatus::not_open
-                                                 : is_written ? QueryStatus::ok
-                                                              : QueryStatus::invalid_argument;
-                    for (const Filled& filled : {raycast(blob, rays, hits), occluded(blob, rays, answers)}) {
-                        CHECK(filled.status == expected);
-                        CHECK(filled.count == (is_written ? rays_size : 0));
-                    }
-                    for (std::size_t i = 0; i < answers_size; ++i) {
-                        REQUIRE(same_bits(hits[i], is_written ? raycast(blob, ray) : untouched_hit));
-                        REQUIRE(answers[i] == (is_written ? occluded(blob, ray) : untouched));
-                    }
+                for (std::size_t i = 0; i < answers_size; ++i) {
+                    REQUIRE(same_bits(hits[i], is_written ? raycast(blob, ray) : untouched_hit));
+                    REQUIRE(answers[i] == (is_written ? occluded(blob, ray) : untouched));
                 }
             }
         }
     }
-
-    TEST_CASE("batch: the number for no triangle belongs to no triangle") {
-        CHECK(no_triangle.index == 0xFFFFFFFFu);
-        CHECK(no_triangle.index >= format::max_triangles);
-    }
 }
+
+TEST_CASE("batch: the number for no triangle belongs to no triangle") {
+    CHECK(no_triangle.index == 0xFFFFFFFFu);
+    CHECK(no_triangle.index >= format::max_triangles);
+}
+
+}  // namespace
+}  // namespace espalier::tests::batch_test

@@ -16,9 +16,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::closest_hits_test {
 namespace {
 
 /// A vertical ray through two cubes, one in the other: four faces.
@@ -39,114 +37,111 @@ struct NestedCubes {
     Ray down = {.origin = {0.25f, 0.5f, 4.0f}, .direction = {0.0f, 0.0f, -1.0f}};
 };
 
-}  // namespace
-
-TEST_SUITE("closest hits") {
-    TEST_CASE("ray: the first hits are sorted and the status reports more") {
-        for_each_profile([](Profile profile) {
-            const NestedCubes cubes(profile);
-            constexpr std::array<double, 4> expected = {2.0, 3.0, 5.0, 6.0};
-            for (std::size_t places = 0; places <= 6; ++places) {
-                CAPTURE(places);
-                std::vector<RayHit> hits(places);
-                const Filled found = closest_hits(cubes.opened.blob, cubes.down, hits);
-                CHECK(found.count == std::min<std::size_t>(places, 4));
-                CHECK(found.status == (places < 4 ? QueryStatus::output_full : QueryStatus::ok));
-                for (std::size_t i = 0; i < found.count; ++i) {
-                    CHECK(hits[i].t == doctest::Approx(expected[i]));
-                    CHECK(hits[i].status == QueryStatus::ok);
-                    CHECK(hits[i].side == (i < 2 ? Side::front : Side::back));
-                }
+TEST_CASE("ray: the first hits are sorted and the status reports more") {
+    for_each_profile([](Profile profile) {
+        const NestedCubes cubes(profile);
+        constexpr std::array<double, 4> expected = {2.0, 3.0, 5.0, 6.0};
+        for (std::size_t places = 0; places <= 6; ++places) {
+            CAPTURE(places);
+            std::vector<RayHit> hits(places);
+            const Filled found = closest_hits(cubes.opened.blob, cubes.down, hits);
+            CHECK(found.count == std::min<std::size_t>(places, 4));
+            CHECK(found.status == (places < 4 ? QueryStatus::output_full : QueryStatus::ok));
+            for (std::size_t i = 0; i < found.count; ++i) {
+                CHECK(hits[i].t == doctest::Approx(expected[i]));
+                CHECK(hits[i].status == QueryStatus::ok);
+                CHECK(hits[i].side == (i < 2 ? Side::front : Side::back));
             }
-        });
-    }
-
-    TEST_CASE("ray: the first of the first hits is the closest hit and unused slots stay untouched") {
-        const NestedCubes cubes(Profile::fast);
-        const RayHit single = raycast(cubes.opened.blob, cubes.down);
-        std::array<RayHit, 1> one;
-        REQUIRE(single);
-        REQUIRE(closest_hits(cubes.opened.blob, cubes.down, one).count == 1);
-        CHECK(same_bits(one[0], single));
-        Ray up = cubes.down;
-        up.direction.z = 1.0f;
-        const Filled nothing = closest_hits(cubes.opened.blob, up, one);
-        CHECK(nothing.count == 0);
-        CHECK(nothing.status == QueryStatus::ok);
-        CHECK(same_bits(one[0], single));
-        CHECK(closest_hits(cubes.opened.blob, up, {}).status == QueryStatus::ok);
-        CHECK(closest_hits(Blob(), cubes.down, one).count == 0);
-        CHECK(closest_hits(Blob(), cubes.down, one).status == QueryStatus::not_open);
-        up.origin.x = std::numeric_limits<float>::quiet_NaN();
-        CHECK(closest_hits(cubes.opened.blob, up, one).count == 0);
-        CHECK(closest_hits(cubes.opened.blob, up, one).status == QueryStatus::invalid_argument);
-    }
-
-    TEST_CASE("ray: a triangle with copies appears once and hits equal the loop") {
-        BakeOptions options = with_profile(Profile::fast);
-        options.build.builder = Builder::spatial_splits;
-        options.build.duplicate_budget = 1.0;
-        const OpenedBlob opened(make_soup(400, 3), options);
-        REQUIRE(opened.blob.duplicate_reference_count() > 0);
-        const DecodedBlob decoded = decode(opened.bytes);
-        const TriangleLoop loop(decoded);
-        QueryMaker maker(decoded, 403);
-        std::uint64_t hits = 0;
-        for (std::uint64_t i = 0; i < scaled(2000); ++i) {
-            const auto difference = ray_difference(opened.blob, loop, maker.any_ray(), hits);
-            REQUIRE_MESSAGE(!difference, *difference);
         }
-        if (asks_enough()) CHECK(hits > 1000);
-    }
+    });
 }
 
-TEST_SUITE("closest hits") {
-    TEST_CASE("ray: a segment hits between its ends and at them") {
-        for_each_profile([](Profile profile) {
-            const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
-            const auto hits = [&](float from, float to) {
-                const Ray segment = Ray::between({0.25f, 0.5f, from}, {0.25f, 0.5f, to});
-                const RayHit hit = raycast(cube.blob, segment);
-                CHECK(occluded(cube.blob, segment).status() == hit.status);
-                if (hit) CHECK(std::fabs(from + hit.t * (to - from)) == doctest::Approx(1.0));
-                return bool(hit);
-            };
-            CHECK(hits(3.0f, 0.0f));
-            CHECK(hits(3.0f, 1.0f));
-            CHECK(hits(1.0f, 3.0f));
-            CHECK_FALSE(hits(3.0f, 1.001f));
-            CHECK_FALSE(hits(0.9f, -0.9f));
-            CHECK_FALSE(hits(2.0f, 2.0f));
-        });
-    }
+TEST_CASE("ray: the first of the first hits is the closest hit and unused slots stay untouched") {
+    const NestedCubes cubes(Profile::fast);
+    const RayHit single = raycast(cubes.opened.blob, cubes.down);
+    std::array<RayHit, 1> one;
+    REQUIRE(single);
+    REQUIRE(closest_hits(cubes.opened.blob, cubes.down, one).count == 1);
+    CHECK(same_bits(one[0], single));
+    Ray up = cubes.down;
+    up.direction.z = 1.0f;
+    const Filled nothing = closest_hits(cubes.opened.blob, up, one);
+    CHECK(nothing.count == 0);
+    CHECK(nothing.status == QueryStatus::ok);
+    CHECK(same_bits(one[0], single));
+    CHECK(closest_hits(cubes.opened.blob, up, {}).status == QueryStatus::ok);
+    CHECK(closest_hits(Blob(), cubes.down, one).count == 0);
+    CHECK(closest_hits(Blob(), cubes.down, one).status == QueryStatus::not_open);
+    up.origin.x = std::numeric_limits<float>::quiet_NaN();
+    CHECK(closest_hits(cubes.opened.blob, up, one).count == 0);
+    CHECK(closest_hits(cubes.opened.blob, up, one).status == QueryStatus::invalid_argument);
+}
 
-    TEST_CASE("ray: a ray between two points has their difference as direction and a window from 0 to 1") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 404);
-            for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
-                const Ray ray = maker.any_ray();
-                const Vec3 from = ray.origin,
-                           to = {from.x + ray.direction.x, from.y + ray.direction.y, from.z + ray.direction.z};
-                const RayHit of_segment = raycast(blob.opened.blob, Ray::between(from, to));
-                const Ray same = {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f};
-                REQUIRE(same_bits(of_segment, raycast(blob.opened.blob, same)));
-                REQUIRE((!of_segment || of_segment.t <= 1.0f));
-                REQUIRE(occluded(blob.opened.blob, Ray::between(from, to)).status() == of_segment.status);
-            }
-        }
+TEST_CASE("ray: a triangle with copies appears once and hits equal the loop") {
+    BakeOptions options = with_profile(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
+    const OpenedBlob opened(make_soup(400, 3), options);
+    REQUIRE(opened.blob.duplicate_reference_count() > 0);
+    const DecodedBlob decoded = decode(opened.bytes);
+    const TriangleLoop loop(decoded);
+    QueryMaker maker(decoded, 403);
+    std::uint64_t hits = 0;
+    for (std::uint64_t i = 0; i < scaled(2000); ++i) {
+        const auto difference = ray_difference(opened.blob, loop, maker.any_ray(), hits);
+        REQUIRE_MESSAGE(!difference, *difference);
     }
+    if (asks_enough()) CHECK(hits > 1000);
+}
 
-    TEST_CASE("ray: a ray between points that are not finite or the same or too far apart is refused") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-        constexpr float most = std::numeric_limits<float>::max();
-        const auto status = [&](const Vec3& from, const Vec3& to) {
-            return occluded(cube.blob, Ray::between(from, to)).status();
+TEST_CASE("ray: a segment hits between its ends and at them") {
+    for_each_profile([](Profile profile) {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
+        const auto hits = [&](float from, float to) {
+            const Ray segment = Ray::between({0.25f, 0.5f, from}, {0.25f, 0.5f, to});
+            const RayHit hit = raycast(cube.blob, segment);
+            CHECK(occluded(cube.blob, segment).status() == hit.status);
+            if (hit) CHECK(std::fabs(from + hit.t * (to - from)) == doctest::Approx(1.0));
+            return bool(hit);
         };
-        CHECK(status({nan, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
-        CHECK(status({0.0f, 0.0f, 0.0f}, {0.0f, nan, 0.0f}) == QueryStatus::invalid_argument);
-        CHECK(status({-most, 0.0f, 0.0f}, {most, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
-        CHECK(status({2.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
+        CHECK(hits(3.0f, 0.0f));
+        CHECK(hits(3.0f, 1.0f));
+        CHECK(hits(1.0f, 3.0f));
+        CHECK_FALSE(hits(3.0f, 1.001f));
+        CHECK_FALSE(hits(0.9f, -0.9f));
+        CHECK_FALSE(hits(2.0f, 2.0f));
+    });
+}
+
+TEST_CASE("ray: a ray between two points has their difference as direction and a window from 0 to 1") {
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 404);
+        for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
+            const Ray ray = maker.any_ray();
+            const Vec3 from = ray.origin,
+                       to = {from.x + ray.direction.x, from.y + ray.direction.y, from.z + ray.direction.z};
+            const RayHit of_segment = raycast(blob.opened.blob, Ray::between(from, to));
+            const Ray same = {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f};
+            REQUIRE(same_bits(of_segment, raycast(blob.opened.blob, same)));
+            REQUIRE((!of_segment || of_segment.t <= 1.0f));
+            REQUIRE(occluded(blob.opened.blob, Ray::between(from, to)).status() == of_segment.status);
+        }
     }
 }
+
+TEST_CASE("ray: a ray between points that are not finite or the same or too far apart is refused") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float most = std::numeric_limits<float>::max();
+    const auto status = [&](const Vec3& from, const Vec3& to) {
+        return occluded(cube.blob, Ray::between(from, to)).status();
+    };
+    CHECK(status({nan, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({0.0f, 0.0f, 0.0f}, {0.0f, nan, 0.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({-most, 0.0f, 0.0f}, {most, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({2.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
+}
+
+}  // namespace
+}  // namespace espalier::tests::closest_hits_test

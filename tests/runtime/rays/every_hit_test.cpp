@@ -18,11 +18,10 @@
 #include "support/exact/as_rationals.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using oracle::Rational;
-
+namespace espalier::tests::every_hit_test {
 namespace {
+
+using oracle::Rational;
 
 struct ExactHit {
     std::uint32_t index;
@@ -50,56 +49,55 @@ Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
     return (Rational::of(rounded.tau_offset) + tau) * Rational::of(1, rounded.t_exponent);
 }
 
-}  // namespace
-
-TEST_SUITE("every hit") {
-    TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
-        // Times a scale of 100 these are more than 10^5 rays.
-        const std::uint64_t count = scaled_share(100);
-        Rational worst_t = 0;
-        Rational worst_weight = 0;
-        std::uint64_t hits = 0;
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 400);
-            for (std::uint64_t i = 0; i < count; ++i) {
-                Ray ray = maker.any_ray();
-                if (maker.random().below(3) == 0) maker.restrict(ray);
-                CAPTURE(describe(ray));
-                detail::LatticeRay rounded;
-                const RayHit closest = raycast(blob.opened.blob, ray);
-                const bool found = bool(closest);
-                if (!detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded)) {
-                    REQUIRE_FALSE(found);
-                    continue;
-                }
-                const std::vector<ExactHit> exact = exact_hits(blob.decoded, rounded, ray.culling);
-                REQUIRE(found == !exact.empty());
-                REQUIRE(occluded(blob.opened.blob, ray).yes() == found);
-                const std::vector<RayHit> every = every_hit(blob.opened.blob, ray);
-                REQUIRE(every.size() == exact.size());
-                for (std::size_t k = 0; k < every.size(); ++k) {
-                    const RayHit& hit = every[k];
-                    const oracle::Crossing& expected = exact[k].crossing;
-                    REQUIRE(hit.triangle.index == exact[k].index);
-                    REQUIRE(hit.status == QueryStatus::ok);
-                    REQUIRE(hit.side == (expected.front ? Side::front : Side::back));
-                    const Rational t = exact_t(rounded, expected.t);
-                    if (std::isinf(hit.t)) {
-                        REQUIRE(t > Rational::of(std::numeric_limits<float>::max()));  // where float32 ends
-                    } else {
-                        worst_t = std::max(worst_t, oracle::error_in_ulp(hit.t, t));
-                    }
-                    worst_weight = std::max({worst_weight, oracle::error_in_ulp(hit.u, expected.u),
-                                             oracle::error_in_ulp(hit.v, expected.v)});
-                    if (hit.triangle == closest.triangle) REQUIRE(same_bits(hit, closest));
-                    REQUIRE(closest.t <= hit.t);
-                }
-                hits += every.size();
+TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
+    // Times a scale of 100 these are more than 10^5 rays.
+    const std::uint64_t count = scaled_share(100);
+    Rational worst_t = 0;
+    Rational worst_weight = 0;
+    std::uint64_t hits = 0;
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 400);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Ray ray = maker.any_ray();
+            if (maker.random().below(3) == 0) maker.restrict(ray);
+            CAPTURE(describe(ray));
+            detail::LatticeRay rounded;
+            const RayHit closest = raycast(blob.opened.blob, ray);
+            const bool found = bool(closest);
+            if (!detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded)) {
+                REQUIRE_FALSE(found);
+                continue;
             }
+            const std::vector<ExactHit> exact = exact_hits(blob.decoded, rounded, ray.culling);
+            REQUIRE(found == !exact.empty());
+            REQUIRE(occluded(blob.opened.blob, ray).yes() == found);
+            const std::vector<RayHit> every = every_hit(blob.opened.blob, ray);
+            REQUIRE(every.size() == exact.size());
+            for (std::size_t k = 0; k < every.size(); ++k) {
+                const RayHit& hit = every[k];
+                const oracle::Crossing& expected = exact[k].crossing;
+                REQUIRE(hit.triangle.index == exact[k].index);
+                REQUIRE(hit.status == QueryStatus::ok);
+                REQUIRE(hit.side == (expected.front ? Side::front : Side::back));
+                const Rational t = exact_t(rounded, expected.t);
+                if (std::isinf(hit.t)) {
+                    REQUIRE(t > Rational::of(std::numeric_limits<float>::max()));  // where float32 ends
+                } else {
+                    worst_t = std::max(worst_t, oracle::error_in_ulp(hit.t, t));
+                }
+                worst_weight = std::max(
+                    {worst_weight, oracle::error_in_ulp(hit.u, expected.u), oracle::error_in_ulp(hit.v, expected.v)});
+                if (hit.triangle == closest.triangle) REQUIRE(same_bits(hit, closest));
+                REQUIRE(closest.t <= hit.t);
+            }
+            hits += every.size();
         }
-        CHECK(worst_t <= Rational(4));
-        CHECK(worst_weight <= Rational(4));
-        CHECK(hits > count);
     }
+    CHECK(worst_t <= Rational(4));
+    CHECK(worst_weight <= Rational(4));
+    CHECK(hits > count);
 }
+
+}  // namespace
+}  // namespace espalier::tests::every_hit_test

@@ -10,10 +10,7 @@
 #include "support/blobs/baking.hpp"
 #include "support/meshes/mesh.hpp"
 
-using namespace espalier;
-using tests::Mesh;
-using tests::OpenedBlob;
-
+namespace espalier::tests::far_query_test {
 namespace {
 
 void add_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) {
@@ -34,57 +31,56 @@ Mesh stacked_triangles(unsigned count) {
 
 bool is_not_the_first(TriangleId triangle) { return triangle.index != 0; }
 
-}  // namespace
-
-TEST_SUITE("far query") {
-    TEST_CASE("ray: the lowest index wins among far hits that round to the same t") {
-        tests::for_each_profile([](Profile profile) {
-            const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
-            const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
-            const RayHit hit = raycast(stack.blob, ray);
-            REQUIRE(hit);
-            CHECK(hit.t == 0x1p34f);
-            CHECK(hit.triangle.index == 0);
-            unsigned hits = 0;
-            const QueryStatus status = for_each_hit(stack.blob, ray, [&](const RayHit& each) {
-                CHECK(each.t == 0x1p34f);
-                ++hits;
-            });
-            CHECK(status == QueryStatus::ok);
-            CHECK(hits == 40);
-        });
-    }
-
-    TEST_CASE("ray: a plain function serves as a filter from far away") {
-        const OpenedBlob stack(stacked_triangles(2));
-        const RayHit hit = raycast(stack.blob, {{8.0f, 8.0f, 10.0f}, {0.0f, 0.0f, -1.0f}}, is_not_the_first);
+TEST_CASE("ray: the lowest index wins among far hits that round to the same t") {
+    tests::for_each_profile([](Profile profile) {
+        const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
+        const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
+        const RayHit hit = raycast(stack.blob, ray);
         REQUIRE(hit);
-        CHECK(hit.triangle.index == 1);
-    }
-
-    TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {
-        Mesh mesh;
-        const float top = 16777215.0f;
-        add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
-        add_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
-        BakeOptions options;
-        options.resolution = Resolution::bits(24);
-        const OpenedBlob blob(mesh, options);
-        const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
-        const ClosestPoint nearest = closest_point(blob.blob, point);
-        REQUIRE(nearest);
-        CHECK(nearest.point.x == 0.0f);
-        const double exact = std::hypot(1.5 * 0x1p32, static_cast<double>(top) - 1000.0);
-        CHECK(std::abs(static_cast<double>(nearest.distance) - exact) < exact * 0x1p-22);
-        CHECK(overlaps(blob.blob, Sphere{point, static_cast<float>(exact * (1.0 + 0x1p-21))}).yes());
-    }
-
-    TEST_CASE("promise: no query divides by zero") {
-        const OpenedBlob stack(stacked_triangles(20));
-        std::feclearexcept(FE_ALL_EXCEPT);
-        CHECK(raycast(stack.blob, {{8.0f, 8.0f, 100.0f}, {0.0f, 0.0f, -1.0f}}));
-        CHECK(raycast(stack.blob, {{9.0f, 8.0f, 100.0f}, {0.1f, 0.2f, -1.0f}}));
-        CHECK(overlaps(stack.blob, Sphere{{8.0f, 8.0f, 1.0f}, 0.5f}).yes());
-        CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
-    }
+        CHECK(hit.t == 0x1p34f);
+        CHECK(hit.triangle.index == 0);
+        unsigned hits = 0;
+        const QueryStatus status = for_each_hit(stack.blob, ray, [&](const RayHit& each) {
+            CHECK(each.t == 0x1p34f);
+            ++hits;
+        });
+        CHECK(status == QueryStatus::ok);
+        CHECK(hits == 40);
+    });
 }
+
+TEST_CASE("ray: a plain function serves as a filter from far away") {
+    const OpenedBlob stack(stacked_triangles(2));
+    const RayHit hit = raycast(stack.blob, {{8.0f, 8.0f, 10.0f}, {0.0f, 0.0f, -1.0f}}, is_not_the_first);
+    REQUIRE(hit);
+    CHECK(hit.triangle.index == 1);
+}
+
+TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {
+    Mesh mesh;
+    const float top = 16777215.0f;
+    add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
+    add_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
+    BakeOptions options;
+    options.resolution = Resolution::bits(24);
+    const OpenedBlob blob(mesh, options);
+    const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
+    const ClosestPoint nearest = closest_point(blob.blob, point);
+    REQUIRE(nearest);
+    CHECK(nearest.point.x == 0.0f);
+    const double exact = std::hypot(1.5 * 0x1p32, static_cast<double>(top) - 1000.0);
+    CHECK(std::abs(static_cast<double>(nearest.distance) - exact) < exact * 0x1p-22);
+    CHECK(overlaps(blob.blob, Sphere{point, static_cast<float>(exact * (1.0 + 0x1p-21))}).yes());
+}
+
+TEST_CASE("promise: no query divides by zero") {
+    const OpenedBlob stack(stacked_triangles(20));
+    std::feclearexcept(FE_ALL_EXCEPT);
+    CHECK(raycast(stack.blob, {{8.0f, 8.0f, 100.0f}, {0.0f, 0.0f, -1.0f}}));
+    CHECK(raycast(stack.blob, {{9.0f, 8.0f, 100.0f}, {0.1f, 0.2f, -1.0f}}));
+    CHECK(overlaps(stack.blob, Sphere{{8.0f, 8.0f, 1.0f}, 0.5f}).yes());
+    CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
+}
+
+}  // namespace
+}  // namespace espalier::tests::far_query_test

@@ -11,9 +11,7 @@
 #include "support/machine/instruction_paths.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::leak_test {
 namespace {
 
 /// A lattice point's place in the world where float32 holds it exactly, else false.
@@ -41,49 +39,48 @@ GridPoint on_float_grid(const DecodedBlob& decoded, GridPoint point) {
     return point;
 }
 
-}  // namespace
-
-TEST_SUITE("leak") {
-    TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a side") {
-        // Times a scale of 1,000 these are ten million rays.
-        const std::uint64_t count = scaled_share(2'500);
-        for (const ClosedShape& shape : make_closed_shapes()) {
-            CAPTURE(shape.name);
-            REQUIRE(shape.opened.blob.is_closed());
-            Random random(1);
-            std::uint64_t exact_aims = 0;
-            for (std::uint64_t i = 0; i < count; ++i) {
-                const GridPoint from = on_float_grid(shape.decoded, shape.inside(shape.decoded, random));
-                const GridTriangle& triangle =
-                    shape.decoded.triangles[random.below(static_cast<std::uint32_t>(shape.decoded.triangles.size()))];
-                const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
-                const GridPoint& p = corners[random.below(3)];
-                const GridPoint& q = corners[random.below(3)];  // the same corner in a third of the rays
-                Ray ray;
-                const bool exact_origin = exact_place(shape.decoded, from, ray.origin);
-                REQUIRE(exact_origin);
-                // Twice the way to a middle is a whole number of steps: the direction is exact, and so is the aim.
-                const auto toward = [&](unsigned k) {
-                    return std::ldexp(static_cast<float>(p[k] + q[k] - 2 * from[k]), shape.decoded.step_exponent);
-                };
-                ray.direction = {toward(0), toward(1), toward(2)};
-                REQUIRE_MESSAGE(raycast(shape.opened.blob, ray), describe(ray));
-                REQUIRE_MESSAGE(occluded(shape.opened.blob, ray).yes(), describe(ray));
-                detail::LatticeRay rounded{};
-                REQUIRE(detail::round_ray(detail::data_of(shape.opened.blob), ray, rounded));
-                bool exact_aim = true;
-                for (unsigned k = 0; k < 3; ++k) {
-                    exact_aim = exact_aim && rounded.origin[k] == from[k] << rounded.fraction_bits;
-                }
-                if (exact_aim) ++exact_aims;
-                for (const InstructionPath& path : instruction_paths()) {
-                    REQUIRE_MESSAGE(path.closest_hit(detail::data_of(shape.opened.blob), ray, nullptr),
-                                    std::string(path.name), ": ", describe(ray));
-                    REQUIRE_MESSAGE(path.any_hit(detail::data_of(shape.opened.blob), ray, nullptr).yes(),
-                                    std::string(path.name), ": ", describe(ray));
-                }
+TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a side") {
+    // Times a scale of 1,000 these are ten million rays.
+    const std::uint64_t count = scaled_share(2'500);
+    for (const ClosedShape& shape : make_closed_shapes()) {
+        CAPTURE(shape.name);
+        REQUIRE(shape.opened.blob.is_closed());
+        Random random(1);
+        std::uint64_t exact_aims = 0;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const GridPoint from = on_float_grid(shape.decoded, shape.inside(shape.decoded, random));
+            const GridTriangle& triangle =
+                shape.decoded.triangles[random.below(static_cast<std::uint32_t>(shape.decoded.triangles.size()))];
+            const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
+            const GridPoint& p = corners[random.below(3)];
+            const GridPoint& q = corners[random.below(3)];  // the same corner in a third of the rays
+            Ray ray;
+            const bool exact_origin = exact_place(shape.decoded, from, ray.origin);
+            REQUIRE(exact_origin);
+            // Twice the way to a middle is a whole number of steps: the direction is exact, and so is the aim.
+            const auto toward = [&](unsigned k) {
+                return std::ldexp(static_cast<float>(p[k] + q[k] - 2 * from[k]), shape.decoded.step_exponent);
+            };
+            ray.direction = {toward(0), toward(1), toward(2)};
+            REQUIRE_MESSAGE(raycast(shape.opened.blob, ray), describe(ray));
+            REQUIRE_MESSAGE(occluded(shape.opened.blob, ray).yes(), describe(ray));
+            detail::LatticeRay rounded{};
+            REQUIRE(detail::round_ray(detail::data_of(shape.opened.blob), ray, rounded));
+            bool exact_aim = true;
+            for (unsigned k = 0; k < 3; ++k) {
+                exact_aim = exact_aim && rounded.origin[k] == from[k] << rounded.fraction_bits;
             }
-            CHECK(exact_aims == count);
+            if (exact_aim) ++exact_aims;
+            for (const InstructionPath& path : instruction_paths()) {
+                REQUIRE_MESSAGE(path.closest_hit(detail::data_of(shape.opened.blob), ray, nullptr),
+                                std::string(path.name), ": ", describe(ray));
+                REQUIRE_MESSAGE(path.any_hit(detail::data_of(shape.opened.blob), ray, nullptr).yes(),
+                                std::string(path.name), ": ", describe(ray));
+            }
         }
+        CHECK(exact_aims == count);
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::leak_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <espalier/approximate.hpp>
@@ -22,315 +23,313 @@
 #include "support/meshes/makers.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::ray_test {
+namespace {
+
 using oracle::Rational;
 
-namespace {}  // namespace
+TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    RayHit hit = raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}});
+    REQUIRE(hit);
+    CHECK(hit.t == 2.0f);
+    CHECK(hit.normal == Vec3{0.0f, 0.0f, 1.0f});
+    CHECK(hit.side == Side::front);
+    hit = raycast(cube.blob, {{0.25f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+    REQUIRE(hit);
+    CHECK(hit.t == 0.75f);
+    CHECK(hit.normal == Vec3{1.0f, 0.0f, 0.0f});
+    CHECK(hit.side == Side::back);
+    CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}));
+}
 
-TEST_SUITE("ray") {
-    TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        RayHit hit = raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}});
-        REQUIRE(hit);
-        CHECK(hit.t == 2.0f);
-        CHECK(hit.normal == Vec3{0.0f, 0.0f, 1.0f});
-        CHECK(hit.side == Side::front);
-        hit = raycast(cube.blob, {{0.25f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}});
-        REQUIRE(hit);
-        CHECK(hit.t == 0.75f);
-        CHECK(hit.normal == Vec3{1.0f, 0.0f, 0.0f});
-        CHECK(hit.side == Side::back);
-        CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}));
-    }
+TEST_CASE("ray: the front is seen from outside and the back from inside") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+    RayHit hit;
+    ray.culling = FaceCulling::back;
+    hit = raycast(cube.blob, ray);
+    REQUIRE(hit);
+    CHECK(hit.t == 4.0f);
+    ray.culling = FaceCulling::front;
+    hit = raycast(cube.blob, ray);
+    REQUIRE(hit);
+    CHECK(hit.t == 6.0f);
+    CHECK(hit.normal == Vec3{0.0f, 0.0f, -1.0f});
+    ray.origin.z = 0.0f;
+    ray.culling = FaceCulling::back;
+    CHECK_FALSE(raycast(cube.blob, ray));
+    ray.culling = FaceCulling::none;
+    CHECK(raycast(cube.blob, ray));
+}
 
-    TEST_CASE("ray: the front is seen from outside and the back from inside") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
-        RayHit hit;
-        ray.culling = FaceCulling::back;
-        hit = raycast(cube.blob, ray);
-        REQUIRE(hit);
-        CHECK(hit.t == 4.0f);
-        ray.culling = FaceCulling::front;
-        hit = raycast(cube.blob, ray);
-        REQUIRE(hit);
-        CHECK(hit.t == 6.0f);
-        CHECK(hit.normal == Vec3{0.0f, 0.0f, -1.0f});
-        ray.origin.z = 0.0f;
-        ray.culling = FaceCulling::back;
-        CHECK_FALSE(raycast(cube.blob, ray));
-        ray.culling = FaceCulling::none;
-        CHECK(raycast(cube.blob, ray));
-    }
+TEST_CASE("ray: the window is closed at both ends and may be infinite") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+    RayHit hit;
+    ray.t_max = 4.0f;
+    CHECK(raycast(cube.blob, ray));
+    ray.t_max = std::nextafter(4.0f, 0.0f);
+    CHECK_FALSE(raycast(cube.blob, ray));
+    ray.t_min = 4.0f;
+    ray.t_max = infinity;
+    hit = raycast(cube.blob, ray);
+    REQUIRE(hit);
+    CHECK(hit.t == 4.0f);
+    ray.t_min = std::nextafter(4.0f, 5.0f);
+    hit = raycast(cube.blob, ray);
+    REQUIRE(hit);
+    CHECK(hit.t == 6.0f);
+    ray.t_min = -infinity;
+    ray.t_max = 0.0f;
+    CHECK_FALSE(raycast(cube.blob, ray));
+    ray.origin.z = 1.0f;
+    hit = raycast(cube.blob, ray);
+    CHECK(hit);
+    CHECK(hit.t == 0.0f);
+}
 
-    TEST_CASE("ray: the window is closed at both ends and may be infinite") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
-        RayHit hit;
-        ray.t_max = 4.0f;
-        CHECK(raycast(cube.blob, ray));
-        ray.t_max = std::nextafter(4.0f, 0.0f);
-        CHECK_FALSE(raycast(cube.blob, ray));
-        ray.t_min = 4.0f;
-        ray.t_max = infinity;
-        hit = raycast(cube.blob, ray);
-        REQUIRE(hit);
-        CHECK(hit.t == 4.0f);
-        ray.t_min = std::nextafter(4.0f, 5.0f);
-        hit = raycast(cube.blob, ray);
-        REQUIRE(hit);
-        CHECK(hit.t == 6.0f);
-        ray.t_min = -infinity;
-        ray.t_max = 0.0f;
-        CHECK_FALSE(raycast(cube.blob, ray));
-        ray.origin.z = 1.0f;
-        hit = raycast(cube.blob, ray);
-        CHECK(hit);
-        CHECK(hit.t == 0.0f);
-    }
-
-    TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        Ray ray{{0.25f, 0.5f, 1.0f}, {0.0f, 0.0f, -1.0f}};
-        for (const float begin : {0.0f, -0.0f}) {
-            ray.t_min = begin;
-            ray.t_max = -0.0f;
-            const RoundedRay rounded = round_ray(cube.blob.lattice(), ray);
-            for (const InstructionPath& path : instruction_paths()) {
-                CAPTURE(path.name);
-                RayHit hit = path.closest_hit(detail::data_of(cube.blob), ray, nullptr);
-                REQUIRE(hit);
-                CHECK(hit.t == 0.0f);
-                CHECK(path.any_hit(detail::data_of(cube.blob), ray, nullptr).yes());
-                YesNo occluded;
-                path.any_hits(detail::data_of(cube.blob), &ray, &occluded, 1);
-                CHECK(occluded.yes());
-                hit = {};
-                path.closest_hits(detail::data_of(cube.blob), &ray, &hit, 1);
-                CHECK(hit);
-            }
-            const RayHit hit = raycast(cube.blob, rounded);
+TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    Ray ray{{0.25f, 0.5f, 1.0f}, {0.0f, 0.0f, -1.0f}};
+    for (const float begin : {0.0f, -0.0f}) {
+        ray.t_min = begin;
+        ray.t_max = -0.0f;
+        const RoundedRay rounded = round_ray(cube.blob.lattice(), ray);
+        for (const InstructionPath& path : instruction_paths()) {
+            CAPTURE(path.name);
+            RayHit hit = path.closest_hit(detail::data_of(cube.blob), ray, nullptr);
             REQUIRE(hit);
             CHECK(hit.t == 0.0f);
+            CHECK(path.any_hit(detail::data_of(cube.blob), ray, nullptr).yes());
+            YesNo occluded;
+            path.any_hits(detail::data_of(cube.blob), &ray, &occluded, 1);
+            CHECK(occluded.yes());
+            hit = {};
+            path.closest_hits(detail::data_of(cube.blob), &ray, &hit, 1);
+            CHECK(hit);
         }
-    }
-
-    TEST_CASE("ray: a reported t is inside the window after rounding") {
-        std::uint64_t at_the_end = 0;
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 475);
-            for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
-                Ray ray = maker.any_ray();
-                RayHit hit = raycast(blob.opened.blob, ray);
-                if (!hit) continue;
-                const float t = hit.t;
-                // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
-                for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
-                                          std::nextafter(t, infinity)}) {
-                    CAPTURE(describe(ray));
-                    ray.t_min = 0.0f;
-                    ray.t_max = bound;
-                    hit = raycast(blob.opened.blob, ray);
-                    if (hit) {
-                        REQUIRE(hit.t <= bound);
-                        if (hit.t == bound) ++at_the_end;
-                    }
-                    ray.t_min = bound;
-                    ray.t_max = infinity;
-                    hit = raycast(blob.opened.blob, ray);
-                    if (hit) REQUIRE(hit.t >= bound);
-                }
-            }
-        }
-        CHECK(at_the_end > 0);
-    }
-
-    TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither a hit nor a no") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        const Ray down{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, up{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
-        const auto none = [](TriangleId) { return false; };
-        const auto check = [&](const Blob& blob, const Ray& ray, QueryStatus status) {
-            const YesNo any = occluded(blob, ray);
-            CHECK(any.status() == status);
-            CHECK_FALSE(any.yes());
-            CHECK(any.no() == (status == QueryStatus::not_found));
-            RayHit hits[1];
-            hits[0].t = 7.0f;
-            YesNo answers[1];
-            CHECK(raycast(blob, {&ray, 1}, hits).status == (blob ? QueryStatus::ok : QueryStatus::not_open));
-            CHECK(occluded(blob, {&ray, 1}, answers).count == (blob ? 1 : 0));
-            if (blob) CHECK(answers[0].status() == status);
-            QueryCounters counters;
-            for (const RayHit& hit : {raycast(blob, ray), raycast(blob, ray, none), raycast(blob, ray, counters),
-                                      blob ? hits[0] : raycast(blob, ray)}) {
-                CHECK_FALSE(hit);
-                CHECK(hit.status == status);
-                CHECK(hit.triangle == no_triangle);
-                CHECK(hit.t == infinity);
-                CHECK(hit.normal == Vec3{});
-            }
-            const QueryStatus of_lists = status == QueryStatus::not_found ? QueryStatus::ok : status;
-            CHECK(closest_hits(blob, ray, hits).status == of_lists);
-            CHECK(closest_hits(blob, ray, hits).count == 0);
-            CHECK(for_each_hit(blob, ray, [](const RayHit&) {}) == of_lists);
-            CHECK(occluded(blob, ray, Accuracy{0.5f}).status() == status);
-        };
-        check(cube.blob, up, QueryStatus::not_found);
-        for (const Ray& ray : {up, down}) {
-            check(empty.blob, ray, QueryStatus::not_found);
-            check(Blob(), ray, QueryStatus::not_open);
-            check(open(std::span(cube.bytes).first(100)), ray, QueryStatus::not_open);
-        }
-        CHECK_FALSE(raycast(cube.blob, down, none));
-        CHECK(raycast(cube.blob, down, none).status == QueryStatus::not_found);
-        CHECK(occluded(cube.blob, down, none).no());
-        CHECK(raycast(cube.blob, down, TriangleFilter()));
-        for (const Blob& blob : {cube.blob, empty.blob}) {
-            for (int number = 0; number < 8; ++number) {
-                for (const float bad : {nan, -nan, infinity, -infinity}) {
-                    if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
-                    Ray ray = down;
-                    float* numbers[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
-                                         &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
-                    *numbers[number] = bad;
-                    check(blob, ray, QueryStatus::invalid_argument);
-                    ray.t_min = std::isnan(ray.t_min) ? nan : 2.0f;  // an empty window is no excuse
-                    ray.t_max = std::isnan(ray.t_max) ? nan : 1.0f;
-                    check(blob, ray, QueryStatus::invalid_argument);
-                }
-            }
-            Ray still = down;
-            still.direction = {0.0f, -0.0f, 0.0f};
-            check(blob, still, QueryStatus::invalid_argument);
-            check(blob, Ray::between(down.origin, down.origin), QueryStatus::invalid_argument);
-            Ray far = down;
-            far.origin.y = std::numeric_limits<float>::max();
-            check(blob, far, QueryStatus::out_of_range);
-            far.direction.x = nan;
-            check(blob, far, QueryStatus::invalid_argument);
-        }
-        for (const float end : {-1.0f, -infinity}) {
-            Ray over = down;
-            over.t_max = end;
-            check(cube.blob, over, QueryStatus::not_found);
-        }
-        Ray never = down;
-        never.t_min = infinity;
-        check(cube.blob, never, QueryStatus::not_found);
-    }
-
-    TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
-        // Triangles of one plane, all of them over the origin.
-        Mesh mesh;
-        for (unsigned i = 0; i < 100; ++i) {
-            const auto reach = static_cast<float>(1 + i);
-            const std::uint32_t first = 3 * i;
-            mesh.positions.insert(mesh.positions.end(),
-                                  {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
-            mesh.triangles.push_back({first, first + 1, first + 2});
-        }
-        const OpenedBlob stack(mesh);
-        REQUIRE(stack.blob.triangle_count() == 100);
-        const Ray ray{{0.0f, -0.5f, 3.0f}, {0.0f, 0.0f, -1.0f}};
-        RayHit hit = raycast(stack.blob, ray);
+        const RayHit hit = raycast(cube.blob, rounded);
         REQUIRE(hit);
-        CHECK(hit.triangle.index == 0);
-        for (std::uint32_t below = 0; below < 100; below += 7) {
-            hit = raycast(stack.blob, ray, [&](TriangleId triangle) { return triangle.index >= below; });
-            REQUIRE(hit);
-            CHECK(hit.triangle.index == below);
-        }
+        CHECK(hit.t == 0.0f);
     }
+}
 
-    TEST_CASE("ray: no hit is nearer than the closest one") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 450);
-            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
-                const Ray ray = maker.any_ray();
+TEST_CASE("ray: a reported t is inside the window after rounding") {
+    std::uint64_t at_the_end = 0;
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 475);
+        for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
+            Ray ray = maker.any_ray();
+            RayHit hit = raycast(blob.opened.blob, ray);
+            if (!hit) continue;
+            const float t = hit.t;
+            // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
+            for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
+                                      std::nextafter(t, infinity)}) {
                 CAPTURE(describe(ray));
-                std::optional<RayHit> first;
-                for (const RayHit& hit : every_hit(blob.opened.blob, ray)) {
-                    if (!first || hit.t < first->t) first = hit;
+                ray.t_min = 0.0f;
+                ray.t_max = bound;
+                hit = raycast(blob.opened.blob, ray);
+                if (hit) {
+                    REQUIRE(hit.t <= bound);
+                    if (hit.t == bound) ++at_the_end;
                 }
-                const RayHit hit = raycast(blob.opened.blob, ray);
-                REQUIRE(bool(hit) == first.has_value());
-                if (!first) continue;
-                REQUIRE(same_bits(hit.t, first->t));
-                // Where t leaves float32's range the order is that of t before it did.
-                if (std::isnormal(hit.t) || hit.t == 0.0f) REQUIRE(same_bits(hit, *first));
+                ray.t_min = bound;
+                ray.t_max = infinity;
+                hit = raycast(blob.opened.blob, ray);
+                if (hit) REQUIRE(hit.t >= bound);
             }
         }
     }
+    CHECK(at_the_end > 0);
+}
 
-    TEST_CASE("ray: a visitor that stops is not called again and the status reports it") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
-        int calls = 0;
-        const auto stop = [&](const RayHit&) { return ++calls, Visit::stop; };
-        CHECK(for_each_hit(cube.blob, ray, stop) == QueryStatus::stopped);
-        CHECK(calls == 1);
-        CHECK(for_each_hit(cube.blob, ray, [&](const RayHit&) { ++calls; }) == QueryStatus::ok);
-        CHECK(calls == 3);
-        CHECK(for_each_hit(Blob(), ray, stop) == QueryStatus::not_open);
-        CHECK(calls == 3);
+TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither a hit nor a no") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Ray down{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, up{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
+    const auto none = [](TriangleId) { return false; };
+    const auto check = [&](const Blob& blob, const Ray& ray, QueryStatus status) {
+        const YesNo any = occluded(blob, ray);
+        CHECK(any.status() == status);
+        CHECK_FALSE(any.yes());
+        CHECK(any.no() == (status == QueryStatus::not_found));
+        RayHit hits[1];
+        hits[0].t = 7.0f;
+        YesNo answers[1];
+        CHECK(raycast(blob, std::span(&ray, 1), hits).status == (blob ? QueryStatus::ok : QueryStatus::not_open));
+        CHECK(occluded(blob, std::span(&ray, 1), answers).count == (blob ? 1 : 0));
+        if (blob) CHECK(answers[0].status() == status);
+        QueryCounters counters;
+        for (const RayHit& hit : {raycast(blob, ray), raycast(blob, ray, none), raycast(blob, ray, counters),
+                                  blob ? hits[0] : raycast(blob, ray)}) {
+            CHECK_FALSE(hit);
+            CHECK(hit.status == status);
+            CHECK(hit.triangle == no_triangle);
+            CHECK(hit.t == infinity);
+            CHECK(hit.normal == Vec3{});
+        }
+        const QueryStatus of_lists = status == QueryStatus::not_found ? QueryStatus::ok : status;
+        CHECK(closest_hits(blob, ray, hits).status == of_lists);
+        CHECK(closest_hits(blob, ray, hits).count == 0);
+        CHECK(for_each_hit(blob, ray, [](const RayHit&) {}) == of_lists);
+        CHECK(occluded(blob, ray, Accuracy{0.5f}).status() == status);
+    };
+    check(cube.blob, up, QueryStatus::not_found);
+    for (const Ray& ray : {up, down}) {
+        check(empty.blob, ray, QueryStatus::not_found);
+        check(Blob(), ray, QueryStatus::not_open);
+        check(open(std::span(cube.bytes).first(100)), ray, QueryStatus::not_open);
     }
+    CHECK_FALSE(raycast(cube.blob, down, none));
+    CHECK(raycast(cube.blob, down, none).status == QueryStatus::not_found);
+    CHECK(occluded(cube.blob, down, none).no());
+    CHECK(raycast(cube.blob, down, TriangleFilter()));
+    for (const Blob& blob : {cube.blob, empty.blob}) {
+        for (int number = 0; number < 8; ++number) {
+            for (const float bad : {nan, -nan, infinity, -infinity}) {
+                if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
+                Ray ray = down;
+                float* numbers[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+                                     &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+                *numbers[number] = bad;
+                check(blob, ray, QueryStatus::invalid_argument);
+                ray.t_min = std::isnan(ray.t_min) ? nan : 2.0f;  // an empty window is no excuse
+                ray.t_max = std::isnan(ray.t_max) ? nan : 1.0f;
+                check(blob, ray, QueryStatus::invalid_argument);
+            }
+        }
+        Ray still = down;
+        still.direction = {0.0f, -0.0f, 0.0f};
+        check(blob, still, QueryStatus::invalid_argument);
+        check(blob, Ray::between(down.origin, down.origin), QueryStatus::invalid_argument);
+        Ray far = down;
+        far.origin.y = std::numeric_limits<float>::max();
+        check(blob, far, QueryStatus::out_of_range);
+        far.direction.x = nan;
+        check(blob, far, QueryStatus::invalid_argument);
+    }
+    for (const float end : {-1.0f, -infinity}) {
+        Ray over = down;
+        over.t_max = end;
+        check(cube.blob, over, QueryStatus::not_found);
+    }
+    Ray never = down;
+    never.t_min = infinity;
+    check(cube.blob, never, QueryStatus::not_found);
+}
 
-    TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbours") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        // Within the top face: only the sides at both ends are hit.
-        const RayHit hit = raycast(cube.blob, {{-5.0f, 0.25f, 1.0f}, {1.0f, 0.0f, 0.0f}});
+TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
+    // Triangles of one plane, all of them over the origin.
+    Mesh mesh;
+    for (unsigned i = 0; i < 100; ++i) {
+        const auto reach = static_cast<float>(1 + i);
+        const std::uint32_t first = 3 * i;
+        mesh.positions.insert(mesh.positions.end(), {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    const OpenedBlob stack(mesh);
+    REQUIRE(stack.blob.triangle_count() == 100);
+    const Ray ray{{0.0f, -0.5f, 3.0f}, {0.0f, 0.0f, -1.0f}};
+    RayHit hit = raycast(stack.blob, ray);
+    REQUIRE(hit);
+    CHECK(hit.triangle.index == 0);
+    for (std::uint32_t below = 0; below < 100; below += 7) {
+        hit = raycast(stack.blob, ray, [&](TriangleId triangle) { return triangle.index >= below; });
         REQUIRE(hit);
-        CHECK(hit.t == 4.0f);
-        CHECK(std::fabs(hit.normal.x) == 1.0f);
+        CHECK(hit.triangle.index == below);
     }
+}
 
-    TEST_CASE("ray: length and scale of a direction change only t") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 500);
-            for (std::uint64_t i = 0; i < scaled_share(200); ++i) {
-                const Ray ray = maker.ray(RayKind::incoherent);
-                Ray longer = ray;
-                longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
-                const RayHit hit = raycast(blob.opened.blob, ray);
-                RayHit longer_hit = raycast(blob.opened.blob, longer);
-                REQUIRE(longer_hit.status == hit.status);
-                if (!hit) continue;
-                REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
-                longer_hit.t = hit.t;
-                REQUIRE(same_bits(longer_hit, hit));
+TEST_CASE("ray: no hit is nearer than the closest one") {
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 450);
+        for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
+            const Ray ray = maker.any_ray();
+            CAPTURE(describe(ray));
+            std::optional<RayHit> first;
+            for (const RayHit& hit : every_hit(blob.opened.blob, ray)) {
+                if (!first || hit.t < first->t) first = hit;
             }
+            const RayHit hit = raycast(blob.opened.blob, ray);
+            REQUIRE(bool(hit) == first.has_value());
+            if (!first) continue;
+            REQUIRE(same_bits(hit.t, first->t));
+            // Where t leaves float32's range the order is that of t before it did.
+            if (std::isnormal(hit.t) || hit.t == 0.0f) REQUIRE(same_bits(hit, *first));
         }
     }
+}
 
-    TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
-        const Mesh mesh = make_torus(40, 20, 2.0, 0.5);
-        const OpenedBlob plain(mesh);
-        const DecodedBlob decoded = decode(plain.bytes);
-        for (const float scale : {0x1p20f, 0x1p-20f}) {
-            const OpenedBlob scaled_blob(scaled_by(mesh, scale));
-            QueryMaker maker(decoded, 600);
-            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-                Ray ray = maker.any_ray();
-                const RayHit hit = raycast(plain.blob, ray);
-                ray.origin = {ray.origin.x * scale, ray.origin.y * scale, ray.origin.z * scale};
-                ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
-                REQUIRE(same_bits(raycast(scaled_blob.blob, ray), hit));
-                Sphere sphere = maker.sphere();
-                const ClosestPoint nearest = closest_point(plain.blob, sphere.center, sphere.radius);
-                sphere.center = {sphere.center.x * scale, sphere.center.y * scale, sphere.center.z * scale};
-                const ClosestPoint scaled_nearest =
-                    closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale);
-                REQUIRE(scaled_nearest.status == nearest.status);
-                if (nearest) {
-                    REQUIRE(scaled_nearest.triangle == nearest.triangle);
-                    REQUIRE(same_bits(scaled_nearest.distance, nearest.distance * scale));
-                }
+TEST_CASE("ray: a visitor that stops is not called again and the status reports it") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+    int calls = 0;
+    const auto stop = [&](const RayHit&) { return ++calls, Visit::stop; };
+    CHECK(for_each_hit(cube.blob, ray, stop) == QueryStatus::stopped);
+    CHECK(calls == 1);
+    CHECK(for_each_hit(cube.blob, ray, [&](const RayHit&) { ++calls; }) == QueryStatus::ok);
+    CHECK(calls == 3);
+    CHECK(for_each_hit(Blob(), ray, stop) == QueryStatus::not_open);
+    CHECK(calls == 3);
+}
+
+TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbours") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    // Within the top face: only the sides at both ends are hit.
+    const RayHit hit = raycast(cube.blob, {{-5.0f, 0.25f, 1.0f}, {1.0f, 0.0f, 0.0f}});
+    REQUIRE(hit);
+    CHECK(hit.t == 4.0f);
+    CHECK(std::fabs(hit.normal.x) == 1.0f);
+}
+
+TEST_CASE("ray: length and scale of a direction change only t") {
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 500);
+        for (std::uint64_t i = 0; i < scaled_share(200); ++i) {
+            const Ray ray = maker.ray(RayKind::incoherent);
+            Ray longer = ray;
+            longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
+            const RayHit hit = raycast(blob.opened.blob, ray);
+            RayHit longer_hit = raycast(blob.opened.blob, longer);
+            REQUIRE(longer_hit.status == hit.status);
+            if (!hit) continue;
+            REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
+            longer_hit.t = hit.t;
+            REQUIRE(same_bits(longer_hit, hit));
+        }
+    }
+}
+
+TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
+    const Mesh mesh = make_torus(40, 20, 2.0, 0.5);
+    const OpenedBlob plain(mesh);
+    const DecodedBlob decoded = decode(plain.bytes);
+    for (const float scale : {0x1p20f, 0x1p-20f}) {
+        const OpenedBlob scaled_blob(scaled_by(mesh, scale));
+        QueryMaker maker(decoded, 600);
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            Ray ray = maker.any_ray();
+            const RayHit hit = raycast(plain.blob, ray);
+            ray.origin = {ray.origin.x * scale, ray.origin.y * scale, ray.origin.z * scale};
+            ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
+            REQUIRE(same_bits(raycast(scaled_blob.blob, ray), hit));
+            Sphere sphere = maker.sphere();
+            const ClosestPoint nearest = closest_point(plain.blob, sphere.center, sphere.radius);
+            sphere.center = {sphere.center.x * scale, sphere.center.y * scale, sphere.center.z * scale};
+            const ClosestPoint scaled_nearest = closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale);
+            REQUIRE(scaled_nearest.status == nearest.status);
+            if (nearest) {
+                REQUIRE(scaled_nearest.triangle == nearest.triangle);
+                REQUIRE(same_bits(scaled_nearest.distance, nearest.distance * scale));
             }
         }
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::ray_test

@@ -19,9 +19,7 @@
 #include "support/meshes/makers.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::rounded_ray_test {
 namespace {
 
 constexpr std::int32_t most_steps = (1 << 24) - 1;
@@ -45,219 +43,214 @@ Lattice region_around(const Lattice& lattice, Random& random, std::int32_t (&bef
 
 QueryStatus status_of(const Lattice& region, const Ray& ray) { return round_ray(region, ray).status(); }
 
-}  // namespace
-
-TEST_SUITE("rounded ray") {
-    TEST_CASE("seams: a rounded ray in any region is answered as by the loop over all triangles") {
-        const std::uint64_t count = scaled_share(200);
-        std::uint64_t hits = 0, asked = 0;
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 24);
-            const Lattice lattice = blob.opened.blob.lattice();
-            for (std::uint64_t i = 0; i < count; ++i) {
-                Ray ray = maker.any_ray();
-                if (maker.random().below(3) == 0) maker.restrict(ray);
-                CAPTURE(describe(ray));
-                std::int32_t before[3];
-                const RoundedRay rounded = round_ray(region_around(lattice, maker.random(), before), ray);
-                REQUIRE(rounded);
-                const RayHit expected = loop_over_triangles(blob.decoded, before, rounded);
-                REQUIRE(same_bits(raycast(blob.opened.blob, rounded), expected));
-                REQUIRE(occluded(blob.opened.blob, rounded).status() == expected.status);
-                ++asked;
-                hits += expected ? 1u : 0u;
-                if (rounded.data().may_hit == 0) continue;
-                const detail::RayOnLattice on_blob = moved(rounded, before);
-                for (const InstructionPath& path : instruction_paths()) {
-                    const detail::BlobData& data = detail::data_of(blob.opened.blob);
-                    const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob, nullptr);
-                    REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-                    REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob, nullptr).status() == expected.status,
-                                    std::string(path.name));
-                }
-            }
-        }
-        CHECK(hits > asked / 10);
-    }
-
-    TEST_CASE("seams: a ray rounded for one blob is answered like the plain ray") {
-        const std::uint64_t count = scaled_share(200);
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 25);
-            const Lattice lattice = blob.opened.blob.lattice();
-            for (std::uint64_t i = 0; i < count; ++i) {
-                const Ray ray = maker.any_ray();
-                CAPTURE(describe(ray));
-                REQUIRE(same_bits(raycast(blob.opened.blob, round_ray(lattice, ray)), raycast(blob.opened.blob, ray)));
+TEST_CASE("seams: a rounded ray in any region is answered as by the loop over all triangles") {
+    const std::uint64_t count = scaled_share(200);
+    std::uint64_t hits = 0, asked = 0;
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 24);
+        const Lattice lattice = blob.opened.blob.lattice();
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Ray ray = maker.any_ray();
+            if (maker.random().below(3) == 0) maker.restrict(ray);
+            CAPTURE(describe(ray));
+            std::int32_t before[3];
+            const RoundedRay rounded = round_ray(region_around(lattice, maker.random(), before), ray);
+            REQUIRE(rounded);
+            const RayHit expected = loop_over_triangles(blob.decoded, before, rounded);
+            REQUIRE(same_bits(raycast(blob.opened.blob, rounded), expected));
+            REQUIRE(occluded(blob.opened.blob, rounded).status() == expected.status);
+            ++asked;
+            hits += expected ? 1u : 0u;
+            if (rounded.data().may_hit == 0) continue;
+            const detail::RayOnLattice on_blob = moved(rounded, before);
+            for (const InstructionPath& path : instruction_paths()) {
+                const detail::BlobData& data = detail::data_of(blob.opened.blob);
+                const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob, nullptr);
+                REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
+                REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob, nullptr).status() == expected.status,
+                                std::string(path.name));
             }
         }
     }
+    CHECK(hits > asked / 10);
+}
 
-    TEST_CASE("seams: what is no ray or no region is refused") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const Lattice good = cube.blob.lattice();
-        const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
-        CHECK(raycast(cube.blob, round_ray(good, ray)).t == 2.0f);
-        const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
-        for (int number = 0; number < 8; ++number) {
-            for (const float bad : {nan, INFINITY, -INFINITY}) {
-                if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
-                Ray broken = ray;
-                float* numbers[8] = {&broken.origin.x,    &broken.origin.y,    &broken.origin.z, &broken.direction.x,
-                                     &broken.direction.y, &broken.direction.z, &broken.t_min,    &broken.t_max};
-                *numbers[number] = bad;
-                CHECK(status_of(good, broken) == QueryStatus::invalid_argument);
-            }
+TEST_CASE("seams: a ray rounded for one blob is answered like the plain ray") {
+    const std::uint64_t count = scaled_share(200);
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 25);
+        const Lattice lattice = blob.opened.blob.lattice();
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const Ray ray = maker.any_ray();
+            CAPTURE(describe(ray));
+            REQUIRE(same_bits(raycast(blob.opened.blob, round_ray(lattice, ray)), raycast(blob.opened.blob, ray)));
         }
-        Ray still = ray;
-        still.direction = {0.0f, -0.0f, 0.0f};
-        CHECK(status_of(good, still) == QueryStatus::invalid_argument);
-        Ray far = ray;
-        far.origin.x = huge;
-        CHECK(status_of(good, far) == QueryStatus::out_of_range);
-        for (const float window : {-1.0f, INFINITY}) {
-            Ray empty = ray;
-            (window < 0.0f ? empty.t_max : empty.t_min) = window;
-            CHECK(status_of(good, empty) == QueryStatus::ok);
-            const RayHit hit = raycast(cube.blob, round_ray(good, empty));
-            CHECK(hit.status == QueryStatus::not_found);
-            CHECK(hit.triangle == no_triangle);
-            CHECK(hit.t == INFINITY);
-        }
-
-        const auto with = [&](auto change) {
-            Lattice region = good;
-            change(region);
-            return status_of(region, ray);
-        };
-        CHECK(with([](Lattice& r) { r.extent[2] = most_steps; }) == QueryStatus::ok);
-        CHECK(with([](Lattice& r) { r.extent[2] = most_steps + 1; }) == QueryStatus::invalid_argument);
-        CHECK(with([](Lattice& r) { r.extent[0] = -1; }) == QueryStatus::invalid_argument);
-        CHECK(with([](Lattice& r) { r.step_exponent = 101; }) == QueryStatus::invalid_argument);
-        CHECK(with([](Lattice& r) { r.step_exponent = -101; }) == QueryStatus::invalid_argument);
-        for (const std::int32_t exponent : {-101, 101, 1 << 16, -(1 << 16)}) {
-            const Lattice region = {{}, exponent, {1, 1, 1}};
-            CHECK(status_of(region, ray) == QueryStatus::invalid_argument);
-        }
-        CHECK(with([&](Lattice& r) { r.origin.y = nan; }) == QueryStatus::invalid_argument);
-        CHECK(with([](Lattice& r) { r.origin.y = INFINITY; }) == QueryStatus::invalid_argument);
-        CHECK(with([](Lattice& r) { r.origin.y += std::ldexp(0.5f, r.step_exponent); }) ==
-              QueryStatus::invalid_argument);
-
-        CHECK(raycast(cube.blob, RoundedRay()).status == QueryStatus::invalid_argument);
-        CHECK(occluded(cube.blob, RoundedRay()).status() == QueryStatus::invalid_argument);
-        const RayHit refused = raycast(cube.blob, round_ray(good, far));
-        CHECK(refused.status == QueryStatus::out_of_range);
-        CHECK(refused.triangle == no_triangle);
-        CHECK(refused.t == INFINITY);
-    }
-
-    TEST_CASE("seams: a blob with another step or outside of the region is refused and an empty one is not hit") {
-        BakeOptions options;
-        options.resolution = Resolution::step(-8);
-        const OpenedBlob here(make_cube(-1.0f, 1.0f), options), there(make_cube(2.0f, 3.0f), options);
-        options.resolution = Resolution::step(-9);
-        const OpenedBlob finer(make_cube(-1.0f, 1.0f), options), nothing(Mesh{}, options);
-        const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
-        const RoundedRay rounded = round_ray(here.blob.lattice(), ray);
-        const auto check = [&](const Blob& blob, QueryStatus status) {
-            CHECK(raycast(blob, rounded).status == status);
-            CHECK(occluded(blob, rounded).status() == status);
-        };
-        check(here.blob, QueryStatus::ok);
-        check(there.blob, QueryStatus::out_of_range);
-        check(finer.blob, QueryStatus::invalid_argument);
-        check(nothing.blob, QueryStatus::not_found);
-        check(Blob(), QueryStatus::not_open);
-        // By one step on either side.
-        for (int k = 0; k < 3; ++k) {
-            Lattice region = here.blob.lattice();
-            region.extent[k] -= 1;
-            CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
-            region.extent[k] += 1;
-            (k == 0 ? region.origin.x : k == 1 ? region.origin.y : region.origin.z) += 0x1p-8f;
-            CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
-        }
-    }
-
-    TEST_CASE("seams: the region of several blobs holds each of them and no more") {
-        BakeOptions options;
-        options.resolution = Resolution::step(-8);
-        const OpenedBlob a(make_cube(-1.0f, 1.0f), options), b(make_cube(2.0f, 3.0f), options);
-        const OpenedBlob far(make_cube(65536.0f, 65537.0f), options), nothing(Mesh{}, options);
-        options.resolution = Resolution::step(-9);
-        const OpenedBlob finer(make_cube(-1.0f, 1.0f), options);
-        const Blob both[] = {nothing.blob, b.blob, a.blob}, never_opened[] = {b.blob, Blob()};
-        Result<Lattice> region = lattice_of(both);
-        REQUIRE(region);
-        CHECK(region->origin == Vec3{-1.0f, -1.0f, -1.0f});
-        CHECK(region->step_exponent == -8);
-        for (const std::int32_t extent : region->extent) CHECK(extent == 4 * 256);
-        const Blob above_zero[] = {nothing.blob, b.blob};  // where the empty blob has its origin does not count
-        region = lattice_of(above_zero);
-        REQUIRE(region);
-        CHECK(region->origin == Vec3{2.0f, 2.0f, 2.0f});
-        CHECK(region->extent[0] == 256);
-        const Blob differ[] = {a.blob, finer.blob}, apart[] = {a.blob, far.blob};
-        CHECK(lattice_of(differ).status == QueryStatus::invalid_argument);
-        CHECK(lattice_of(apart).status == QueryStatus::out_of_range);
-        CHECK(lattice_of(never_opened).status == QueryStatus::not_open);
-        region = lattice_of(std::span<const Blob>());
-        REQUIRE(region);
-        CHECK(region->extent[0] == 0);
-        CHECK(region->origin == Vec3{});
-    }
-
-    TEST_CASE("seams: any bits are safe as arguments") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        Random random(9);
-        const auto any = [&] {
-            return random.coin() ? hostile_values[random.below(hostile_values.size())]
-                                 : std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-        };
-        std::uint64_t taken = 0;
-        for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
-            Lattice region = cube.blob.lattice();
-            for (std::uint32_t changes = random.below(3); changes > 0; --changes) {
-                const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
-                if (random.coin()) region.origin.x = any();
-                if (random.coin()) region.extent[random.below(3)] = number;
-                if (random.below(4) == 0) region.step_exponent = number;
-            }
-            const Ray ray = {{any(), any(), any()},
-                             {any(), any(), any()},
-                             any(),
-                             any(),
-                             static_cast<FaceCulling>(random.below(256))};
-            const RoundedRay rounded = round_ray(region, ray);
-            const QueryStatus status = raycast(cube.blob, rounded).status;
-            CHECK(occluded(cube.blob, rounded).status() == status);
-            if (!rounded) CHECK(status == rounded.status());
-            taken += rounded ? 1u : 0u;
-        }
-        CHECK(taken > 0);
-    }
-
-    TEST_CASE("seams: below 2^18 steps the origin moves by at most 3 parts in 256 of a step") {
-        Random random(27);
-        Lattice region;
-        region.step_exponent = -9;
-        for (std::int32_t& extent : region.extent) extent = 65535;
-        region.origin = {-150.0f, -150.0f, -150.0f};
-        double most = 0.0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Ray ray = {random.in_cube(199.7f), {0.5f, 0.25f, 1.0f}};
-            const RoundedRay rounded = round_ray(region, ray);
-            const detail::RoundedRayData& data = rounded.data();
-            REQUIRE(data.may_hit != 0);
-            REQUIRE(data.fraction_bits == 6);
-            const double exact[3] = {double(ray.origin.x) + 150.0, double(ray.origin.y) + 150.0,
-                                     double(ray.origin.z) + 150.0};
-            for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(data.origin[k] * 0x1p-6 - exact[k] * 0x1p9));
-        }
-        CHECK(most <= 1.5 * 0x1p-7);
-        CHECK(most > 0x1p-7);
     }
 }
+
+TEST_CASE("seams: what is no ray or no region is refused") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const Lattice good = cube.blob.lattice();
+    const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
+    CHECK(raycast(cube.blob, round_ray(good, ray)).t == 2.0f);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
+    for (int number = 0; number < 8; ++number) {
+        for (const float bad : {nan, INFINITY, -INFINITY}) {
+            if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
+            Ray broken = ray;
+            float* numbers[8] = {&broken.origin.x,    &broken.origin.y,    &broken.origin.z, &broken.direction.x,
+                                 &broken.direction.y, &broken.direction.z, &broken.t_min,    &broken.t_max};
+            *numbers[number] = bad;
+            CHECK(status_of(good, broken) == QueryStatus::invalid_argument);
+        }
+    }
+    Ray still = ray;
+    still.direction = {0.0f, -0.0f, 0.0f};
+    CHECK(status_of(good, still) == QueryStatus::invalid_argument);
+    Ray far = ray;
+    far.origin.x = huge;
+    CHECK(status_of(good, far) == QueryStatus::out_of_range);
+    for (const float window : {-1.0f, INFINITY}) {
+        Ray empty = ray;
+        (window < 0.0f ? empty.t_max : empty.t_min) = window;
+        CHECK(status_of(good, empty) == QueryStatus::ok);
+        const RayHit hit = raycast(cube.blob, round_ray(good, empty));
+        CHECK(hit.status == QueryStatus::not_found);
+        CHECK(hit.triangle == no_triangle);
+        CHECK(hit.t == INFINITY);
+    }
+
+    const auto with = [&](auto change) {
+        Lattice region = good;
+        change(region);
+        return status_of(region, ray);
+    };
+    CHECK(with([](Lattice& r) { r.extent[2] = most_steps; }) == QueryStatus::ok);
+    CHECK(with([](Lattice& r) { r.extent[2] = most_steps + 1; }) == QueryStatus::invalid_argument);
+    CHECK(with([](Lattice& r) { r.extent[0] = -1; }) == QueryStatus::invalid_argument);
+    CHECK(with([](Lattice& r) { r.step_exponent = 101; }) == QueryStatus::invalid_argument);
+    CHECK(with([](Lattice& r) { r.step_exponent = -101; }) == QueryStatus::invalid_argument);
+    for (const std::int32_t exponent : {-101, 101, 1 << 16, -(1 << 16)}) {
+        const Lattice region = {{}, exponent, {1, 1, 1}};
+        CHECK(status_of(region, ray) == QueryStatus::invalid_argument);
+    }
+    CHECK(with([&](Lattice& r) { r.origin.y = nan; }) == QueryStatus::invalid_argument);
+    CHECK(with([](Lattice& r) { r.origin.y = INFINITY; }) == QueryStatus::invalid_argument);
+    CHECK(with([](Lattice& r) { r.origin.y += std::ldexp(0.5f, r.step_exponent); }) == QueryStatus::invalid_argument);
+
+    CHECK(raycast(cube.blob, RoundedRay()).status == QueryStatus::invalid_argument);
+    CHECK(occluded(cube.blob, RoundedRay()).status() == QueryStatus::invalid_argument);
+    const RayHit refused = raycast(cube.blob, round_ray(good, far));
+    CHECK(refused.status == QueryStatus::out_of_range);
+    CHECK(refused.triangle == no_triangle);
+    CHECK(refused.t == INFINITY);
+}
+
+TEST_CASE("seams: a blob with another step or outside of the region is refused and an empty one is not hit") {
+    BakeOptions options;
+    options.resolution = Resolution::step(-8);
+    const OpenedBlob here(make_cube(-1.0f, 1.0f), options), there(make_cube(2.0f, 3.0f), options);
+    options.resolution = Resolution::step(-9);
+    const OpenedBlob finer(make_cube(-1.0f, 1.0f), options), nothing(Mesh{}, options);
+    const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
+    const RoundedRay rounded = round_ray(here.blob.lattice(), ray);
+    const auto check = [&](const Blob& blob, QueryStatus status) {
+        CHECK(raycast(blob, rounded).status == status);
+        CHECK(occluded(blob, rounded).status() == status);
+    };
+    check(here.blob, QueryStatus::ok);
+    check(there.blob, QueryStatus::out_of_range);
+    check(finer.blob, QueryStatus::invalid_argument);
+    check(nothing.blob, QueryStatus::not_found);
+    check(Blob(), QueryStatus::not_open);
+    // By one step on either side.
+    for (int k = 0; k < 3; ++k) {
+        Lattice region = here.blob.lattice();
+        region.extent[k] -= 1;
+        CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
+        region.extent[k] += 1;
+        (k == 0 ? region.origin.x : k == 1 ? region.origin.y : region.origin.z) += 0x1p-8f;
+        CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
+    }
+}
+
+TEST_CASE("seams: the region of several blobs holds each of them and no more") {
+    BakeOptions options;
+    options.resolution = Resolution::step(-8);
+    const OpenedBlob a(make_cube(-1.0f, 1.0f), options), b(make_cube(2.0f, 3.0f), options);
+    const OpenedBlob far(make_cube(65536.0f, 65537.0f), options), nothing(Mesh{}, options);
+    options.resolution = Resolution::step(-9);
+    const OpenedBlob finer(make_cube(-1.0f, 1.0f), options);
+    const Blob both[] = {nothing.blob, b.blob, a.blob}, never_opened[] = {b.blob, Blob()};
+    Result<Lattice> region = lattice_of(both);
+    REQUIRE(region);
+    CHECK(region->origin == Vec3{-1.0f, -1.0f, -1.0f});
+    CHECK(region->step_exponent == -8);
+    for (const std::int32_t extent : region->extent) CHECK(extent == 4 * 256);
+    const Blob above_zero[] = {nothing.blob, b.blob};  // where the empty blob has its origin does not count
+    region = lattice_of(above_zero);
+    REQUIRE(region);
+    CHECK(region->origin == Vec3{2.0f, 2.0f, 2.0f});
+    CHECK(region->extent[0] == 256);
+    const Blob differ[] = {a.blob, finer.blob}, apart[] = {a.blob, far.blob};
+    CHECK(lattice_of(differ).status == QueryStatus::invalid_argument);
+    CHECK(lattice_of(apart).status == QueryStatus::out_of_range);
+    CHECK(lattice_of(never_opened).status == QueryStatus::not_open);
+    region = lattice_of(std::span<const Blob>());
+    REQUIRE(region);
+    CHECK(region->extent[0] == 0);
+    CHECK(region->origin == Vec3{});
+}
+
+TEST_CASE("seams: any bits are safe as arguments") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    Random random(9);
+    const auto any = [&] {
+        return random.coin() ? hostile_values[random.below(hostile_values.size())]
+                             : std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+    };
+    std::uint64_t taken = 0;
+    for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
+        Lattice region = cube.blob.lattice();
+        for (std::uint32_t changes = random.below(3); changes > 0; --changes) {
+            const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
+            if (random.coin()) region.origin.x = any();
+            if (random.coin()) region.extent[random.below(3)] = number;
+            if (random.below(4) == 0) region.step_exponent = number;
+        }
+        const Ray ray = {
+            {any(), any(), any()}, {any(), any(), any()}, any(), any(), static_cast<FaceCulling>(random.below(256))};
+        const RoundedRay rounded = round_ray(region, ray);
+        const QueryStatus status = raycast(cube.blob, rounded).status;
+        CHECK(occluded(cube.blob, rounded).status() == status);
+        if (!rounded) CHECK(status == rounded.status());
+        taken += rounded ? 1u : 0u;
+    }
+    CHECK(taken > 0);
+}
+
+TEST_CASE("seams: below 2^18 steps the origin moves by at most 3 parts in 256 of a step") {
+    Random random(27);
+    Lattice region;
+    region.step_exponent = -9;
+    for (std::int32_t& extent : region.extent) extent = 65535;
+    region.origin = {-150.0f, -150.0f, -150.0f};
+    double most = 0.0;
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        const Ray ray = {random.in_cube(199.7f), {0.5f, 0.25f, 1.0f}};
+        const RoundedRay rounded = round_ray(region, ray);
+        const detail::RoundedRayData& data = rounded.data();
+        REQUIRE(data.may_hit != 0);
+        REQUIRE(data.fraction_bits == 6);
+        const double exact[3] = {double(ray.origin.x) + 150.0, double(ray.origin.y) + 150.0,
+                                 double(ray.origin.z) + 150.0};
+        for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(data.origin[k] * 0x1p-6 - exact[k] * 0x1p9));
+    }
+    CHECK(most <= 1.5 * 0x1p-7);
+    CHECK(most > 0x1p-7);
+}
+
+}  // namespace
+}  // namespace espalier::tests::rounded_ray_test

@@ -16,9 +16,7 @@
 #include "support/meshes/splits.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::seam_rays_test {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -133,50 +131,49 @@ struct Tiles {
     }
 };
 
-}  // namespace
-
-TEST_SUITE("seam rays") {
-    TEST_CASE("seams: no rounded ray that is aimed at it passes between the parts of a mesh") {
-        constexpr std::uint32_t splits = 100;
-        // Times a scale of 100 these are a million rays.
-        const std::uint64_t rays = scaled(splits * 100) / splits + 1;
-        std::uint64_t leaks = 0, leaks_of_plain_rays = 0, asked = 0;
-        for (std::uint32_t number = 0; number < splits; ++number) {
-            const Split split = make_split(number);
-            CAPTURE(split.name);
-            const Tiles tiles(split);
-            const OpenedBlob whole(split.whole, split.options);
-            const Seam seam(split);
-            REQUIRE(!seam.vertices.empty());
-            REQUIRE(!seam.edges.empty());
-            SeamRays maker(split, seam, number);
-            for (std::uint64_t i = 0; i < rays; ++i) {
-                const Ray ray = maker.ray();
-                CAPTURE(describe(ray));
-                const RoundedRay rounded = round_ray(tiles.region, ray);
-                REQUIRE(rounded.status() == QueryStatus::ok);
-                float nearest = INFINITY;
-                bool any = false, any_plain = false;
-                for (const Blob& blob : tiles.blobs) {
-                    const RayHit hit = raycast(blob, rounded);
-                    REQUIRE(!is_refused(hit.status));
-                    REQUIRE(bool(hit) == (hit.t < INFINITY));
-                    nearest = std::min(nearest, hit.t);
-                    REQUIRE(occluded(blob, rounded).status() == hit.status);
-                    any = any || hit;
-                    any_plain = any_plain || occluded(blob, ray).yes();
-                }
-                ++asked;
-                leaks += any ? 0u : 1u;
-                leaks_of_plain_rays += any_plain ? 0u : 1u;
-                // The whole, baked as one blob, is the same surface.
-                const RayHit of_whole = raycast(whole.blob, rounded);
-                REQUIRE(!is_refused(of_whole.status));
-                REQUIRE(same_bits(nearest, of_whole.t));
+TEST_CASE("seams: no rounded ray that is aimed at it passes between the parts of a mesh") {
+    constexpr std::uint32_t splits = 100;
+    // Times a scale of 100 these are a million rays.
+    const std::uint64_t rays = scaled(splits * 100) / splits + 1;
+    std::uint64_t leaks = 0, leaks_of_plain_rays = 0, asked = 0;
+    for (std::uint32_t number = 0; number < splits; ++number) {
+        const Split split = make_split(number);
+        CAPTURE(split.name);
+        const Tiles tiles(split);
+        const OpenedBlob whole(split.whole, split.options);
+        const Seam seam(split);
+        REQUIRE(!seam.vertices.empty());
+        REQUIRE(!seam.edges.empty());
+        SeamRays maker(split, seam, number);
+        for (std::uint64_t i = 0; i < rays; ++i) {
+            const Ray ray = maker.ray();
+            CAPTURE(describe(ray));
+            const RoundedRay rounded = round_ray(tiles.region, ray);
+            REQUIRE(rounded.status() == QueryStatus::ok);
+            float nearest = INFINITY;
+            bool any = false, any_plain = false;
+            for (const Blob& blob : tiles.blobs) {
+                const RayHit hit = raycast(blob, rounded);
+                REQUIRE(!is_refused(hit.status));
+                REQUIRE(bool(hit) == (hit.t < INFINITY));
+                nearest = std::min(nearest, hit.t);
+                REQUIRE(occluded(blob, rounded).status() == hit.status);
+                any = any || hit;
+                any_plain = any_plain || occluded(blob, ray).yes();
             }
+            ++asked;
+            leaks += any ? 0u : 1u;
+            leaks_of_plain_rays += any_plain ? 0u : 1u;
+            // The whole, baked as one blob, is the same surface.
+            const RayHit of_whole = raycast(whole.blob, rounded);
+            REQUIRE(!is_refused(of_whole.status));
+            REQUIRE(same_bits(nearest, of_whole.t));
         }
-        MESSAGE(asked << " rays: " << leaks << " leaks; " << leaks_of_plain_rays << " rounded for each blob");
-        CHECK(leaks == 0);
-        if (scaled(100) >= 10'000) CHECK(leaks_of_plain_rays > 0);  // so there is something to lose
     }
+    MESSAGE(asked << " rays: " << leaks << " leaks; " << leaks_of_plain_rays << " rounded for each blob");
+    CHECK(leaks == 0);
+    if (scaled(100) >= 10'000) CHECK(leaks_of_plain_rays > 0);  // so there is something to lose
 }
+
+}  // namespace
+}  // namespace espalier::tests::seam_rays_test

@@ -14,9 +14,7 @@
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/ray_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::traversal_test {
 namespace {
 
 constexpr const char* ray_queries = "rays: closest, any, all, first few";
@@ -126,52 +124,51 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
     if (count >= 20) CHECK(hits > 0);  // fewer may all miss
 }
 
-}  // namespace
-
-TEST_SUITE("traversal") {
-    TEST_CASE("ray: random rays equal the loop on every path") {
-        for (const InstructionPath& path : instruction_paths()) MESSAGE("instruction set: ", std::string(path.name));
-        check_rays_of_kind(small_test_blobs(), RayKind::incoherent, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::incoherent, scaled_share(100));
-    }
-    TEST_CASE("ray: rays through vertices equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::through_vertex, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::through_vertex, scaled_share(100));
-    }
-    TEST_CASE("ray: rays through the middles of sides equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::through_edge, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::through_edge, scaled_share(100));
-    }
-    TEST_CASE("ray: axis-parallel rays equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::axis_parallel, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::axis_parallel, scaled_share(100));
-    }
-    TEST_CASE("ray: diagonal rays equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::diagonal, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::diagonal, scaled_share(100));
-    }
-    TEST_CASE("ray: rays along sides equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::in_plane, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::in_plane, scaled_share(100));
-    }
-    TEST_CASE("ray: rays that start on a face equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::from_face, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::from_face, scaled_share(100));
-    }
-    TEST_CASE("ray: rays from 10000 sizes away equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::far_ten_thousand, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::far_ten_thousand, scaled_share(100));
-    }
-    TEST_CASE("ray: rays from 1000000 sizes away equal the loop on every path") {
-        check_rays_of_kind(small_test_blobs(), RayKind::far_million, scaled_share(500));
-        check_rays_of_kind(medium_test_blobs(), RayKind::far_million, scaled_share(100));
-    }
-    TEST_CASE("closest point: spheres and closest points equal the loop on every path") {
-        check_spheres(small_test_blobs(), scaled_share(400));
-        check_spheres(medium_test_blobs(), scaled_share(60));
-    }
-
-    TEST_CASE("ray: rays and spheres and closest points equal the loop on real meshes") {
-        for_each_real_mesh(check_real_mesh);
-    }
+TEST_CASE("ray: random rays equal the loop on every path") {
+    for (const InstructionPath& path : instruction_paths()) MESSAGE("instruction set: ", std::string(path.name));
+    check_rays_of_kind(small_test_blobs(), RayKind::incoherent, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::incoherent, scaled_share(100));
 }
+TEST_CASE("ray: rays through vertices equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::through_vertex, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::through_vertex, scaled_share(100));
+}
+TEST_CASE("ray: rays through the middles of sides equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::through_edge, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::through_edge, scaled_share(100));
+}
+TEST_CASE("ray: axis-parallel rays equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::axis_parallel, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::axis_parallel, scaled_share(100));
+}
+TEST_CASE("ray: diagonal rays equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::diagonal, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::diagonal, scaled_share(100));
+}
+TEST_CASE("ray: rays along sides equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::in_plane, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::in_plane, scaled_share(100));
+}
+TEST_CASE("ray: rays that start on a face equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::from_face, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::from_face, scaled_share(100));
+}
+TEST_CASE("ray: rays from 10000 sizes away equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::far_ten_thousand, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::far_ten_thousand, scaled_share(100));
+}
+TEST_CASE("ray: rays from 1000000 sizes away equal the loop on every path") {
+    check_rays_of_kind(small_test_blobs(), RayKind::far_million, scaled_share(500));
+    check_rays_of_kind(medium_test_blobs(), RayKind::far_million, scaled_share(100));
+}
+TEST_CASE("closest point: spheres and closest points equal the loop on every path") {
+    check_spheres(small_test_blobs(), scaled_share(400));
+    check_spheres(medium_test_blobs(), scaled_share(60));
+}
+
+TEST_CASE("ray: rays and spheres and closest points equal the loop on real meshes") {
+    for_each_real_mesh(check_real_mesh);
+}
+
+}  // namespace
+}  // namespace espalier::tests::traversal_test

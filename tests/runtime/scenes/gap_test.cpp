@@ -12,9 +12,7 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::gap_test {
 namespace {
 
 struct Vector {
@@ -130,21 +128,20 @@ private:
     Ray ray_;
 };
 
-}  // namespace
-
-TEST_SUITE("gap") {
-    TEST_CASE("scene: the gap between turned neighbours keeps to its bound") {
-        Random random(20261123);
-        double widest = 0.0;
-        const std::uint64_t count = scaled(2000);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const Hinge hinge(random);
-            const double gap = hinge.nearest_hit(0) - hinge.nearest_hit(1);
-            widest = std::max(widest, gap / (2.0 * hinge.bound()));
-        }
-        CAPTURE(widest);
-        MESSAGE("widest gap in " << count << " pairs of neighbours: " << widest << " of its bound");
-        CHECK(widest <= 1.0);
-        CHECK(widest > 0.0);
+TEST_CASE("scene: the gap between turned neighbours keeps to its bound") {
+    Random random(20261123);
+    double widest = 0.0;
+    const std::uint64_t count = scaled(2000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Hinge hinge(random);
+        const double gap = hinge.nearest_hit(0) - hinge.nearest_hit(1);
+        widest = std::max(widest, gap / (2.0 * hinge.bound()));
     }
+    CAPTURE(widest);
+    MESSAGE("widest gap in " << count << " pairs of neighbours: " << widest << " of its bound");
+    CHECK(widest <= 1.0);
+    CHECK(widest > 0.0);
 }
+
+}  // namespace
+}  // namespace espalier::tests::gap_test

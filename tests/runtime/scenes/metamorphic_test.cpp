@@ -13,9 +13,7 @@
 #include "maker.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::metamorphic_test {
 namespace {
 
 const TestScene& scene_named(const std::string& name) {
@@ -66,77 +64,75 @@ void require_same_hits(const TestScene& test, const BakedScene& other, const std
     CHECK(hits > scaled(200));
 }
 
-}  // namespace
-
-TEST_SUITE("metamorphic") {
-    TEST_CASE("scene: instances in another order give the same hits") {
-        for (const char* name : {"many, apart", "many, one in the other", "tiles among others"}) {
-            CAPTURE(std::string(name));
-            const TestScene& test = scene_named(name);
-            std::vector<std::uint32_t> order = in_order(test.instances.size());
-            Random random(41);
-            for (std::size_t i = order.size(); i > 1; --i)
-                std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
-            std::vector<Instance> shuffled;
-            for (const std::uint32_t from : order) shuffled.push_back(test.instances[from]);
-            const OpenedScene other(test.blobs, shuffled);
-            require_same_hits(test, other.scene, order);
-        }
-    }
-
-    TEST_CASE("scene: instances in tiles that do not move give the same hits") {
-        for (const char* name : {"many, apart", "tiles among others"}) {
-            CAPTURE(std::string(name));
-            const TestScene& test = scene_named(name);
-            std::vector<OpenedScene> tiles;
-            std::vector<Instance> places;
-            constexpr std::size_t in_tile = 6;  // the pieces on the lattice are 36
-            for (std::size_t from = 0; from < test.instances.size(); from += in_tile) {
-                const auto begin = test.instances.begin() + static_cast<std::ptrdiff_t>(from);
-                const std::size_t count = std::min(in_tile, test.instances.size() - from);
-                tiles.emplace_back(test.blobs,
-                                   std::vector<Instance>(begin, begin + static_cast<std::ptrdiff_t>(count)));
-                Instance place;
-                place.mesh = static_cast<std::uint32_t>(test.blobs.size() + tiles.size() - 1);
-                place.user = static_cast<std::uint32_t>(from);
-                places.push_back(place);
-            }
-            const OpenedScene other(test.blobs, places, tiles);
-            REQUIRE(other.scene.tiles().size() > 4);
-            require_same_hits(test, other.scene, in_order(test.instances.size()));
-        }
-    }
-
-    TEST_CASE("scene: instances that are moved by 2^20 steps give the same hits") {
-        for (int axis = 0; axis < 3; ++axis) {
-            CAPTURE(axis);
-            const TestScene& test = scene_named("tiles among others");
-            const float step = std::ldexp(1.0f, test.blobs[4].blob.lattice().step_exponent);
-            const float by = 0x1p20f * step;
-            Vec3 move;
-            (axis == 0 ? move.x : axis == 1 ? move.y : move.z) = by;
-            // The pieces of ground, which come first: what turns is rounded anew.
-            const std::vector<Instance> here(test.instances.begin(), test.instances.begin() + 36);
-            std::vector<Instance> there = here;
-            for (Instance& instance : there)
-                instance.transform.translation = translated(instance.transform.translation, move);
-            const OpenedScene still(test.blobs, here), moved(test.blobs, there);
-            SceneQueryMaker maker(test, 33);
-            std::size_t hits = 0;
-            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-                Ray ray = maker.ray();
-                // On a grid that both places hold.
-                for (float* const x : {&ray.origin.x, &ray.origin.y, &ray.origin.z})
-                    *x = std::round(*x / step / 16.0f) * (16.0f * step);
-                if (std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z) > 200.0f) continue;
-                const InScene<RayHit> a = raycast(still.scene, ray), b = raycast(moved.scene, translated(ray, move));
-                CAPTURE(i);
-                REQUIRE(a->status == b->status);
-                REQUIRE(a->t == b->t);
-                REQUIRE(a->triangle == b->triangle);
-                hits += a ? 1u : 0u;
-            }
-            CHECK(hits > scaled(100));
-        }
+TEST_CASE("scene: instances in another order give the same hits") {
+    for (const char* name : {"many, apart", "many, one in the other", "tiles among others"}) {
+        CAPTURE(std::string(name));
+        const TestScene& test = scene_named(name);
+        std::vector<std::uint32_t> order = in_order(test.instances.size());
+        Random random(41);
+        for (std::size_t i = order.size(); i > 1; --i)
+            std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+        std::vector<Instance> shuffled;
+        for (const std::uint32_t from : order) shuffled.push_back(test.instances[from]);
+        const OpenedScene other(test.blobs, shuffled);
+        require_same_hits(test, other.scene, order);
     }
 }
+
+TEST_CASE("scene: instances in tiles that do not move give the same hits") {
+    for (const char* name : {"many, apart", "tiles among others"}) {
+        CAPTURE(std::string(name));
+        const TestScene& test = scene_named(name);
+        std::vector<OpenedScene> tiles;
+        std::vector<Instance> places;
+        constexpr std::size_t in_tile = 6;  // the pieces on the lattice are 36
+        for (std::size_t from = 0; from < test.instances.size(); from += in_tile) {
+            const auto begin = test.instances.begin() + static_cast<std::ptrdiff_t>(from);
+            const std::size_t count = std::min(in_tile, test.instances.size() - from);
+            tiles.emplace_back(test.blobs, std::vector<Instance>(begin, begin + static_cast<std::ptrdiff_t>(count)));
+            Instance place;
+            place.mesh = static_cast<std::uint32_t>(test.blobs.size() + tiles.size() - 1);
+            place.user = static_cast<std::uint32_t>(from);
+            places.push_back(place);
+        }
+        const OpenedScene other(test.blobs, places, tiles);
+        REQUIRE(other.scene.tiles().size() > 4);
+        require_same_hits(test, other.scene, in_order(test.instances.size()));
+    }
+}
+
+TEST_CASE("scene: instances that are moved by 2^20 steps give the same hits") {
+    for (int axis = 0; axis < 3; ++axis) {
+        CAPTURE(axis);
+        const TestScene& test = scene_named("tiles among others");
+        const float step = std::ldexp(1.0f, test.blobs[4].blob.lattice().step_exponent);
+        const float by = 0x1p20f * step;
+        Vec3 move;
+        (axis == 0 ? move.x : axis == 1 ? move.y : move.z) = by;
+        // The pieces of ground, which come first: what turns is rounded anew.
+        const std::vector<Instance> here(test.instances.begin(), test.instances.begin() + 36);
+        std::vector<Instance> there = here;
+        for (Instance& instance : there)
+            instance.transform.translation = translated(instance.transform.translation, move);
+        const OpenedScene still(test.blobs, here), moved(test.blobs, there);
+        SceneQueryMaker maker(test, 33);
+        std::size_t hits = 0;
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            Ray ray = maker.ray();
+            // On a grid that both places hold.
+            for (float* const x : {&ray.origin.x, &ray.origin.y, &ray.origin.z})
+                *x = std::round(*x / step / 16.0f) * (16.0f * step);
+            if (std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z) > 200.0f) continue;
+            const InScene<RayHit> a = raycast(still.scene, ray), b = raycast(moved.scene, translated(ray, move));
+            CAPTURE(i);
+            REQUIRE(a->status == b->status);
+            REQUIRE(a->t == b->t);
+            REQUIRE(a->triangle == b->triangle);
+            hits += a ? 1u : 0u;
+        }
+        CHECK(hits > scaled(100));
+    }
+}
+
+}  // namespace
+}  // namespace espalier::tests::metamorphic_test

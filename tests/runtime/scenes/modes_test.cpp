@@ -12,9 +12,7 @@
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/machine/float_mode.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::modes_test {
 namespace {
 
 /// Arguments of one query of each kind.
@@ -134,20 +132,19 @@ void expect_same_answers(Change for_each_machine) {
     }
 }
 
-}  // namespace
-
-TEST_SUITE("modes") {
-    TEST_CASE("scene: every float mode gives the same answers") {
-        expect_same_answers([](auto check) {
-            for (const unsigned flags : float_modes) {
-                const FloatMode mode(flags);
-                CAPTURE(flags);
-                check();
-            }
-        });
-    }
-
-    TEST_CASE("scene: every instruction set gives the same answers and lists the same candidates") {
-        expect_same_answers([](auto check) { on_each_instruction_set(check); });
-    }
+TEST_CASE("scene: every float mode gives the same answers") {
+    expect_same_answers([](auto check) {
+        for (const unsigned flags : float_modes) {
+            const FloatMode mode(flags);
+            CAPTURE(flags);
+            check();
+        }
+    });
 }
+
+TEST_CASE("scene: every instruction set gives the same answers and lists the same candidates") {
+    expect_same_answers([](auto check) { on_each_instruction_set(check); });
+}
+
+}  // namespace
+}  // namespace espalier::tests::modes_test

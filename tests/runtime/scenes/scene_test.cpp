@@ -13,9 +13,7 @@
 #include "support/base/same_bits.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::scenes_scene_test {
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -33,194 +31,193 @@ OpenedScene row_of_cubes(std::size_t count) {
     return {one_cube(), instances};
 }
 
-}  // namespace
-
-TEST_SUITE("scene") {
-    TEST_CASE("scene: instances are those that were given in the order of their sources") {
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            const BakedScene& scene = test.opened.scene;
-            REQUIRE(scene.instance_count() == test.instances.size());
-            std::vector<bool> seen(test.instances.size());
-            for (std::uint32_t i = 0; i < scene.instance_count(); ++i) {
-                const Result<Instance> instance = instance_at(scene, {i});
-                REQUIRE(instance);
-                REQUIRE(instance->source < seen.size());
-                CHECK_FALSE(seen[instance->source]);
-                seen[instance->source] = true;
-                const Instance& given = test.instances[instance->source];
-                CHECK(instance->transform == given.transform);
-                CHECK(instance->mask == given.mask);
-                CHECK(instance->user == given.user);
-                if (given.mesh < test.blobs.size()) {
-                    CHECK(mesh_at(scene, {i})->checksum() == test.blobs[given.mesh].blob.checksum());
-                    CHECK(instance_at(scene, {i, 0}).status == QueryStatus::invalid_argument);
-                    continue;
-                }
-                const OpenedScene& tile = test.tiles[given.mesh - test.blobs.size()];
-                CHECK(mesh_at(scene, {i}).status == QueryStatus::invalid_argument);
-                for (std::uint32_t j = 0; j < tile.scene.instance_count(); ++j) {
-                    CHECK(instance_at(scene, {i, j})->transform == instance_at(tile.scene, {j})->transform);
-                    CHECK(mesh_at(scene, {i, j})->checksum() == mesh_at(tile.scene, {j})->checksum());
-                }
-                CHECK(instance_at(scene, {i, tile.scene.instance_count()}).status == QueryStatus::invalid_argument);
+TEST_CASE("scene: instances are those that were given in the order of their sources") {
+    for (const TestScene& test : test_scenes()) {
+        CAPTURE(test.name);
+        const BakedScene& scene = test.opened.scene;
+        REQUIRE(scene.instance_count() == test.instances.size());
+        std::vector<bool> seen(test.instances.size());
+        for (std::uint32_t i = 0; i < scene.instance_count(); ++i) {
+            const Result<Instance> instance = instance_at(scene, {i});
+            REQUIRE(instance);
+            REQUIRE(instance->source < seen.size());
+            CHECK_FALSE(seen[instance->source]);
+            seen[instance->source] = true;
+            const Instance& given = test.instances[instance->source];
+            CHECK(instance->transform == given.transform);
+            CHECK(instance->mask == given.mask);
+            CHECK(instance->user == given.user);
+            if (given.mesh < test.blobs.size()) {
+                CHECK(mesh_at(scene, {i})->checksum() == test.blobs[given.mesh].blob.checksum());
+                CHECK(instance_at(scene, {i, 0}).status == QueryStatus::invalid_argument);
+                continue;
             }
-            CHECK(instance_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
-            CHECK(mesh_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
-            CHECK(instance_at(scene, no_instance).status == QueryStatus::invalid_argument);
+            const OpenedScene& tile = test.tiles[given.mesh - test.blobs.size()];
+            CHECK(mesh_at(scene, {i}).status == QueryStatus::invalid_argument);
+            for (std::uint32_t j = 0; j < tile.scene.instance_count(); ++j) {
+                CHECK(instance_at(scene, {i, j})->transform == instance_at(tile.scene, {j})->transform);
+                CHECK(mesh_at(scene, {i, j})->checksum() == mesh_at(tile.scene, {j})->checksum());
+            }
+            CHECK(instance_at(scene, {i, tile.scene.instance_count()}).status == QueryStatus::invalid_argument);
         }
-    }
-
-    TEST_CASE("scene: equal blobs become one mesh and unused ones are left out") {
-        std::vector<OpenedBlob> blobs;
-        for (int i = 0; i < 3; ++i) blobs.emplace_back(make_cube(0.0f, 1.0f));
-        blobs.emplace_back(make_torus(8, 6, 2.0, 0.5));
-        std::vector<std::span<const std::byte>> bytes;
-        for (const OpenedBlob& blob : blobs) bytes.emplace_back(blob.bytes);
-        std::vector<Instance> instances(3);
-        for (std::uint32_t i = 0; i < 3; ++i) instances[i].mesh = i;
-        const SceneBakeResult baked = bake_scene(bytes, instances);
-        REQUIRE(baked);
-        CHECK(baked.report.meshes == 1);
-        CHECK(baked.report.instances == 3);
-        CHECK(baked.report.triangles == 36);
-        CHECK(baked.report.mesh_bytes == blobs[0].bytes.size());
-        CHECK(baked.report.bytes == baked.bytes.size());
-        CHECK(mesh_count_of_scene(baked.bytes) == 1);
-        CHECK(bake_scene(bytes, instances).bytes == baked.bytes);
-    }
-
-    TEST_CASE("scene: rays hit instances where they stand and miss between them") {
-        const OpenedScene opened = row_of_cubes(20);
-        const BakedScene& scene = opened.scene;
-        const InScene<RayHit> hit = raycast(scene, {{-1.0f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}});
-        REQUIRE(hit);
-        CHECK(hit->t == 1.0f);
-        CHECK(hit->normal == Vec3{-1.0f, 0.0f, 0.0f});
-        CHECK(instance_at(scene, hit.instance)->source == 0);
-        const InScene<RayHit> between = raycast(scene, {{41.5f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}});
-        CHECK(between->t == 8.5f);
-        CHECK(instance_at(scene, between.instance)->source == 5);
-        const InScene<RayHit> miss = raycast(scene, {{41.5f, 0.5f, -5.0f}, {0.0f, 0.0f, 1.0f}});
-        CHECK_FALSE(miss);
-        CHECK(miss->status == QueryStatus::not_found);
-        CHECK(miss.instance == no_instance);
-        CHECK(overlaps(scene, Box{{41.5f, 0.0f, 0.0f}, {49.5f, 1.0f, 1.0f}}).no());
-        CHECK(overlaps(scene, Box{{41.5f, 0.0f, 0.0f}, {50.0f, 1.0f, 1.0f}}).yes());
-        const InScene<SweepHit> moved = sweep(scene, Sphere{{5.0f, 0.5f, 0.5f}, 0.5f}, {9.0f, 0.0f, 0.0f});
-        CHECK(std::fabs(moved->t - 0.5f) < 0x1p-22f);
-        CHECK(moved->normal == Vec3{-1.0f, 0.0f, 0.0f});
-        CHECK(closest_point(scene, {15.0f, 0.5f, 0.5f})->distance == 4.0f);
-    }
-
-    TEST_CASE("scene: masks and filters leave instances and triangles out") {
-        std::vector<Instance> instances(3);
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            instances[i].transform.translation.x = 4.0f * static_cast<float>(i);
-            instances[i].mask = 1u << i;
-        }
-        const OpenedScene opened(one_cube(), instances);
-        const BakedScene& scene = opened.scene;
-        const Ray ray = {{-1.0f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}};
-        CHECK(raycast(scene, ray)->t == 1.0f);
-        CHECK(raycast(scene, ray, 6)->t == 5.0f);
-        CHECK(raycast(scene, ray, 4)->t == 9.0f);
-        CHECK_FALSE(raycast(scene, ray, 0));
-        CHECK(raycast(scene, ray, [&](InstanceId id, TriangleId) { return instance_at(scene, id)->source == 2; })->t ==
-              9.0f);
-        CHECK(occluded(scene, ray, 8).no());
-        std::size_t candidates = 0;
-        const Box all = scene.bounds();
-        CHECK(for_each_candidate(scene, all, [&](InstanceId) { ++candidates; }) == QueryStatus::ok);
-        CHECK(candidates == 3);
-        CHECK(for_each_candidate(
-                  scene, all, [](InstanceId) { return Visit::stop; }, 2) == QueryStatus::stopped);
-    }
-
-    TEST_CASE("scene: a query without an answer is refused and never a miss") {
-        const OpenedScene opened = row_of_cubes(4);
-        const BakedScene& scene = opened.scene;
-        const BakedScene closed;
-        CHECK(closed.status() == OpenStatus::not_opened);
-        const Ray sound = {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
-        CHECK(raycast(closed, sound)->status == QueryStatus::not_open);
-        CHECK(occluded(closed, sound).status() == QueryStatus::not_open);
-        CHECK(closest_point(closed, {})->status == QueryStatus::not_open);
-        CHECK(sweep(closed, Sphere{}, {})->status == QueryStatus::not_open);
-        CHECK(overlaps(closed, Sphere{}).status() == QueryStatus::not_open);
-        CHECK(instance_at(closed, {0}).status == QueryStatus::not_open);
-        CHECK(mesh_at(closed, {0}).status == QueryStatus::not_open);
-        for (const float bad : {not_a_number, infinity, -infinity}) {
-            CHECK(raycast(scene, {{bad, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}})->status == QueryStatus::invalid_argument);
-            CHECK(raycast(scene, {{}, {0.0f, bad, 0.0f}})->status == QueryStatus::invalid_argument);
-            CHECK(closest_point(scene, {0.0f, bad, 0.0f})->status == QueryStatus::invalid_argument);
-            CHECK(sweep(scene, Sphere{{bad, 0.0f, 0.0f}, 1.0f}, {})->status == QueryStatus::invalid_argument);
-            CHECK(sweep(scene, Sphere{}, {0.0f, 0.0f, bad})->status == QueryStatus::invalid_argument);
-            CHECK(overlaps(scene, Sphere{{0.0f, bad, 0.0f}, 1.0f}).status() == QueryStatus::invalid_argument);
-            CHECK(overlaps(scene, Box{{bad, 0.0f, 0.0f}, {}}).status() == QueryStatus::invalid_argument);
-            CHECK(overlaps(scene, Triangle{{}, {bad, 0.0f, 0.0f}, {}}).status() == QueryStatus::invalid_argument);
-            CHECK(overlaps(scene, OrientedBox{{}, {{bad, 0, 0}, {}, {}}}).status() == QueryStatus::invalid_argument);
-            CHECK(overlaps(scene, Cone{{}, {bad, 0, 0}, 1.0f}).status() == QueryStatus::invalid_argument);
-        }
-        CHECK(overlaps(scene, Cone{{0.0f, 1e6f, 0.0f}, {}, 1.0f}).status() == QueryStatus::invalid_argument);
-        CHECK(raycast(scene, {{}, {}})->status == QueryStatus::invalid_argument);
-        CHECK(closest_point(scene, {}, -1.0f)->status == QueryStatus::invalid_argument);
-        CHECK(overlaps(scene, Box{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 1.0f}}).no());
-        CHECK(for_each_candidate(scene, Box{{0.0f, 0.0f, 1.0f}, {}}, [](InstanceId) { FAIL("an empty box"); }) ==
-              QueryStatus::ok);
-        CHECK(overlaps(scene, Sphere{{}, -1.0f}).status() == QueryStatus::invalid_argument);
-        CHECK(overlaps(scene, Sphere{{1e3f, 0.0f, 0.0f}, infinity}).yes());
-        const InScene<SweepHit> refused = sweep(scene, Sphere{{}, -1.0f}, {});
-        CHECK(refused->t == 0.0f);
-        CHECK(sweep(scene, Sphere{{0.0f, 50.0f, 0.0f}, 1.0f}, {})->t == 1.0f);
-        std::vector<Ray> rays(3, sound);
-        std::vector<InScene<RayHit>> hits(2);
-        CHECK(raycast(scene, rays, hits).status == QueryStatus::invalid_argument);
-        hits.resize(3);
-        CHECK(raycast(scene, rays, hits).count == 3);
-        CHECK(same_bits(*hits[2], *raycast(scene, sound)));
-    }
-
-    TEST_CASE("scene: a sound argument without finite numbers in an instance is out of its range") {
-        std::vector<Instance> instances(1);
-        instances[0].transform.scale = 1e-30f;
-        const OpenedScene opened(one_cube(), instances);
-        const BakedScene& scene = opened.scene;
-        const Vec3 far = {1e25f, 0.0f, 0.0f};
-        const Ray ray = {far, {-1.0f, 0.0f, 0.0f}};
-        const Sphere sphere = {far, 2e25f};
-        CHECK(raycast(scene, ray)->status == QueryStatus::out_of_range);
-        CHECK(occluded(scene, ray).status() == QueryStatus::out_of_range);
-        CHECK(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}) == QueryStatus::out_of_range);
-        CHECK(closest_point(scene, far)->status == QueryStatus::out_of_range);
-        CHECK(sweep(scene, Sphere{far, 1.0f}, {-1e25f, 0.0f, 0.0f})->status == QueryStatus::out_of_range);
-        CHECK(overlaps(scene, sphere).status() == QueryStatus::out_of_range);
-        CHECK(for_each_overlap(scene, sphere, [](InstanceId, TriangleId) {}) == QueryStatus::out_of_range);
-    }
-
-    TEST_CASE("scene: the baker refuses what no scene can hold and names the instance") {
-        const std::vector<OpenedBlob> blobs = one_cube();
-        const std::vector<std::span<const std::byte>> bytes = {blobs[0].bytes};
-        std::vector<Instance> instances(2);
-        const auto refusal = [&] {
-            const SceneBakeResult baked = bake_scene(bytes, instances);
-            CHECK(baked.bytes.empty());
-            CHECK(baked.message.find("instance 1") != std::string::npos);
-            return baked.status;
-        };
-        instances[1].mesh = 1;
-        CHECK(refusal() == BakeStatus::invalid_mesh);
-        instances[1].mesh = 0;
-        for (const float bad : {0.0f, -1.0f, not_a_number, infinity}) {
-            instances[1].transform.scale = bad;
-            CHECK(refusal() == BakeStatus::invalid_mesh);
-        }
-        instances[1].transform = {{0.0f, 0.0f, 0.0f, 0.0f}, {}, 1.0f};
-        CHECK(refusal() == BakeStatus::invalid_mesh);
-        instances[1].transform = {{}, {0.0f, infinity, 0.0f}, 1.0f};
-        CHECK(refusal() == BakeStatus::invalid_mesh);
-        const std::vector<std::byte> damaged(200);
-        const std::vector<std::span<const std::byte>> no_blob = {damaged};
-        CHECK(bake_scene(no_blob, std::vector<Instance>(1)).status == BakeStatus::invalid_mesh);
+        CHECK(instance_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
+        CHECK(mesh_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
+        CHECK(instance_at(scene, no_instance).status == QueryStatus::invalid_argument);
     }
 }
+
+TEST_CASE("scene: equal blobs become one mesh and unused ones are left out") {
+    std::vector<OpenedBlob> blobs;
+    for (int i = 0; i < 3; ++i) blobs.emplace_back(make_cube(0.0f, 1.0f));
+    blobs.emplace_back(make_torus(8, 6, 2.0, 0.5));
+    std::vector<std::span<const std::byte>> bytes;
+    for (const OpenedBlob& blob : blobs) bytes.emplace_back(blob.bytes);
+    std::vector<Instance> instances(3);
+    for (std::uint32_t i = 0; i < 3; ++i) instances[i].mesh = i;
+    const SceneBakeResult baked = bake_scene(bytes, instances);
+    REQUIRE(baked);
+    CHECK(baked.report.meshes == 1);
+    CHECK(baked.report.instances == 3);
+    CHECK(baked.report.triangles == 36);
+    CHECK(baked.report.mesh_bytes == blobs[0].bytes.size());
+    CHECK(baked.report.bytes == baked.bytes.size());
+    CHECK(mesh_count_of_scene(baked.bytes) == 1);
+    CHECK(bake_scene(bytes, instances).bytes == baked.bytes);
+}
+
+TEST_CASE("scene: rays hit instances where they stand and miss between them") {
+    const OpenedScene opened = row_of_cubes(20);
+    const BakedScene& scene = opened.scene;
+    const InScene<RayHit> hit = raycast(scene, {{-1.0f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}});
+    REQUIRE(hit);
+    CHECK(hit->t == 1.0f);
+    CHECK(hit->normal == Vec3{-1.0f, 0.0f, 0.0f});
+    CHECK(instance_at(scene, hit.instance)->source == 0);
+    const InScene<RayHit> between = raycast(scene, {{41.5f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}});
+    CHECK(between->t == 8.5f);
+    CHECK(instance_at(scene, between.instance)->source == 5);
+    const InScene<RayHit> miss = raycast(scene, {{41.5f, 0.5f, -5.0f}, {0.0f, 0.0f, 1.0f}});
+    CHECK_FALSE(miss);
+    CHECK(miss->status == QueryStatus::not_found);
+    CHECK(miss.instance == no_instance);
+    CHECK(overlaps(scene, Box{{41.5f, 0.0f, 0.0f}, {49.5f, 1.0f, 1.0f}}).no());
+    CHECK(overlaps(scene, Box{{41.5f, 0.0f, 0.0f}, {50.0f, 1.0f, 1.0f}}).yes());
+    const InScene<SweepHit> moved = sweep(scene, Sphere{{5.0f, 0.5f, 0.5f}, 0.5f}, {9.0f, 0.0f, 0.0f});
+    CHECK(std::fabs(moved->t - 0.5f) < 0x1p-22f);
+    CHECK(moved->normal == Vec3{-1.0f, 0.0f, 0.0f});
+    CHECK(closest_point(scene, {15.0f, 0.5f, 0.5f})->distance == 4.0f);
+}
+
+TEST_CASE("scene: masks and filters leave instances and triangles out") {
+    std::vector<Instance> instances(3);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        instances[i].transform.translation.x = 4.0f * static_cast<float>(i);
+        instances[i].mask = 1u << i;
+    }
+    const OpenedScene opened(one_cube(), instances);
+    const BakedScene& scene = opened.scene;
+    const Ray ray = {{-1.0f, 0.5f, 0.25f}, {1.0f, 0.0f, 0.0f}};
+    CHECK(raycast(scene, ray)->t == 1.0f);
+    CHECK(raycast(scene, ray, 6)->t == 5.0f);
+    CHECK(raycast(scene, ray, 4)->t == 9.0f);
+    CHECK_FALSE(raycast(scene, ray, 0));
+    CHECK(raycast(scene, ray, [&](InstanceId id, TriangleId) { return instance_at(scene, id)->source == 2; })->t ==
+          9.0f);
+    CHECK(occluded(scene, ray, 8).no());
+    std::size_t candidates = 0;
+    const Box all = scene.bounds();
+    CHECK(for_each_candidate(scene, all, [&](InstanceId) { ++candidates; }) == QueryStatus::ok);
+    CHECK(candidates == 3);
+    CHECK(for_each_candidate(
+              scene, all, [](InstanceId) { return Visit::stop; }, 2) == QueryStatus::stopped);
+}
+
+TEST_CASE("scene: a query without an answer is refused and never a miss") {
+    const OpenedScene opened = row_of_cubes(4);
+    const BakedScene& scene = opened.scene;
+    const BakedScene closed;
+    CHECK(closed.status() == OpenStatus::not_opened);
+    const Ray sound = {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
+    CHECK(raycast(closed, sound)->status == QueryStatus::not_open);
+    CHECK(occluded(closed, sound).status() == QueryStatus::not_open);
+    CHECK(closest_point(closed, {})->status == QueryStatus::not_open);
+    CHECK(sweep(closed, Sphere{}, {})->status == QueryStatus::not_open);
+    CHECK(overlaps(closed, Sphere{}).status() == QueryStatus::not_open);
+    CHECK(instance_at(closed, {0}).status == QueryStatus::not_open);
+    CHECK(mesh_at(closed, {0}).status == QueryStatus::not_open);
+    for (const float bad : {not_a_number, infinity, -infinity}) {
+        CHECK(raycast(scene, {{bad, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}})->status == QueryStatus::invalid_argument);
+        CHECK(raycast(scene, {{}, {0.0f, bad, 0.0f}})->status == QueryStatus::invalid_argument);
+        CHECK(closest_point(scene, {0.0f, bad, 0.0f})->status == QueryStatus::invalid_argument);
+        CHECK(sweep(scene, Sphere{{bad, 0.0f, 0.0f}, 1.0f}, {})->status == QueryStatus::invalid_argument);
+        CHECK(sweep(scene, Sphere{}, {0.0f, 0.0f, bad})->status == QueryStatus::invalid_argument);
+        CHECK(overlaps(scene, Sphere{{0.0f, bad, 0.0f}, 1.0f}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(scene, Box{{bad, 0.0f, 0.0f}, {}}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(scene, Triangle{{}, {bad, 0.0f, 0.0f}, {}}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(scene, OrientedBox{{}, {{bad, 0, 0}, {}, {}}}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(scene, Cone{{}, {bad, 0, 0}, 1.0f}).status() == QueryStatus::invalid_argument);
+    }
+    CHECK(overlaps(scene, Cone{{0.0f, 1e6f, 0.0f}, {}, 1.0f}).status() == QueryStatus::invalid_argument);
+    CHECK(raycast(scene, {{}, {}})->status == QueryStatus::invalid_argument);
+    CHECK(closest_point(scene, {}, -1.0f)->status == QueryStatus::invalid_argument);
+    CHECK(overlaps(scene, Box{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 1.0f}}).no());
+    CHECK(for_each_candidate(scene, Box{{0.0f, 0.0f, 1.0f}, {}}, [](InstanceId) { FAIL("an empty box"); }) ==
+          QueryStatus::ok);
+    CHECK(overlaps(scene, Sphere{{}, -1.0f}).status() == QueryStatus::invalid_argument);
+    CHECK(overlaps(scene, Sphere{{1e3f, 0.0f, 0.0f}, infinity}).yes());
+    const InScene<SweepHit> refused = sweep(scene, Sphere{{}, -1.0f}, {});
+    CHECK(refused->t == 0.0f);
+    CHECK(sweep(scene, Sphere{{0.0f, 50.0f, 0.0f}, 1.0f}, {})->t == 1.0f);
+    std::vector<Ray> rays(3, sound);
+    std::vector<InScene<RayHit>> hits(2);
+    CHECK(raycast(scene, rays, hits).status == QueryStatus::invalid_argument);
+    hits.resize(3);
+    CHECK(raycast(scene, rays, hits).count == 3);
+    CHECK(same_bits(*hits[2], *raycast(scene, sound)));
+}
+
+TEST_CASE("scene: a sound argument without finite numbers in an instance is out of its range") {
+    std::vector<Instance> instances(1);
+    instances[0].transform.scale = 1e-30f;
+    const OpenedScene opened(one_cube(), instances);
+    const BakedScene& scene = opened.scene;
+    const Vec3 far = {1e25f, 0.0f, 0.0f};
+    const Ray ray = {far, {-1.0f, 0.0f, 0.0f}};
+    const Sphere sphere = {far, 2e25f};
+    CHECK(raycast(scene, ray)->status == QueryStatus::out_of_range);
+    CHECK(occluded(scene, ray).status() == QueryStatus::out_of_range);
+    CHECK(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}) == QueryStatus::out_of_range);
+    CHECK(closest_point(scene, far)->status == QueryStatus::out_of_range);
+    CHECK(sweep(scene, Sphere{far, 1.0f}, {-1e25f, 0.0f, 0.0f})->status == QueryStatus::out_of_range);
+    CHECK(overlaps(scene, sphere).status() == QueryStatus::out_of_range);
+    CHECK(for_each_overlap(scene, sphere, [](InstanceId, TriangleId) {}) == QueryStatus::out_of_range);
+}
+
+TEST_CASE("scene: the baker refuses what no scene can hold and names the instance") {
+    const std::vector<OpenedBlob> blobs = one_cube();
+    const std::vector<std::span<const std::byte>> bytes = {blobs[0].bytes};
+    std::vector<Instance> instances(2);
+    const auto refusal = [&] {
+        const SceneBakeResult baked = bake_scene(bytes, instances);
+        CHECK(baked.bytes.empty());
+        CHECK(baked.message.find("instance 1") != std::string::npos);
+        return baked.status;
+    };
+    instances[1].mesh = 1;
+    CHECK(refusal() == BakeStatus::invalid_mesh);
+    instances[1].mesh = 0;
+    for (const float bad : {0.0f, -1.0f, not_a_number, infinity}) {
+        instances[1].transform.scale = bad;
+        CHECK(refusal() == BakeStatus::invalid_mesh);
+    }
+    instances[1].transform = {{0.0f, 0.0f, 0.0f, 0.0f}, {}, 1.0f};
+    CHECK(refusal() == BakeStatus::invalid_mesh);
+    instances[1].transform = {{}, {0.0f, infinity, 0.0f}, 1.0f};
+    CHECK(refusal() == BakeStatus::invalid_mesh);
+    const std::vector<std::byte> damaged(200);
+    const std::vector<std::span<const std::byte>> no_blob = {damaged};
+    CHECK(bake_scene(no_blob, std::vector<Instance>(1)).status == BakeStatus::invalid_mesh);
+}
+
+}  // namespace
+}  // namespace espalier::tests::scenes_scene_test

@@ -13,9 +13,7 @@
 #include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::slide_test {
 namespace {
 
 Vec3 times(const Vec3& v, float s) { return {v.x * s, v.y * s, v.z * s}; }
@@ -55,37 +53,36 @@ void slide(const Blob& blob, const Shape& start, const Vec3& way, const Vec3& ne
     REQUIRE_FALSE(sweep(blob, translated(start, times(way, kept.t)), next, only_it).starts_overlapping);
 }
 
-}  // namespace
-
-TEST_SUITE("slide") {
-    TEST_CASE("sweep: a body that keeps away by the bounds of both sweeps does not start in the contact") {
-        for (const float offset : {0.0f, 1000.0f}) {
-            for (const float coarseness : {0x1p-12f, 0x1p-4f}) {
-                BakeOptions options;
-                options.resolution = Resolution::tolerance(static_cast<double>(coarseness));
-                const OpenedBlob opened(make_icosphere(3, 4.0, {offset, 0.0f, -offset}), options);
-                const Blob& blob = opened.blob;
-                Seen spheres, capsules, boxes, oriented;
-                Random random(2680);
-                for (std::uint64_t i = 0; i < scaled(4000); ++i) {
-                    const Vec3 off = random.in_cube(9.0f), to = random.in_cube(3.0f), next = random.in_cube(2.0f);
-                    const Vec3 a = {off.x + offset, off.y, off.z - offset};
-                    const Vec3 way = {to.x - off.x, to.y - off.y, to.z - off.z};
-                    const Vec3 b = translated(a, random.in_cube(1.0f));
-                    const float radius = random.unit();
-                    slide(blob, Sphere{a, radius}, way, next, spheres);
-                    slide(blob, Capsule{a, b, radius}, way, next, capsules);
-                    slide(blob, Box{a, translated(a, {radius, random.unit(), random.unit()})}, way, next, boxes);
-                    const OrientedBox turned = {a, {random.in_cube(1.0f), random.in_cube(1.0f), random.in_cube(1.0f)}};
-                    slide(blob, turned, way, next, oriented);
-                }
-                if (!asks_enough()) continue;
-                for (const Seen& seen : {spheres, capsules, boxes, oriented}) {
-                    CHECK(seen.contacts > 100);
-                    CHECK(seen.overlapping > 0);
-                    CHECK(seen.kept > 100);
-                }
+TEST_CASE("sweep: a body that keeps away by the bounds of both sweeps does not start in the contact") {
+    for (const float offset : {0.0f, 1000.0f}) {
+        for (const float coarseness : {0x1p-12f, 0x1p-4f}) {
+            BakeOptions options;
+            options.resolution = Resolution::tolerance(static_cast<double>(coarseness));
+            const OpenedBlob opened(make_icosphere(3, 4.0, {offset, 0.0f, -offset}), options);
+            const Blob& blob = opened.blob;
+            Seen spheres, capsules, boxes, oriented;
+            Random random(2680);
+            for (std::uint64_t i = 0; i < scaled(4000); ++i) {
+                const Vec3 off = random.in_cube(9.0f), to = random.in_cube(3.0f), next = random.in_cube(2.0f);
+                const Vec3 a = {off.x + offset, off.y, off.z - offset};
+                const Vec3 way = {to.x - off.x, to.y - off.y, to.z - off.z};
+                const Vec3 b = translated(a, random.in_cube(1.0f));
+                const float radius = random.unit();
+                slide(blob, Sphere{a, radius}, way, next, spheres);
+                slide(blob, Capsule{a, b, radius}, way, next, capsules);
+                slide(blob, Box{a, translated(a, {radius, random.unit(), random.unit()})}, way, next, boxes);
+                const OrientedBox turned = {a, {random.in_cube(1.0f), random.in_cube(1.0f), random.in_cube(1.0f)}};
+                slide(blob, turned, way, next, oriented);
+            }
+            if (!asks_enough()) continue;
+            for (const Seen& seen : {spheres, capsules, boxes, oriented}) {
+                CHECK(seen.contacts > 100);
+                CHECK(seen.overlapping > 0);
+                CHECK(seen.kept > 100);
             }
         }
     }
 }
+
+}  // namespace
+}  // namespace espalier::tests::slide_test

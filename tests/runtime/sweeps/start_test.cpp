@@ -16,16 +16,15 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
+namespace espalier::tests::start_test {
+namespace {
+
 using detail::BoxSweep;
 using detail::HullSweep;
 using detail::Integer3;
 using detail::LatticeTriangle;
 using oracle::Point;
 using oracle::Rational;
-
-namespace {
 
 Point exact(const Integer3& a) { return Point(Rational(a.x), Rational(a.y), Rational(a.z)); }
 std::array<Point, 3> exact(const LatticeTriangle& triangle, int bits) {
@@ -181,65 +180,64 @@ void require_right_starts(std::uint64_t seed, std::uint64_t count, bool has_all_
     if (has_all_directions) CHECK(seen[2] > 5);
 }
 
-}  // namespace
-
-TEST_SUITE("start") {
-    TEST_CASE("sweep: a box leaves a triangle at the start along its shortest way out") {
-        require_right_starts<BoxSweep>(
-            90, 3'000, true, [](Maker& maker, const LatticeTriangle& t, BoxSweep& sweep, Body& body) {
-                const std::int64_t unit = std::int64_t{1} << maker.bits;
-                Integer3 a = maker.some(unit), b = maker.some(unit);
-                if (maker.random.below(8) == 0) a = b = maker.corner_of(t);
-                if (maker.random.below(16) == 0) b.y = a.y = maker.corner_of(t).y;
-                sweep.low = smaller(a, b);
-                sweep.high = larger(a, b);
-                sweep.displacement = maker.way();
-                const Integer3 edge = sweep.high - sweep.low;
-                set_box(body, exact(sweep.low),
-                        {exact(Integer3{edge.x, 0, 0}), exact(Integer3{0, edge.y, 0}), exact(Integer3{0, 0, edge.z})});
-            });
-    }
-
-    TEST_CASE("sweep: an oriented box leaves a triangle at the start along its shortest way out") {
-        require_right_starts<HullSweep>(
-            91, 2'000, true, [](Maker& maker, const LatticeTriangle& t, HullSweep& sweep, Body& body) {
-                sweep.is_box = true;
-                sweep.moving.point_count = 8;
-                const std::int64_t unit = std::int64_t{1} << maker.bits;
-                Integer3 first = maker.some(unit), edges[3] = {maker.some(unit), maker.some(unit), maker.some(unit)};
-                if (maker.random.below(8) == 0) {
-                    first = maker.corner_of(t);
-                    for (Integer3& edge : edges) edge = {maker.random.coin() ? edge.x : 0, 0, 0};
-                }
-                for (unsigned corner = 0; corner < 8; ++corner) {
-                    Integer3 at = first;
-                    for (unsigned j = 0; j < 3; ++j)
-                        if ((corner >> j & 1u) != 0) at = at + edges[j];
-                    for (int k = 0; k < 3; ++k) sweep.moving.point[corner][k] = static_cast<std::int32_t>(at[k]);
-                }
-                sweep.displacement = sweep.moving.displacement = maker.way();
-                set_box(body, exact(first), {exact(edges[0]), exact(edges[1]), exact(edges[2])});
-            });
-    }
-
-    TEST_CASE("sweep: a hull leaves a triangle at the start along the shortest of the directions that it tries") {
-        require_right_starts<HullSweep>(
-            92, 2'000, false, [](Maker& maker, const LatticeTriangle&, HullSweep& sweep, Body& body) {
-                sweep.is_box = false;
-                sweep.moving.point_count = 1 + maker.random.below(10);
-                for (unsigned p = 0; p < sweep.moving.point_count; ++p) {
-                    const Integer3 at = maker.some(std::int64_t{1} << maker.bits);
-                    for (int k = 0; k < 3; ++k) sweep.moving.point[p][k] = static_cast<std::int32_t>(at[k]);
-                    body.points.push_back(exact(at));
-                }
-                sweep.displacement = sweep.moving.displacement = maker.way();
-                std::vector<Point> sides;
-                add_sides(body, sides);
-                const Point normal = normal_of(body);
-                body.directions.push_back(normal);
-                for (const Point& side : sides) body.directions.push_back(normal.cross(side));
-                for (const Integer3& unit : {Integer3{1, 0, 0}, Integer3{0, 1, 0}, Integer3{0, 0, 1}})
-                    body.directions.push_back(exact(unit));
-            });
-    }
+TEST_CASE("sweep: a box leaves a triangle at the start along its shortest way out") {
+    require_right_starts<BoxSweep>(
+        90, 3'000, true, [](Maker& maker, const LatticeTriangle& t, BoxSweep& sweep, Body& body) {
+            const std::int64_t unit = std::int64_t{1} << maker.bits;
+            Integer3 a = maker.some(unit), b = maker.some(unit);
+            if (maker.random.below(8) == 0) a = b = maker.corner_of(t);
+            if (maker.random.below(16) == 0) b.y = a.y = maker.corner_of(t).y;
+            sweep.low = smaller(a, b);
+            sweep.high = larger(a, b);
+            sweep.displacement = maker.way();
+            const Integer3 edge = sweep.high - sweep.low;
+            set_box(body, exact(sweep.low),
+                    {exact(Integer3{edge.x, 0, 0}), exact(Integer3{0, edge.y, 0}), exact(Integer3{0, 0, edge.z})});
+        });
 }
+
+TEST_CASE("sweep: an oriented box leaves a triangle at the start along its shortest way out") {
+    require_right_starts<HullSweep>(
+        91, 2'000, true, [](Maker& maker, const LatticeTriangle& t, HullSweep& sweep, Body& body) {
+            sweep.is_box = true;
+            sweep.moving.point_count = 8;
+            const std::int64_t unit = std::int64_t{1} << maker.bits;
+            Integer3 first = maker.some(unit), edges[3] = {maker.some(unit), maker.some(unit), maker.some(unit)};
+            if (maker.random.below(8) == 0) {
+                first = maker.corner_of(t);
+                for (Integer3& edge : edges) edge = {maker.random.coin() ? edge.x : 0, 0, 0};
+            }
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                Integer3 at = first;
+                for (unsigned j = 0; j < 3; ++j)
+                    if ((corner >> j & 1u) != 0) at = at + edges[j];
+                for (int k = 0; k < 3; ++k) sweep.moving.point[corner][k] = static_cast<std::int32_t>(at[k]);
+            }
+            sweep.displacement = sweep.moving.displacement = maker.way();
+            set_box(body, exact(first), {exact(edges[0]), exact(edges[1]), exact(edges[2])});
+        });
+}
+
+TEST_CASE("sweep: a hull leaves a triangle at the start along the shortest of the directions that it tries") {
+    require_right_starts<HullSweep>(
+        92, 2'000, false, [](Maker& maker, const LatticeTriangle&, HullSweep& sweep, Body& body) {
+            sweep.is_box = false;
+            sweep.moving.point_count = 1 + maker.random.below(10);
+            for (unsigned p = 0; p < sweep.moving.point_count; ++p) {
+                const Integer3 at = maker.some(std::int64_t{1} << maker.bits);
+                for (int k = 0; k < 3; ++k) sweep.moving.point[p][k] = static_cast<std::int32_t>(at[k]);
+                body.points.push_back(exact(at));
+            }
+            sweep.displacement = sweep.moving.displacement = maker.way();
+            std::vector<Point> sides;
+            add_sides(body, sides);
+            const Point normal = normal_of(body);
+            body.directions.push_back(normal);
+            for (const Point& side : sides) body.directions.push_back(normal.cross(side));
+            for (const Integer3& unit : {Integer3{1, 0, 0}, Integer3{0, 1, 0}, Integer3{0, 0, 1}})
+                body.directions.push_back(exact(unit));
+        });
+}
+
+}  // namespace
+}  // namespace espalier::tests::start_test

@@ -26,9 +26,7 @@
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::approximate_test {
 namespace {
 
 struct StepBox {
@@ -165,116 +163,115 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
     for (std::uint64_t i = 0; i < count; ++i) check_instruction_sets(asked, i % 10 == 9, tally);
 }
 
-}  // namespace
-
-TEST_SUITE("approximate") {
-    TEST_CASE("approximate: spheres miss no overlap and err by at most the root of 3 times accuracy") {
-        check_test_blobs(spheres, 81).check();
-    }
-
-    TEST_CASE("approximate: boxes miss no overlap and err by at most the accuracy along every axis") {
-        check_test_blobs(boxes, 82).check();
-    }
-
-    TEST_CASE("approximate: rays miss no hit and err by at most the root of 3 times accuracy") {
-        check_test_blobs(rays, 83).check();
-    }
-
-    TEST_CASE("approximate: distance bounds hold the distance within the root of 3 times accuracy") {
-        CHECK(check_test_blobs(distance_limits, 84).wrong_yes > 0);  // some are apart
-    }
-
-    TEST_CASE("approximate: every instruction set gives the same answers with the same work") {
-        std::uint64_t awkward = 0;
-        check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
-    }
-
-    TEST_CASE("approximate: a ray just beyond a box or the asset gives the same answer on every path") {
-        std::uint64_t awkward = 0;
-        check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
-    }
-
-    TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
-        for_each_node_kind([]<class Node>(Profile profile) {
-            const OpenedBlob opened(make_terrain(40, 5), {.resolution = Resolution::bits(10), .profile = profile});
-            const detail::BlobData& data = detail::data_of(opened.blob);
-            const float step = std::ldexp(1.0f, data.step_exponent);
-            Random random(9);
-            std::uint32_t by_box = 0, by_triangle = 0, far = 0;
-            for (int i = 0; i < 20'000; ++i) {
-                // In lattice steps, and near the asset; a place that the border of a box is near to is left out.
-                std::array<float, 3> center{};
-                for (unsigned k = 0; k < 3; ++k)
-                    center[k] = static_cast<float>(random.between(-20, data.extent[k] + 20)) + 0.5f;
-                const float radius = static_cast<float>(random.below(64)) + 0.25f;
-                const auto accuracy = static_cast<std::int32_t>(random.below(96));
-                bool is_small = false, is_on_border = false;
-                std::vector<std::uint32_t> nodes = {0};
-                while (!nodes.empty()) {
-                    const Node node = detail::node_at<Node>(data, nodes.back());
-                    nodes.pop_back();
-                    for (unsigned child = 0; child < node.node_children() + node.leaf_children(); ++child) {
-                        std::int32_t longest = 0;
-                        double squared = 0.0;
-                        for (unsigned k = 0; k < 3; ++k) {
-                            const std::int32_t low = node.low(static_cast<int>(k), child, data.bits);
-                            const std::int32_t high = node.high(static_cast<int>(k), child, data.bits);
-                            longest = std::max(longest, high - low);
-                            const double off = std::max({low - double(center[k]), double(center[k]) - high, 0.0});
-                            squared += off * off;
-                        }
-                        is_on_border = is_on_border || std::abs(std::sqrt(squared) - double(radius)) < 0.01;
-                        if (squared > double(radius) * double(radius)) continue;
-                        if (accuracy > 0 && longest <= accuracy) is_small = true;
-                        else if (child < node.node_children()) nodes.push_back(node.first_child() + child);
-                    }
-                }
-                if (is_on_border) continue;
-                const Sphere sphere = {{data.origin[0] + center[0] * step, data.origin[1] + center[1] * step,
-                                        data.origin[2] + center[2] * step},
-                                       radius * step};
-                const bool touches = overlaps(opened.blob, sphere).yes();
-                (touches ? by_triangle : is_small ? by_box : far) += 1;
-                CHECK(overlaps(opened.blob, sphere, Accuracy{static_cast<float>(accuracy) * step}).yes() ==
-                      (touches || is_small));
-            }
-            CHECK(by_box > 100);
-            CHECK(by_triangle > 1'000);
-            CHECK(far > 1'000);
-        });
-    }
-
-    TEST_CASE("approximate: every query keeps its bound on real meshes") {
-        for_each_real_mesh(check_real_mesh, quickly_baked);
-    }
-
-    TEST_CASE("approximate: coarse answers take less work and a NaN or negative accuracy is exact") {
-        const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        std::uint64_t before = ~std::uint64_t{0};
-        for (const float accuracy : {0.0f, 0.5f, 1.0f, 4.0f}) {
-            QueryCounters counters;
-            for (int i = 0; i < 100; ++i) {
-                const auto angle = static_cast<float>(i);
-                REQUIRE(distance_bounds(sphere.blob, {1.5f * std::sin(angle), 1.5f * std::cos(angle), 0.1f}, infinity,
-                                        Accuracy{accuracy}, &counters));
-            }
-            CHECK(counters.nodes < before);
-            if (accuracy == 0.0f) {  // every point comes to some leaf, which has a triangle at least
-                CHECK(counters.leaves >= 100);
-                CHECK(counters.triangles >= counters.leaves);
-            }
-            before = counters.nodes;
-        }
-        CHECK(before == 100);  // the root, once each
-        const Sphere inside{{0.0f, 0.0f, 0.0f}, 0.5f};
-        CHECK(overlaps(sphere.blob, inside).no());
-        CHECK(overlaps(sphere.blob, inside, Accuracy{nan}).no());
-        CHECK(overlaps(sphere.blob, inside, Accuracy{-1.0f}).no());
-        CHECK(overlaps(sphere.blob, inside, Accuracy{infinity}).yes());
-        CHECK(overlaps(sphere.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, Accuracy{1.0f}).status() ==
-              QueryStatus::invalid_argument);
-        CHECK(overlaps(sphere.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, Accuracy{infinity}).no());
-        CHECK(overlaps(Blob(), inside, Accuracy{infinity}).status() == QueryStatus::not_open);
-    }
+TEST_CASE("approximate: spheres miss no overlap and err by at most the root of 3 times accuracy") {
+    check_test_blobs(spheres, 81).check();
 }
+
+TEST_CASE("approximate: boxes miss no overlap and err by at most the accuracy along every axis") {
+    check_test_blobs(boxes, 82).check();
+}
+
+TEST_CASE("approximate: rays miss no hit and err by at most the root of 3 times accuracy") {
+    check_test_blobs(rays, 83).check();
+}
+
+TEST_CASE("approximate: distance bounds hold the distance within the root of 3 times accuracy") {
+    CHECK(check_test_blobs(distance_limits, 84).wrong_yes > 0);  // some are apart
+}
+
+TEST_CASE("approximate: every instruction set gives the same answers with the same work") {
+    std::uint64_t awkward = 0;
+    check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
+}
+
+TEST_CASE("approximate: a ray just beyond a box or the asset gives the same answer on every path") {
+    std::uint64_t awkward = 0;
+    check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
+}
+
+TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
+    for_each_node_kind([]<class Node>(Profile profile) {
+        const OpenedBlob opened(make_terrain(40, 5), {.resolution = Resolution::bits(10), .profile = profile});
+        const detail::BlobData& data = detail::data_of(opened.blob);
+        const float step = std::ldexp(1.0f, data.step_exponent);
+        Random random(9);
+        std::uint32_t by_box = 0, by_triangle = 0, far = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            // In lattice steps, and near the asset; a place that the border of a box is near to is left out.
+            std::array<float, 3> center{};
+            for (unsigned k = 0; k < 3; ++k)
+                center[k] = static_cast<float>(random.between(-20, data.extent[k] + 20)) + 0.5f;
+            const float radius = static_cast<float>(random.below(64)) + 0.25f;
+            const auto accuracy = static_cast<std::int32_t>(random.below(96));
+            bool is_small = false, is_on_border = false;
+            std::vector<std::uint32_t> nodes = {0};
+            while (!nodes.empty()) {
+                const Node node = detail::node_at<Node>(data, nodes.back());
+                nodes.pop_back();
+                for (unsigned child = 0; child < node.node_children() + node.leaf_children(); ++child) {
+                    std::int32_t longest = 0;
+                    double squared = 0.0;
+                    for (unsigned k = 0; k < 3; ++k) {
+                        const std::int32_t low = node.low(static_cast<int>(k), child, data.bits);
+                        const std::int32_t high = node.high(static_cast<int>(k), child, data.bits);
+                        longest = std::max(longest, high - low);
+                        const double off = std::max({low - double(center[k]), double(center[k]) - high, 0.0});
+                        squared += off * off;
+                    }
+                    is_on_border = is_on_border || std::abs(std::sqrt(squared) - double(radius)) < 0.01;
+                    if (squared > double(radius) * double(radius)) continue;
+                    if (accuracy > 0 && longest <= accuracy) is_small = true;
+                    else if (child < node.node_children()) nodes.push_back(node.first_child() + child);
+                }
+            }
+            if (is_on_border) continue;
+            const Sphere sphere = {{data.origin[0] + center[0] * step, data.origin[1] + center[1] * step,
+                                    data.origin[2] + center[2] * step},
+                                   radius * step};
+            const bool touches = overlaps(opened.blob, sphere).yes();
+            (touches ? by_triangle : is_small ? by_box : far) += 1;
+            CHECK(overlaps(opened.blob, sphere, Accuracy{static_cast<float>(accuracy) * step}).yes() ==
+                  (touches || is_small));
+        }
+        CHECK(by_box > 100);
+        CHECK(by_triangle > 1'000);
+        CHECK(far > 1'000);
+    });
+}
+
+TEST_CASE("approximate: every query keeps its bound on real meshes") {
+    for_each_real_mesh(check_real_mesh, quickly_baked);
+}
+
+TEST_CASE("approximate: coarse answers take less work and a NaN or negative accuracy is exact") {
+    const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::uint64_t before = ~std::uint64_t{0};
+    for (const float accuracy : {0.0f, 0.5f, 1.0f, 4.0f}) {
+        QueryCounters counters;
+        for (int i = 0; i < 100; ++i) {
+            const auto angle = static_cast<float>(i);
+            REQUIRE(distance_bounds(sphere.blob, {1.5f * std::sin(angle), 1.5f * std::cos(angle), 0.1f}, infinity,
+                                    Accuracy{accuracy}, &counters));
+        }
+        CHECK(counters.nodes < before);
+        if (accuracy == 0.0f) {  // every point comes to some leaf, which has a triangle at least
+            CHECK(counters.leaves >= 100);
+            CHECK(counters.triangles >= counters.leaves);
+        }
+        before = counters.nodes;
+    }
+    CHECK(before == 100);  // the root, once each
+    const Sphere inside{{0.0f, 0.0f, 0.0f}, 0.5f};
+    CHECK(overlaps(sphere.blob, inside).no());
+    CHECK(overlaps(sphere.blob, inside, Accuracy{nan}).no());
+    CHECK(overlaps(sphere.blob, inside, Accuracy{-1.0f}).no());
+    CHECK(overlaps(sphere.blob, inside, Accuracy{infinity}).yes());
+    CHECK(overlaps(sphere.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, Accuracy{1.0f}).status() ==
+          QueryStatus::invalid_argument);
+    CHECK(overlaps(sphere.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, Accuracy{infinity}).no());
+    CHECK(overlaps(Blob(), inside, Accuracy{infinity}).status() == QueryStatus::not_open);
+}
+
+}  // namespace
+}  // namespace espalier::tests::approximate_test

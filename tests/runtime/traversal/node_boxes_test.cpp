@@ -10,8 +10,7 @@
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/plane_nodes.hpp>
 
-using namespace espalier;
-
+namespace espalier::tests::node_boxes_test {
 namespace {
 
 /// A node with one leaf in a box of planes a step apart; what lies behind it is zero.
@@ -51,63 +50,62 @@ void for_each_kind(Call call) {
 
 constexpr unsigned bits = 16;
 
-}  // namespace
-
-TEST_SUITE("node boxes") {
-    TEST_CASE("kernel: a box that touches a half-space overlaps it and is inside up to its last step") {
-        for_each_kind([]<class Child>() {
-            const Child child({10, 20, 30}, {11, 22, 33});
-            for (int k = 0; k < 3; ++k) {
-                const std::int64_t low = 10 * (k + 1), high = 11 * (k + 1);
-                detail::LatticePlane plane{{0, 0, 0}, low};
-                plane.normal[k] = 1;
-                CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
-                plane.offset = low - 1;
-                CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
-                plane.offset = high + 5;
-                CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
-                CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
-                plane.normal[k] = -1;
-                plane.offset = -high;
-                CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
-                plane.offset = -high - 1;
-                CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
-                plane.offset = -low + 5;
-                CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
-                CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
-            }
-        });
-    }
-
-    TEST_CASE("kernel: a box at the last plane overlaps and one beyond does not") {
-        for_each_kind([]<class Child>() {
-            constexpr std::int32_t plane = Child::Node::max_children == 8 ? 255 : 65535;  // the last
-            constexpr auto byte_or_word = static_cast<unsigned>(plane);
-            const Child last({byte_or_word, byte_or_word, byte_or_word}, {byte_or_word, byte_or_word, byte_or_word});
-            CHECK(detail::children_within(last.node, bits, {{plane, plane, plane}, {plane, plane, plane}}) == 1);
-            CHECK(detail::children_within(last.node, bits,
-                                          {{plane - 1, plane - 1, plane - 1}, {plane - 1, plane - 1, plane - 1}}) == 0);
-            const Child all({0, 0, 0}, {byte_or_word, byte_or_word, byte_or_word});
-            for (int k = 0; k < 3; ++k) {
-                detail::IntegerBounds bounds{{5, 5, 5}, {5, 5, 5}};
-                CHECK(detail::children_within(all.node, bits, bounds) == 1);
-                for (const std::int32_t beyond : {plane + 1, plane + 45, plane + 257, 2 * plane + 2, -1, -300}) {
-                    bounds.low[k] = bounds.high[k] = beyond;
-                    CHECK(detail::children_within(all.node, bits, bounds) == 0);
-                }
-            }
-        });
-    }
-
-    TEST_CASE("kernel: a box is small exactly up to its longest side") {
-        for_each_kind([]<class Child>() {
-            const Child point({7, 8, 9}, {7, 8, 9});
-            CHECK(detail::children_no_larger(point.node, 0, bits) == 1);
-            CHECK(detail::children_no_larger(point.node, -1, bits) == 0);
-            const Child child({10, 20, 30}, {11, 22, 33});
-            CHECK(detail::children_no_larger(child.node, 3, bits) == 1);
-            CHECK(detail::children_no_larger(child.node, 2, bits) == 0);
-            CHECK(detail::children_no_larger(child.node, 1 << 20, bits) == 1);
-        });
-    }
+TEST_CASE("kernel: a box that touches a half-space overlaps it and is inside up to its last step") {
+    for_each_kind([]<class Child>() {
+        const Child child({10, 20, 30}, {11, 22, 33});
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t low = 10 * (k + 1), high = 11 * (k + 1);
+            detail::LatticePlane plane{{0, 0, 0}, low};
+            plane.normal[k] = 1;
+            CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
+            plane.offset = low - 1;
+            CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
+            plane.offset = high + 5;
+            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
+            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
+            plane.normal[k] = -1;
+            plane.offset = -high;
+            CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
+            plane.offset = -high - 1;
+            CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
+            plane.offset = -low + 5;
+            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
+            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
+        }
+    });
 }
+
+TEST_CASE("kernel: a box at the last plane overlaps and one beyond does not") {
+    for_each_kind([]<class Child>() {
+        constexpr std::int32_t plane = Child::Node::max_children == 8 ? 255 : 65535;  // the last
+        constexpr auto byte_or_word = static_cast<unsigned>(plane);
+        const Child last({byte_or_word, byte_or_word, byte_or_word}, {byte_or_word, byte_or_word, byte_or_word});
+        CHECK(detail::children_within(last.node, bits, {{plane, plane, plane}, {plane, plane, plane}}) == 1);
+        CHECK(detail::children_within(last.node, bits,
+                                      {{plane - 1, plane - 1, plane - 1}, {plane - 1, plane - 1, plane - 1}}) == 0);
+        const Child all({0, 0, 0}, {byte_or_word, byte_or_word, byte_or_word});
+        for (int k = 0; k < 3; ++k) {
+            detail::IntegerBounds bounds{{5, 5, 5}, {5, 5, 5}};
+            CHECK(detail::children_within(all.node, bits, bounds) == 1);
+            for (const std::int32_t beyond : {plane + 1, plane + 45, plane + 257, 2 * plane + 2, -1, -300}) {
+                bounds.low[k] = bounds.high[k] = beyond;
+                CHECK(detail::children_within(all.node, bits, bounds) == 0);
+            }
+        }
+    });
+}
+
+TEST_CASE("kernel: a box is small exactly up to its longest side") {
+    for_each_kind([]<class Child>() {
+        const Child point({7, 8, 9}, {7, 8, 9});
+        CHECK(detail::children_no_larger(point.node, 0, bits) == 1);
+        CHECK(detail::children_no_larger(point.node, -1, bits) == 0);
+        const Child child({10, 20, 30}, {11, 22, 33});
+        CHECK(detail::children_no_larger(child.node, 3, bits) == 1);
+        CHECK(detail::children_no_larger(child.node, 2, bits) == 0);
+        CHECK(detail::children_no_larger(child.node, 1 << 20, bits) == 1);
+    });
+}
+
+}  // namespace
+}  // namespace espalier::tests::node_boxes_test

@@ -17,9 +17,7 @@
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-
+namespace espalier::tests::triangle_loop_test {
 namespace {
 
 /// Both loops over one blob.
@@ -159,66 +157,63 @@ void check_pair_loops(const TestBlob& a, const TestBlob& b, std::uint64_t seed, 
     }
 }
 
-}  // namespace
-
-TEST_SUITE("triangle loop") {
-    TEST_CASE("oracle: triangles that the loop leaves out do not change its answer") {
-        std::size_t rays = 0, spheres = 0, volumes = 0, distances = 0, sweeps = 0;
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            const Loops loops(blob);
-            QueryMaker queries(blob.decoded, 1700);
-            ShapeMaker shapes(blob.decoded, 1701);
-            SweepMaker moves(blob.decoded, 1702);
-            for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
-                const bool awkward = i % 2 == 0;
-                rays += loops.check(queries.any_ray());
-                spheres += loops.check(awkward ? queries.sphere() : queries.random_sphere());
-                const Capsule capsule = shapes.capsule(awkward);
-                const Box box = shapes.box(awkward);
-                volumes += loops.check_volume<detail::Rounded<Capsule>>(capsule);
-                volumes += loops.check_volume<detail::Rounded<Box>>(box);
-                volumes += loops.check_volume<detail::Rounded<OrientedBox>>(shapes.oriented_box(awkward));
-                volumes += loops.check_volume<detail::Rounded<Triangle>>(shapes.corners(awkward));
-                volumes += loops.check_volume<detail::Rounded<ConvexVolume>>(shapes.planes(awkward));
-                const float max_distance =
-                    i % 3 == 0 ? std::numeric_limits<float>::infinity() : std::fabs(capsule.radius);
-                distances += loops.check_distances(capsule, box, max_distance);
-                sweeps +=
-                    loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_sphere() : moves.random_sphere());
-                sweeps +=
-                    loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_capsule() : moves.random_capsule());
-                sweeps += loops.check_sweep<detail::BoxSweep>(awkward ? moves.awkward_box() : moves.random_box());
-                sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_oriented_box()
-                                                                       : moves.random_oriented_box());
-                sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_hull() : moves.random_hull());
-            }
+TEST_CASE("oracle: triangles that the loop leaves out do not change its answer") {
+    std::size_t rays = 0, spheres = 0, volumes = 0, distances = 0, sweeps = 0;
+    for (const TestBlob& blob : small_test_blobs()) {
+        CAPTURE(blob.name);
+        const Loops loops(blob);
+        QueryMaker queries(blob.decoded, 1700);
+        ShapeMaker shapes(blob.decoded, 1701);
+        SweepMaker moves(blob.decoded, 1702);
+        for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+            const bool awkward = i % 2 == 0;
+            rays += loops.check(queries.any_ray());
+            spheres += loops.check(awkward ? queries.sphere() : queries.random_sphere());
+            const Capsule capsule = shapes.capsule(awkward);
+            const Box box = shapes.box(awkward);
+            volumes += loops.check_volume<detail::Rounded<Capsule>>(capsule);
+            volumes += loops.check_volume<detail::Rounded<Box>>(box);
+            volumes += loops.check_volume<detail::Rounded<OrientedBox>>(shapes.oriented_box(awkward));
+            volumes += loops.check_volume<detail::Rounded<Triangle>>(shapes.corners(awkward));
+            volumes += loops.check_volume<detail::Rounded<ConvexVolume>>(shapes.planes(awkward));
+            const float max_distance = i % 3 == 0 ? std::numeric_limits<float>::infinity() : std::fabs(capsule.radius);
+            distances += loops.check_distances(capsule, box, max_distance);
+            sweeps += loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_sphere() : moves.random_sphere());
+            sweeps +=
+                loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_capsule() : moves.random_capsule());
+            sweeps += loops.check_sweep<detail::BoxSweep>(awkward ? moves.awkward_box() : moves.random_box());
+            sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_oriented_box()
+                                                                   : moves.random_oriented_box());
+            sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_hull() : moves.random_hull());
         }
-        const std::uint64_t asked = small_test_blobs().size() * scaled_share(30);
-        CHECK(rays > asked / 5);
-        CHECK(spheres > asked);
-        CHECK(volumes > asked);
-        CHECK(distances > asked / 5);
-        CHECK(sweeps > asked / 5);
     }
-
-    TEST_CASE("oracle: pairs that the loop leaves out do not change its answer") {
-        const std::vector<TestBlob>& blobs = small_test_blobs();
-        PairsFound found;
-        for (std::size_t i = 0; i < blobs.size(); ++i)
-            check_pair_loops(blobs[i], blobs[(i + 4) % blobs.size()], 1710 + i, scaled_share(2), found);
-        // Most of a larger mesh is never placed.
-        std::vector<const TestBlob*> few;
-        for (const TestBlob& blob : blobs)
-            if (blob.decoded.triangle_count <= 12) few.push_back(&blob);
-        REQUIRE_FALSE(few.empty());
-        const std::vector<TestBlob>& larger = medium_test_blobs();
-        for (std::size_t i = 0; i < larger.size(); i += 4) {  // each profile twice
-            const TestBlob& small = *few[i % few.size()];
-            check_pair_loops(larger[i], small, 1810 + i, scaled_share(6), found);
-            check_pair_loops(small, larger[i], 1910 + i, scaled_share(6), found);
-        }
-        CHECK(found.contacts > 0);
-        CHECK(found.distances > 0);
-    }
+    const std::uint64_t asked = small_test_blobs().size() * scaled_share(30);
+    CHECK(rays > asked / 5);
+    CHECK(spheres > asked);
+    CHECK(volumes > asked);
+    CHECK(distances > asked / 5);
+    CHECK(sweeps > asked / 5);
 }
+
+TEST_CASE("oracle: pairs that the loop leaves out do not change its answer") {
+    const std::vector<TestBlob>& blobs = small_test_blobs();
+    PairsFound found;
+    for (std::size_t i = 0; i < blobs.size(); ++i)
+        check_pair_loops(blobs[i], blobs[(i + 4) % blobs.size()], 1710 + i, scaled_share(2), found);
+    // Most of a larger mesh is never placed.
+    std::vector<const TestBlob*> few;
+    for (const TestBlob& blob : blobs)
+        if (blob.decoded.triangle_count <= 12) few.push_back(&blob);
+    REQUIRE_FALSE(few.empty());
+    const std::vector<TestBlob>& larger = medium_test_blobs();
+    for (std::size_t i = 0; i < larger.size(); i += 4) {  // each profile twice
+        const TestBlob& small = *few[i % few.size()];
+        check_pair_loops(larger[i], small, 1810 + i, scaled_share(6), found);
+        check_pair_loops(small, larger[i], 1910 + i, scaled_share(6), found);
+    }
+    CHECK(found.contacts > 0);
+    CHECK(found.distances > 0);
+}
+
+}  // namespace
+}  // namespace espalier::tests::triangle_loop_test

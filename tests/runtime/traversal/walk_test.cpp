@@ -13,11 +13,10 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 
-using namespace espalier;
-using namespace espalier::tests;
-using espalier::oracle::Rational;
-
+namespace espalier::tests::walk_test {
 namespace {
+
+using espalier::oracle::Rational;
 
 Rational in_world(const DecodedBlob& blob, std::size_t axis, std::int32_t steps) {
     return Rational::of(blob.origin[axis]) + Rational::of(std::int64_t{steps}, blob.step_exponent);
@@ -45,129 +44,128 @@ std::vector<const TestBlob*> all_test_blobs() {
     return all;
 }
 
-}  // namespace
-
-TEST_SUITE("walk") {
-    TEST_CASE("walk: every node comes once and after its parent with its depth and children") {
-        for (const TestBlob* blob : all_test_blobs()) {
-            CAPTURE(blob->name);
-            const auto& nodes = blob->decoded.nodes;
-            std::vector<unsigned> seen(nodes.size(), 0);
-            const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
-                REQUIRE(node.number < nodes.size());
-                const DecodedNode& expected = nodes[node.number];
-                ++seen[node.number];
-                REQUIRE(node.depth == expected.depth);
-                REQUIRE(node.child_count == expected.children.size());
-                for (unsigned i = 0; i < node.child_count; ++i) {
-                    const TreeChild& child = node.children[i];
-                    const DecodedChild& meant = expected.children[i];
-                    REQUIRE(child.is_leaf == !meant.is_node);
-                    check_box(blob->decoded, meant.box, child.box);
-                    if (child.is_leaf) {
-                        REQUIRE(child.first.index == meant.first_triangle);
-                        REQUIRE(child.count == meant.triangle_count);
-                    } else {
-                        REQUIRE(child.node == meant.node);
-                        REQUIRE(seen[child.node] == 0);
-                    }
+TEST_CASE("walk: every node comes once and after its parent with its depth and children") {
+    for (const TestBlob* blob : all_test_blobs()) {
+        CAPTURE(blob->name);
+        const auto& nodes = blob->decoded.nodes;
+        std::vector<unsigned> seen(nodes.size(), 0);
+        const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            REQUIRE(node.number < nodes.size());
+            const DecodedNode& expected = nodes[node.number];
+            ++seen[node.number];
+            REQUIRE(node.depth == expected.depth);
+            REQUIRE(node.child_count == expected.children.size());
+            for (unsigned i = 0; i < node.child_count; ++i) {
+                const TreeChild& child = node.children[i];
+                const DecodedChild& meant = expected.children[i];
+                REQUIRE(child.is_leaf == !meant.is_node);
+                check_box(blob->decoded, meant.box, child.box);
+                if (child.is_leaf) {
+                    REQUIRE(child.first.index == meant.first_triangle);
+                    REQUIRE(child.count == meant.triangle_count);
+                } else {
+                    REQUIRE(child.node == meant.node);
+                    REQUIRE(seen[child.node] == 0);
                 }
-                return NodeVisit::descend;
-            });
-            CHECK(status == QueryStatus::ok);
-            for (const unsigned times : seen) REQUIRE(times == 1);
-        }
-    }
-
-    TEST_CASE("walk: leaves hold the corners of their triangles and together all triangles") {
-        for (const TestBlob* blob : all_test_blobs()) {
-            CAPTURE(blob->name);
-            std::vector<unsigned> seen(blob->opened.blob.triangle_count(), 0);
-            (void)for_each_node(blob->opened.blob, [&](const TreeNode& node) {
-                for (unsigned i = 0; i < node.child_count; ++i) {
-                    const TreeChild& child = node.children[i];
-                    for (std::uint32_t k = 0; child.is_leaf && k < child.count; ++k) {
-                        const Result<Triangle> corners = triangle_at(blob->opened.blob, {child.first.index + k});
-                        REQUIRE(corners);
-                        REQUIRE(holds(child.box, corners->a));
-                        REQUIRE(holds(child.box, corners->b));
-                        REQUIRE(holds(child.box, corners->c));
-                        ++seen[child.first.index + k];
-                    }
-                }
-                return NodeVisit::descend;
-            });
-            for (const unsigned times : seen) REQUIRE(times == 1);
-        }
-    }
-
-    TEST_CASE("walk: skipping a node leaves out its subtree only and ending ends") {
-        for (const TestBlob* blob : all_test_blobs()) {
-            const auto& nodes = blob->decoded.nodes;
-            const auto is_skipped = [](std::uint32_t number) { return number % 3 == 1; };
-            std::vector<bool> expected(nodes.size(), false);
-            expected[0] = true;
-            std::size_t count = 0;
-            for (std::size_t i = 0; i < nodes.size(); ++i) {  // children come after their parents
-                if (!expected[i]) continue;
-                ++count;
-                for (const DecodedChild& child : nodes[i].children)
-                    if (child.is_node && !is_skipped(static_cast<std::uint32_t>(i))) expected[child.node] = true;
             }
-            std::size_t visited = 0;
-            const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
-                REQUIRE(expected[node.number]);
-                REQUIRE(node.depth == nodes[node.number].depth);
-                ++visited;
-                return is_skipped(node.number) ? NodeVisit::skip : NodeVisit::descend;
-            });
-            CHECK(status == QueryStatus::ok);
-            CHECK(visited == count);
-            for (const std::size_t until : {std::size_t{1}, (nodes.size() + 1) / 2}) {
-                visited = 0;
-                CHECK(for_each_node(blob->opened.blob, [&](const TreeNode&) {
-                          return ++visited == until ? NodeVisit::stop : NodeVisit::descend;
-                      }) == QueryStatus::stopped);
-                CHECK(visited == until);
-            }
-        }
-        const auto stop = [](const TreeNode&) { return NodeVisit::stop; };
-        CHECK(for_each_node(Blob(), stop) == QueryStatus::not_open);
-        CHECK(for_each_node(OpenedBlob(Mesh{}).blob, stop) == QueryStatus::ok);
-    }
-
-    TEST_CASE("walk: the corners of one triangle equal those of the walk also for duplicate references") {
-        BakeOptions options = with_profile(Profile::fast);
-        options.build.builder = Builder::spatial_splits;
-        options.build.duplicate_budget = 1.0;
-        const OpenedBlob split(make_soup(500, 4), options);
-        REQUIRE(split.blob.duplicate_reference_count() > 0);
-        std::vector<const Blob*> blobs = {&split.blob};
-        for (const TestBlob* blob : all_test_blobs()) blobs.push_back(&blob->opened.blob);
-        for (const Blob* blob : blobs) {
-            std::uint32_t visited = 0;
-            const QueryStatus status = for_each_triangle(*blob, [&](TriangleId triangle, const Triangle& expected) {
-                const Result<Triangle> corners = triangle_at(*blob, triangle);
-                REQUIRE(corners);
-                REQUIRE(same_bits(corners->a, expected.a));
-                REQUIRE(same_bits(corners->b, expected.b));
-                REQUIRE(same_bits(corners->c, expected.c));
-                ++visited;
-            });
-            REQUIRE(status == QueryStatus::ok);
-            REQUIRE(visited == blob->triangle_count() - blob->duplicate_reference_count());
-        }
-        const DecodedBlob decoded = decode(split.bytes);
-        for (std::uint32_t i = 0; i < decoded.owners.size(); ++i) {
-            const Result<Triangle> corners = triangle_at(split.blob, {i});
-            const Result<Triangle> owner = triangle_at(split.blob, {decoded.owners[i]});
-            REQUIRE((corners && owner));
-            REQUIRE(same_bits(corners->c, owner->c));
-        }
-        CHECK(triangle_at(split.blob, {split.blob.triangle_count()}).status == QueryStatus::invalid_argument);
-        CHECK(triangle_at(split.blob, no_triangle).status == QueryStatus::invalid_argument);
-        CHECK(triangle_at(Blob(), {0}).status == QueryStatus::not_open);
-        CHECK(for_each_triangle(Blob(), [](TriangleId) { return Visit::stop; }) == QueryStatus::not_open);
-        CHECK(for_each_triangle(split.blob, [](TriangleId) { return Visit::stop; }) == QueryStatus::stopped);
+            return NodeVisit::descend;
+        });
+        CHECK(status == QueryStatus::ok);
+        for (const unsigned times : seen) REQUIRE(times == 1);
     }
 }
+
+TEST_CASE("walk: leaves hold the corners of their triangles and together all triangles") {
+    for (const TestBlob* blob : all_test_blobs()) {
+        CAPTURE(blob->name);
+        std::vector<unsigned> seen(blob->opened.blob.triangle_count(), 0);
+        (void)for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            for (unsigned i = 0; i < node.child_count; ++i) {
+                const TreeChild& child = node.children[i];
+                for (std::uint32_t k = 0; child.is_leaf && k < child.count; ++k) {
+                    const Result<Triangle> corners = triangle_at(blob->opened.blob, {child.first.index + k});
+                    REQUIRE(corners);
+                    REQUIRE(holds(child.box, corners->a));
+                    REQUIRE(holds(child.box, corners->b));
+                    REQUIRE(holds(child.box, corners->c));
+                    ++seen[child.first.index + k];
+                }
+            }
+            return NodeVisit::descend;
+        });
+        for (const unsigned times : seen) REQUIRE(times == 1);
+    }
+}
+
+TEST_CASE("walk: skipping a node leaves out its subtree only and ending ends") {
+    for (const TestBlob* blob : all_test_blobs()) {
+        const auto& nodes = blob->decoded.nodes;
+        const auto is_skipped = [](std::uint32_t number) { return number % 3 == 1; };
+        std::vector<bool> expected(nodes.size(), false);
+        expected[0] = true;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {  // children come after their parents
+            if (!expected[i]) continue;
+            ++count;
+            for (const DecodedChild& child : nodes[i].children)
+                if (child.is_node && !is_skipped(static_cast<std::uint32_t>(i))) expected[child.node] = true;
+        }
+        std::size_t visited = 0;
+        const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            REQUIRE(expected[node.number]);
+            REQUIRE(node.depth == nodes[node.number].depth);
+            ++visited;
+            return is_skipped(node.number) ? NodeVisit::skip : NodeVisit::descend;
+        });
+        CHECK(status == QueryStatus::ok);
+        CHECK(visited == count);
+        for (const std::size_t until : {std::size_t{1}, (nodes.size() + 1) / 2}) {
+            visited = 0;
+            CHECK(for_each_node(blob->opened.blob, [&](const TreeNode&) {
+                      return ++visited == until ? NodeVisit::stop : NodeVisit::descend;
+                  }) == QueryStatus::stopped);
+            CHECK(visited == until);
+        }
+    }
+    const auto stop = [](const TreeNode&) { return NodeVisit::stop; };
+    CHECK(for_each_node(Blob(), stop) == QueryStatus::not_open);
+    CHECK(for_each_node(OpenedBlob(Mesh{}).blob, stop) == QueryStatus::ok);
+}
+
+TEST_CASE("walk: the corners of one triangle equal those of the walk also for duplicate references") {
+    BakeOptions options = with_profile(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
+    const OpenedBlob split(make_soup(500, 4), options);
+    REQUIRE(split.blob.duplicate_reference_count() > 0);
+    std::vector<const Blob*> blobs = {&split.blob};
+    for (const TestBlob* blob : all_test_blobs()) blobs.push_back(&blob->opened.blob);
+    for (const Blob* blob : blobs) {
+        std::uint32_t visited = 0;
+        const QueryStatus status = for_each_triangle(*blob, [&](TriangleId triangle, const Triangle& expected) {
+            const Result<Triangle> corners = triangle_at(*blob, triangle);
+            REQUIRE(corners);
+            REQUIRE(same_bits(corners->a, expected.a));
+            REQUIRE(same_bits(corners->b, expected.b));
+            REQUIRE(same_bits(corners->c, expected.c));
+            ++visited;
+        });
+        REQUIRE(status == QueryStatus::ok);
+        REQUIRE(visited == blob->triangle_count() - blob->duplicate_reference_count());
+    }
+    const DecodedBlob decoded = decode(split.bytes);
+    for (std::uint32_t i = 0; i < decoded.owners.size(); ++i) {
+        const Result<Triangle> corners = triangle_at(split.blob, {i});
+        const Result<Triangle> owner = triangle_at(split.blob, {decoded.owners[i]});
+        REQUIRE((corners && owner));
+        REQUIRE(same_bits(corners->c, owner->c));
+    }
+    CHECK(triangle_at(split.blob, {split.blob.triangle_count()}).status == QueryStatus::invalid_argument);
+    CHECK(triangle_at(split.blob, no_triangle).status == QueryStatus::invalid_argument);
+    CHECK(triangle_at(Blob(), {0}).status == QueryStatus::not_open);
+    CHECK(for_each_triangle(Blob(), [](TriangleId) { return Visit::stop; }) == QueryStatus::not_open);
+    CHECK(for_each_triangle(split.blob, [](TriangleId) { return Visit::stop; }) == QueryStatus::stopped);
+}
+
+}  // namespace
+}  // namespace espalier::tests::walk_test

@@ -80,7 +80,8 @@ void exercise_contacts(Exercise& run) {
             return check_contacts(run, Capsule{from, to, radius}, margin);
         case 2:
             return check_contacts(
-                run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, difference(to, from)}}, margin);
+                run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, plain_difference(to, from)}},
+                margin);
         default:
             return check_contacts_of_hull(run, margin);
     }

@@ -56,7 +56,7 @@ void exercise_rays(Exercise& run) {
     ray.origin = some_point(blob, random);
     if (random.coin()) {
         const Vec3 target = some_point(blob, random);
-        ray.direction = difference(target, ray.origin);
+        ray.direction = plain_difference(target, ray.origin);
     } else {
         ray.direction = some_point(blob, random);
     }

@@ -43,7 +43,7 @@ inline Vec3 moved(Vec3 point, Vec3 by) {
     return {plain_sum(point.x, by.x), plain_sum(point.y, by.y), plain_sum(point.z, by.z)};
 }
 
-inline Vec3 difference(Vec3 to, Vec3 from) { return moved(to, {-from.x, -from.y, -from.z}); }
+inline Vec3 plain_difference(Vec3 to, Vec3 from) { return moved(to, {-from.x, -from.y, -from.z}); }
 
 inline Vec3 scaled_by(Vec3 v, float factor) {
     return {plain_product(v.x, factor), plain_product(v.y, factor), plain_product(v.z, factor)};

@@ -70,13 +70,14 @@ void exercise_sweeps(Exercise& run) {
     Random& random = run.random;
     const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
     const float length = some_length(blob, random);
-    const Vec3 way = random.coin() ? difference(c, a) : c;
+    const Vec3 way = random.coin() ? plain_difference(c, a) : c;
     exercise_sweep(run, Sphere{a, length}, way);
     exercise_sweep(run, Capsule{a, b, length}, way);
     exercise_sweep(run, random.coin() ? Box{a, b} : Box{a, moved(a, {length, length, length})}, way);
     // One of the two at random: from a start in overlap, either takes longer than all others together.
     if (random.coin())
-        return exercise_sweep(run, OrientedBox{a, {difference(b, a), difference(c, b), {length, 0.0f, -length}}}, way);
+        return exercise_sweep(
+            run, OrientedBox{a, {plain_difference(b, a), plain_difference(c, b), {length, 0.0f, -length}}}, way);
     const Vec3 vertices[] = {a, b, c, moved(a, {length, length, 0.0f}), moved(b, {0.0f, length, length}), c};
     exercise_sweep(run, ConvexHull{std::span(vertices).first(random.below(7))}, way);
 }

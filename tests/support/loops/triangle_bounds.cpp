@@ -11,7 +11,7 @@ namespace {
 /// Lattice steps: doubles are exact to far less within 2^37 of them.
 constexpr double slack = 1.0;
 /// Of distances: what the kernels say in float is within a millionth.
-constexpr double relative_slack = 1.0 + 1e-4;
+constexpr double bounds_slack = 1.0 + 1e-4;
 
 double square(double x) { return x * x; }
 
@@ -161,7 +161,7 @@ template <class DistanceOf>
 TriangleBounds::Numbers TriangleBounds::closest(DistanceOf distance_of, double radius, std::size_t count) const {
     if (count == 0) return {};
     const double farthest = count < triangles_.size() ? std::min(radius, reach_of_closest(distance_of, count)) : radius;
-    const double limit = farthest * relative_slack + slack;
+    const double limit = farthest * bounds_slack + slack;
     return numbers_where([&](const Bounds& bounds) { return distance_of(bounds.center) - bounds.radius <= limit; });
 }
 

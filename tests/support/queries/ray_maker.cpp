@@ -5,15 +5,13 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "support/base/vectors.hpp"
+
 namespace espalier::tests {
 
 namespace {
 
-Vec3 difference(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
 Vec3 middle(Vec3 a, Vec3 b) { return {0.5f * (a.x + b.x), 0.5f * (a.y + b.y), 0.5f * (a.z + b.z)}; }
-
-bool is_zero(Vec3 a) { return a.x == 0.0f && a.y == 0.0f && a.z == 0.0f; }
 
 }  // namespace
 

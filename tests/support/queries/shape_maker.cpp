@@ -5,17 +5,13 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "support/base/vectors.hpp"
+
 namespace espalier::tests {
 
 namespace {
 
-Vec3 sum(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 difference(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 times(Vec3 a, float by) { return {a.x * by, a.y * by, a.z * by}; }
-float inner(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 outer(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 float& coordinate(Vec3& v, std::uint32_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-bool is_zero(Vec3 a) { return a.x == 0.0f && a.y == 0.0f && a.z == 0.0f; }
 
 Vec3 unit(Vec3 a) {
     const double length = std::hypot(static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z));
@@ -87,7 +83,7 @@ Vec3 ShapeMaker::nudged(Vec3 value) {
 Vec3 ShapeMaker::direction() {
     Vec3 d;
     do d = random_.in_cube(1.0f);
-    while (inner(d, d) > 1.0f || inner(d, d) < 0.01f);
+    while (dot(d, d) > 1.0f || dot(d, d) < 0.01f);
     return unit(d);
 }
 
@@ -107,8 +103,8 @@ Capsule ShapeMaker::capsule(bool awkward) {
         case 2: {  // beside a triangle, as far away as the radius
             const Vec3 off = times(direction(), length());
             capsule.from = sum(vertex(), off);
-            capsule.to = random_.coin() ? capsule.from : sum(capsule.from, outer(off, direction()));
-            capsule.radius = nudged(std::sqrt(inner(off, off)));
+            capsule.to = random_.coin() ? capsule.from : sum(capsule.from, cross(off, direction()));
+            capsule.radius = nudged(std::sqrt(dot(off, off)));
             break;
         }
         case 3: {
@@ -163,7 +159,7 @@ Box ShapeMaker::box(bool awkward) {
 }
 
 OrientedBox ShapeMaker::oriented_box(bool awkward) {
-    const Vec3 x = direction(), y = unit(outer(x, direction())), z = outer(x, y);
+    const Vec3 x = direction(), y = unit(cross(x, direction())), z = cross(x, y);
     OrientedBox box = {point_around(), {times(x, length()), times(y, length()), times(z, length())}};
     if (!awkward) return box;
     const GridTriangle& t = triangle();
@@ -258,11 +254,11 @@ ConvexVolume ShapeMaker::planes(bool awkward) {
     planes.clear();
     const auto add = [&](Vec3 normal, Vec3 on, float beyond) {
         if (is_zero(normal)) normal.z = 1.0f;
-        planes.push_back({normal, inner(normal, on) + beyond});
+        planes.push_back({normal, dot(normal, on) + beyond});
     };
     const Vec3 center = awkward ? surface_point() : point_around();
     if (!awkward && random_.coin()) {  // a frustum
-        const Vec3 x = direction(), y = unit(outer(x, direction())), z = outer(x, y);
+        const Vec3 x = direction(), y = unit(cross(x, direction())), z = cross(x, y);
         const float width = random_.unit();
         for (const Vec3 side : {y, z, times(y, -1.0f), times(z, -1.0f)})
             add(difference(side, times(x, width)), center, 0.0f);
@@ -275,7 +271,7 @@ ConvexVolume ShapeMaker::planes(bool awkward) {
         case 0: {  // a slab without thickness, along an axis or along a triangle
             const GridTriangle& t = triangle();
             const Vec3 a = to_world(t.a);
-            Vec3 normal = outer(difference(to_world(t.b), a), difference(to_world(t.c), a));
+            Vec3 normal = cross(difference(to_world(t.b), a), difference(to_world(t.c), a));
             if (random_.coin()) {
                 normal = {};
                 coordinate(normal, random_.below(3)) = 1.0f;
@@ -316,7 +312,7 @@ ConvexVolume ShapeMaker::planes(bool awkward) {
                 const std::uint32_t code = i + 14;  // digits of base 3, of which the first that is not 1 is 2
                 normal = {static_cast<float>(code / 9) - 1.0f, static_cast<float>(code / 3 % 3) - 1.0f,
                           static_cast<float>(code % 3) - 1.0f};
-                add(normal, center, radius * std::sqrt(inner(normal, normal)));
+                add(normal, center, radius * std::sqrt(dot(normal, normal)));
                 add(times(normal, -1.0f), center, awkward ? 0.0f : radius);
             }
         }

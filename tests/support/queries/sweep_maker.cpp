@@ -5,13 +5,12 @@
 #include <cstdio>
 #include <span>
 
+#include "support/base/vectors.hpp"
+
 namespace espalier::tests {
 
 namespace {
 
-Vec3 plus(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 times(Vec3 a, float by) { return {a.x * by, a.y * by, a.z * by}; }
 Vec3 along_axis(std::uint32_t axis, float length) {
     return {axis == 0 ? length : 0.0f, axis == 1 ? length : 0.0f, axis == 2 ? length : 0.0f};
 }
@@ -78,7 +77,7 @@ float SweepMaker::some_radius() {
 
 SweepMaker::Path SweepMaker::random_path() {
     const Vec3 start = some_place();
-    return {start, minus(some_place(), start)};
+    return {start, difference(some_place(), start)};
 }
 
 SweepMaker::Path SweepMaker::awkward_path(float radius) {
@@ -87,11 +86,11 @@ SweepMaker::Path SweepMaker::awkward_path(float radius) {
         case 0: {
             const Vec3 off = along_axis(random.below(3), random.coin() ? radius : -radius);
             const Vec3 way = along_axis(random.below(3), size_ * (random.unit() - 0.5f));
-            return {minus(plus(some_vertex(), off), times(way, random.coin() ? 0.5f : 1.0f)), way};
+            return {difference(sum(some_vertex(), off), times(way, random.coin() ? 0.5f : 1.0f)), way};
         }
         case 1: {
             const Vec3 off = along_axis(random.below(3), random.coin() ? radius : -radius);
-            return {plus(some_vertex(), off), random.in_cube(size_)};
+            return {sum(some_vertex(), off), random.in_cube(size_)};
         }
         case 2: {
             const Ray ray = maker_.ray(RayKind::in_plane);
@@ -104,18 +103,18 @@ SweepMaker::Path SweepMaker::awkward_path(float radius) {
         case 4: {
             const Ray ray = maker_.ray(RayKind::far_ten_thousand);
             const Vec3 target = some_vertex();
-            return {ray.origin, times(minus(target, ray.origin), random.coin() ? 1.0f : 2.0f)};
+            return {ray.origin, times(difference(target, ray.origin), random.coin() ? 1.0f : 2.0f)};
         }
         case 5:
             return {random.coin() ? some_vertex() : some_place(), {0.0f, 0.0f, 0.0f}};
         case 6: {
             const Vec3 start = some_vertex();
-            return {start, minus(some_vertex(), start)};
+            return {start, difference(some_vertex(), start)};
         }
         default: {
             const Vec3 target = some_vertex();
             const Vec3 way = times(random.in_cube(size_), random.coin() ? 1.0f : 0.01f);
-            return {minus(target, way), times(way, random.coin() ? 1.0f : 2.0f)};
+            return {difference(target, way), times(way, random.coin() ? 1.0f : 2.0f)};
         }
     }
 }
@@ -134,7 +133,7 @@ Moving<Sphere> SweepMaker::awkward_sphere() {
 Moving<Capsule> SweepMaker::random_capsule() {
     const Path path = random_path();
     const Vec3 axis = maker_.random().in_cube(size_ * 0.05f);
-    return {{path.start, plus(path.start, axis), size_ * 0.03f * maker_.random().unit()}, path.way};
+    return {{path.start, sum(path.start, axis), size_ * 0.03f * maker_.random().unit()}, path.way};
 }
 
 Moving<Capsule> SweepMaker::awkward_capsule() {
@@ -149,7 +148,7 @@ Moving<Capsule> SweepMaker::awkward_capsule() {
             axis = along_axis(random.below(3), random.coin() ? radius * 4.0f : size_ * 0.1f);
             break;
         case 2:
-            axis = minus(some_vertex(), some_vertex());
+            axis = difference(some_vertex(), some_vertex());
             break;
         case 3:
             axis = path.way;
@@ -157,8 +156,8 @@ Moving<Capsule> SweepMaker::awkward_capsule() {
         default:
             axis = random.in_cube(size_ * 0.1f);
     }
-    const Vec3 from = random.coin() ? path.start : minus(path.start, axis);
-    return {{from, plus(from, axis), radius}, path.way};
+    const Vec3 from = random.coin() ? path.start : difference(path.start, axis);
+    return {{from, sum(from, axis), radius}, path.way};
 }
 
 Vec3 SweepMaker::some_size(float radius) {
@@ -177,15 +176,15 @@ Moving<Box> SweepMaker::random_box() {
     const float x = size_ * 0.05f * random.unit();
     const float y = size_ * 0.05f * random.unit();
     const float z = size_ * 0.05f * random.unit();
-    return {{path.start, plus(path.start, {x, y, z})}, path.way};
+    return {{path.start, sum(path.start, {x, y, z})}, path.way};
 }
 
 Moving<Box> SweepMaker::awkward_box() {
     const float radius = some_radius();
     const Path path = awkward_path(radius);
     const Vec3 size = some_size(radius);
-    const Vec3 low = maker_.random().coin() ? path.start : minus(path.start, size);
-    return {{low, plus(low, size)}, path.way};
+    const Vec3 low = maker_.random().coin() ? path.start : difference(path.start, size);
+    return {{low, sum(low, size)}, path.way};
 }
 
 Moving<OrientedBox> SweepMaker::random_oriented_box() {
@@ -210,13 +209,13 @@ Moving<OrientedBox> SweepMaker::awkward_oriented_box() {
             box.half_axes[1] = {size.y * -0.8f, size.y * 0.6f, 0.0f};
             break;
         case 2:  // parallel to a side
-            box.half_axes[random.below(3)] = minus(some_vertex(), some_vertex());
+            box.half_axes[random.below(3)] = difference(some_vertex(), some_vertex());
             break;
         default:
             for (Vec3& half : box.half_axes) half = random.in_cube(size_ * 0.05f);
     }
     // A corner on the path, as often as the center.
-    if (random.coin()) box.center = plus(plus(box.center, box.half_axes[0]), plus(box.half_axes[1], box.half_axes[2]));
+    if (random.coin()) box.center = sum(sum(box.center, box.half_axes[0]), sum(box.half_axes[1], box.half_axes[2]));
     return {box, path.way};
 }
 
@@ -225,7 +224,7 @@ Moving<OwnedHull> SweepMaker::random_hull() {
     Random& random = maker_.random();
     OwnedHull hull;
     const std::uint32_t count = 4 + random.below(13);
-    for (std::uint32_t i = 0; i < count; ++i) hull.vertices.push_back(plus(path.start, random.in_cube(size_ * 0.05f)));
+    for (std::uint32_t i = 0; i < count; ++i) hull.vertices.push_back(sum(path.start, random.in_cube(size_ * 0.05f)));
     return {hull, path.way};
 }
 
@@ -237,38 +236,38 @@ Moving<OwnedHull> SweepMaker::awkward_hull() {
     switch (random.below(6)) {
         case 0: {
             const std::vector<Vec3> corners = some_triangle();
-            for (const Vec3& corner : corners) hull.vertices.push_back(plus(path.start, minus(corner, corners[0])));
+            for (const Vec3& corner : corners) hull.vertices.push_back(sum(path.start, difference(corner, corners[0])));
             break;
         }
         case 1:  // a point, a segment
             hull.vertices.push_back(path.start);
-            if (random.coin()) hull.vertices.push_back(plus(path.start, minus(some_vertex(), some_vertex())));
+            if (random.coin()) hull.vertices.push_back(sum(path.start, difference(some_vertex(), some_vertex())));
             break;
         case 2: {  // in one plane across an axis
             const std::uint32_t axis = random.below(3);
             for (int i = 0; i < 6; ++i) {
                 Vec3 off = random.in_cube(radius);
                 (axis == 0 ? off.x : axis == 1 ? off.y : off.z) = 0.0f;
-                hull.vertices.push_back(plus(path.start, off));
+                hull.vertices.push_back(sum(path.start, off));
             }
             break;
         }
         case 3: {  // corners of a box, each twice
             const Vec3 size = some_size(radius);
             for (unsigned i = 0; i < 16; ++i)
-                hull.vertices.push_back(plus(path.start, {(i & 1u) != 0 ? size.x : 0.0f, (i & 2u) != 0 ? size.y : 0.0f,
-                                                          (i & 4u) != 0 ? size.z : 0.0f}));
+                hull.vertices.push_back(sum(path.start, {(i & 1u) != 0 ? size.x : 0.0f, (i & 2u) != 0 ? size.y : 0.0f,
+                                                         (i & 4u) != 0 ? size.z : 0.0f}));
             break;
         }
         case 4:
             for (std::size_t i = 0; i < max_hull_vertices; ++i)
-                hull.vertices.push_back(plus(path.start, random.in_cube(radius)));
+                hull.vertices.push_back(sum(path.start, random.in_cube(radius)));
             break;
         default: {
             const std::uint32_t count = 1 + random.below(9);
             hull.vertices.push_back(path.start);
             for (std::uint32_t i = 1; i < count; ++i)
-                hull.vertices.push_back(plus(path.start, random.in_cube(size_ * 0.1f)));
+                hull.vertices.push_back(sum(path.start, random.in_cube(size_ * 0.1f)));
         }
     }
     return {hull, path.way};
