@@ -40,3 +40,20 @@ function(espalier_precompile_headers target)
   espalier_precompile_only(${target} <algorithm> <array> <bit> <cmath> <cstdint> <functional> <limits> <optional>
     <span> <string> <variant> <vector> ${ARGN})
 endfunction()
+
+# espalier_unity_by_folder(<target>): with ESPALIER_UNITY the files of each folder are compiled as one. They parse the same headers and
+# instantiate the same templates, which takes most of the time of each. Off by default: a change of one file compiles its folder.
+function(espalier_unity_by_folder target)
+  if(NOT ESPALIER_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE folder)
+    cmake_path(GET folder PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    string(MAKE_C_IDENTIFIER "${folder}" folder)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
