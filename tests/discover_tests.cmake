@@ -1,46 +1,26 @@
-# Gives ctest one test for each TEST_CASE of a program. CMakeLists.txt includes this file for the function; after each link
-# the build runs it as a script, which lists the cases.
-
-# discover_tests(<program> LABELS <label>...): the tests get the labels
+# discover_tests(<program> LABELS <label>...): gives ctest one test for each folder of a program's sources, `cases: <folder>`. The
+# cases of a folder run in one process, because they share blobs that take longer to bake than most cases take to run.
+# `<program> -tc=NAME` runs one case.
 function(discover_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 argument "" "" LABELS)
-  set(list ${CMAKE_CURRENT_BINARY_DIR}/${program}_list.cmake)
-  add_custom_command(TARGET ${program} POST_BUILD
-    COMMAND ${CMAKE_COMMAND} -D program=$<TARGET_FILE:${program}> -D "labels=${argument_LABELS}" -D list=${list}
-      -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
-    BYPRODUCTS ${list}
-    VERBATIM)
-  # A program that was not built is a test that fails.
-  set(include_list ${CMAKE_CURRENT_BINARY_DIR}/${program}_include.cmake)
-  file(CONFIGURE OUTPUT ${include_list} CONTENT [[
-if(EXISTS [==[@list@]==])
-  include([==[@list@]==])
-else()
-  add_test(@program@_is_built @program@_is_built)
-  set_tests_properties(@program@_is_built PROPERTIES LABELS [==[@argument_LABELS@]==])
-endif()
-]] @ONLY)
-  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${include_list})
+  get_target_property(sources ${program} SOURCES)
+  get_target_property(base ${program} SOURCE_DIR)
+  list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
+  set(folders "")
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${base} NORMALIZE)
+    cmake_path(GET source PARENT_PATH folder)
+    list(APPEND folders ${folder})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    string(REGEX REPLACE "^tests/" "" words ${path})
+    string(REGEX REPLACE "[/_]" " " words ${words})
+    # Not those of its subfolders, which are tests of their own.
+    add_test(NAME "cases: ${words}" COMMAND ${program} "--source-file=*${path}/*" "--source-file-exclude=*${path}/*/*")
+    # A folder that selects no case must not count as passed.
+    set_tests_properties("cases: ${words}" PROPERTIES LABELS "${argument_LABELS}" TIMEOUT 1200
+      FAIL_REGULAR_EXPRESSION "test cases: +0 ")
+  endforeach()
 endfunction()
-
-if(NOT CMAKE_SCRIPT_MODE_FILE)
-  return()
-endif()
-
-execute_process(COMMAND ${program} --list-test-cases OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX MATCHALL "[^\n]+" lines "${output}")
-set(tests "")
-foreach(name IN LISTS lines)
-  if(name MATCHES "^(\\[doctest\\]|=====)")
-    continue()
-  endif()
-  string(REPLACE "," "\\," pattern "${name}")
-  # A name that selects no test must not count as passed.
-  string(APPEND tests "add_test([==[${name}]==] [==[${program}]==] [==[--test-case=${pattern}]==])\n"
-    "set_tests_properties([==[${name}]==] PROPERTIES LABELS [==[${labels}]==] SKIP_REGULAR_EXPRESSION SKIPPED:"
-    " FAIL_REGULAR_EXPRESSION [==[test cases: +0 ]==] TIMEOUT 1200)\n")
-endforeach()
-if(tests STREQUAL "")
-  message(FATAL_ERROR "${program} has no test cases")
-endif()
-file(WRITE ${list} "${tests}")

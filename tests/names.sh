@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # names.sh CTEST BUILD_FOLDER: each test name is `area: behaviour` with an area of tests/README.md, in plain words and without
-# commas, and names one test; each suite has the name of its file; each pattern of tests/scales.txt selects a test.
+# commas, and names one test; each pattern of tests/scales.txt selects a test.
 set -euo pipefail
 ctest=$1 build=$(realpath "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -26,12 +26,6 @@ for name in "${cases[@]}" "${others[@]}"; do
     [[ -v is_area[$area] ]] || complain "no area of tests/README.md: $name"
 done
 while read -r name; do complain "two tests have one name: $name"; done < <(printf '%s\n' "${cases[@]}" | sort | uniq -d)
-
-# A suite has the name of its file, which doctest prints with a failure.
-while IFS=: read -r file suite; do
-    stem=$(basename "$file" _test.cpp)
-    [[ $suite == "TEST_SUITE(\"${stem//_/ }\")"* ]] || complain "$file: the suite is not \"${stem//_/ }\": $suite"
-done < <(grep -roE --include='*.cpp' '^TEST_SUITE\(.*' .)
 
 while read -r command factor pattern; do
     selected=0

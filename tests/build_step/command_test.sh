@@ -124,7 +124,7 @@ if command -v arm-none-eabi-g++ >/dev/null; then
         readelf -hW "$object" | grep -q 'Machine: *ARM' || fail "$object is for another machine"
     done
 else
-    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev test installs it)"
+    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev prove firmware installs it)"
     status=77
 fi
 

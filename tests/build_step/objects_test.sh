@@ -98,7 +98,7 @@ fi
 
 # ---- a cross build --------------------------------------------------------------------------------------------------
 if ! command -v arm-none-eabi-g++ >/dev/null; then
-    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev test installs it)"
+    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev prove firmware installs it)"
     finish
     status=$?
     exit $((status == 0 ? 77 : status))

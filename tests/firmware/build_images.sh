@@ -11,7 +11,7 @@ cmake=${CMAKE:-cmake}
 
 for tool in arm-none-eabi-g++ qemu-system-arm; do
     if ! command -v "$tool" >/dev/null; then
-        echo "skipped: $tool is not installed (tools/dev test installs it)"
+        echo "skipped: $tool is not installed (tools/dev prove firmware installs it)"
         exit 77
     fi
 done

@@ -6,7 +6,7 @@ set -euo pipefail
 rows=$1/rows.txt
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 if ! command -v arm-none-eabi-g++ >/dev/null; then
-    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev test installs it)"
+    echo "skipped: arm-none-eabi-g++ is not installed (tools/dev prove firmware installs it)"
     exit 77
 fi
 mkdir -p "$1"

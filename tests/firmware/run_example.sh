@@ -9,7 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 for tool in arm-none-eabi-g++ qemu-system-arm; do
     if ! command -v "$tool" >/dev/null; then
-        echo "skipped: $tool is not installed (tools/dev test installs it)"
+        echo "skipped: $tool is not installed (tools/dev prove firmware installs it)"
         exit 77
     fi
 done

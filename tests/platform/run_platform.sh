@@ -49,7 +49,7 @@ case $machine in
 esac
 for tool in "${needed[@]}"; do
     if ! command -v "$tool" >/dev/null; then
-        echo "skipped: $tool is not installed (tools/dev platforms installs it)"
+        echo "skipped: $tool is not installed (tools/dev prove installs it)"
         exit 77
     fi
 done

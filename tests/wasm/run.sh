@@ -7,12 +7,12 @@ simd128=$1 scalar=$2 answers=$3 folder=$4
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 modules=("$simd128/espalier/lib/wasm/espalier.wasm" "$scalar/espalier/lib/wasm/espalier_scalar.wasm")
 if ! command -v node >/dev/null; then
-    echo "skipped: node is not installed (tools/dev platforms installs it)"
+    echo "skipped: node is not installed (tools/dev prove installs it)"
     exit 77
 fi
 for module in "${modules[@]}"; do
     if [[ ! -f $module ]]; then
-        echo "skipped: $module was not built: a tool for wasm32 is missing (tools/dev platforms installs it)"
+        echo "skipped: $module was not built: a tool for wasm32 is missing (tools/dev prove installs it)"
         exit 77
     fi
 done

@@ -1,5 +1,4 @@
-# The quick check: the runtime and the baker with their unit tests, at a twentieth of the random cases of tools/dev test, without meshes
-# from files and without the slow tests that tests/scales.txt lists. And whether the runtime in one file compiles, in a few seconds.
+# The quick check: the runtime and the baker with their unit tests, and whether the runtime in one file compiles.
 
 single_file_compiles() {
     rm -rf build/check/single
@@ -8,17 +7,16 @@ single_file_compiles() {
 }
 
 check() {
-    local left_out single_file
+    local single_file
     install_missing "${build_packages[@]}" doctest-dev libeigen3-dev python3
     check_cmake
     build build/check espalier_unit_tests --preset check
     single_file_compiles &
     single_file=$!
-    left_out=$(patterns_of check | cut -d ' ' -f 2- | sed 's/[.+^]/\\&/g; s/\*/.*/g' | paste -sd '|')
-    ctest --preset check --exclude-regex "^($left_out)\$" --no-tests=error --parallel "$(nproc)" >build/check/tests.log 2>&1 ||
-        { tail -n 60 build/check/tests.log >&2; fail "tests failed; all output is in build/check/tests.log"; }
+    quick_cases run_tests build/check --label-regex '^unit$' >build/check/tests.log 2>&1
+    [[ $failed -eq 0 ]] || { tail -n 60 build/check/tests.log >&2; fail "tests failed; all output is in build/check/tests.log"; }
     wait "$single_file" || fail "what tools/single_file.py makes of lib/runtime does not compile"
-    grep ' tests passed' build/check/tests.log
+    summarise
 }
 
 without_arguments check "$@"

@@ -2,10 +2,10 @@
 
 # Few queries are enough to take a branch, and unoptimised code is slow: the tests run a fiftieth of the cases, without real
 # meshes, and those that run every query at every change of a blob are left out. Tests of the number of cases fail then; the
-# real test run is `tools/dev test`.
+# real test runs are `tools/dev test` and `tools/dev prove`.
 coverage() {
     local build=build/coverage set program runtime='lib/runtime/.*' verifier='lib/runtime/open/.*'
-    install_missing "${build_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" gcovr
+    install_missing "${build_packages[@]}" "${test_packages[@]}" gcovr
     check_cmake
     local options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=g++ -DESPALIER_COVERAGE=ON -DESPALIER_TOOLS=OFF
         -DESPALIER_BENCH=OFF)

@@ -11,7 +11,7 @@ firmware() {
         done
     fi
     [[ $# -eq 0 || -d $1 ]] || fail "there is no folder $1"
-    install_missing "${build_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" >&2
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" "${firmware_packages[@]}" >&2
     check_cmake
     build "$build" espalier_firmware -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
     ESPALIER_MESHES=${1:-none} "$build/tests/firmware/espalier_firmware_blobs" "$build/tests/firmware/blobs" >&2

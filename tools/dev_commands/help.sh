@@ -8,10 +8,12 @@ Every day
   check       Builds the runtime and the baker, runs their unit tests, and compiles the single file
               (3 minutes from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
-  test        Builds everything and runs every test, then again under the sanitizers
-              (60 to 90 minutes).
-              test --strict fails at a compiler warning or a missing include too, as continuous integration does.
-              It compiles by ccache, where that is installed.
+  test        Tests what an ordinary change can break, from the kernels to the installed package (10 minutes from nothing).
+              test --strict fails at a compiler warning, too, as continuous integration does.
+  prove       Runs the other tests, in parts, and writes what passed into docs/proven.md:
+              prove PART... | --since COMMIT | --all | --drawn | --list
+              --since: the parts whose sources differ from the commit's; --all: three hours; --drawn: one part, by the hash of the
+              commit, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.
@@ -23,8 +25,6 @@ Every day
   help        Prints this text.
 
 Before a release
-  platforms   Bakes and queries on every machine, compiler and instruction set, and compares the bits with
-              tests/platform/golden.txt. Then it tests the command on Windows, under Wine (an hour).
   coverage    Counts which branches of lib/runtime the tests take (5 minutes). Fails below 95 %, or below 100 % for open.
   fuzz        Fuzzes open, tree, bake, scene and import for 60 seconds each: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
               fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;
@@ -58,5 +58,5 @@ Publishing
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 
 Missing packages are installed by apt-get, as root or by sudo without a password; otherwise the command to run is printed.
-All output is in build/. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build
+test and prove compile by ccache, where that is installed. All output is in build/. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build
 TEXT

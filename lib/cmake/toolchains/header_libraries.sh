@@ -11,7 +11,7 @@ folder=$(realpath "$folder")
 for package in CLI11:CLI nlohmann_json:nlohmann; do
     config=$(cd /usr && find share/cmake lib/cmake -maxdepth 1 -name "${package%:*}" 2>/dev/null | head -n 1) || true
     if [[ -z $config || ! -d /usr/include/${package#*:} ]]; then
-        echo "skipped: ${package%:*} is not installed (tools/dev platforms installs it)"
+        echo "skipped: ${package%:*} is not installed (tools/dev prove installs it)"
         exit 77
     fi
     (cd /usr && cp -r --parents "$config" "$folder")

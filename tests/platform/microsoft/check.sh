@@ -9,7 +9,7 @@ cd "$here/../../.."
 library=$(find /usr/lib/llvm-*/include/wasm32-wasi/c++/v1 -maxdepth 0 2>/dev/null | sort -V | tail -n 1) || true
 c_headers=/usr/x86_64-w64-mingw32/include
 if ! command -v clang++ >/dev/null || [[ ! -d $library || ! -d $c_headers ]]; then
-    echo "skipped: clang++, a libc++ for wasm32 or the headers of MinGW-w64 are not installed (tools/dev platforms installs them)"
+    echo "skipped: clang++, a libc++ for wasm32 or the headers of MinGW-w64 are not installed (tools/dev prove installs them)"
     exit 77
 fi
 

@@ -11,7 +11,7 @@ for name in wine64 wine64-stable /usr/lib/wine/wine64 wine; do
     if command -v "$name" >/dev/null; then wine=$name && break; fi
 done
 if [[ -z $wine ]]; then
-    echo "skipped: wine64 is not installed (tools/dev platforms installs it)"
+    echo "skipped: wine64 is not installed (tools/dev prove installs it)"
     exit 77
 fi
 unset DISPLAY WAYLAND_DISPLAY WINEARCH

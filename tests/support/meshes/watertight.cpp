@@ -31,13 +31,13 @@ Mesh some_base(Random& random) {
 
 /// A turned, stretched, sheared copy: no axis of the lattice is special to it.
 void transform(Mesh& mesh, Random& random) {
-    Vec3 rows[3];
-    for (Vec3& row : rows) row = random.in_cube(1.0f);
+    Vec3 axes[3];
+    for (Vec3& row : axes) row = random.in_cube(1.0f);
     const Vec3 stretch = {some_size(random, 3), some_size(random, 3), some_size(random, 12)};  // thin along one
     for (Vec3& p : mesh.positions) {
         const Vec3 s = {p.x * stretch.x, p.y * stretch.y, p.z * stretch.z};
         const auto along = [&](const Vec3& row) { return row.x * s.x + row.y * s.y + row.z * s.z; };
-        p = {along(rows[0]), along(rows[1]), along(rows[2])};
+        p = {along(axes[0]), along(axes[1]), along(axes[2])};
     }
 }
 

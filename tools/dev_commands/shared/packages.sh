@@ -2,16 +2,15 @@
 
 build_packages=(g++ cmake ninja-build)
 tool_packages=(libassimp-dev libcli11-dev libdraco-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev)
-test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3 make pkgconf dpkg-dev file gzip
-    gcc-arm-none-eabi gltfpack)
+test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3)
 # Tests run these or compile with them; configuring and building do not need them.
-late_test_packages=(qemu-system-arm libstdc++-arm-none-eabi-newlib jq assimp-testmodels)
+late_test_packages=(jq assimp-testmodels gltfpack qemu-user g++-i686-linux-gnu g++-s390x-linux-gnu)
+package_test_packages=(make pkgconf dpkg-dev file gzip)
+firmware_packages=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm)
 python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools
     python3-wheel python3-venv python3-distributed)
 javascript_packages=(chromium node-typescript)  # the npm package is tested with them; compiling it does not need them
-machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu
-    g++-s390x-linux-gnu clang lld llvm nodejs wasi-libc)
-# Wine takes half a gigabyte: `tools/dev test` does not install it, and skips the tests that need it.
+wasm_tools=(clang lld llvm nodejs wasi-libc)
 windows_packages=(g++-mingw-w64-x86-64-posix wine64)
 
 is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null || true) == "install ok installed" ]]; }

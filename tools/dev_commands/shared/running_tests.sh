@@ -1,0 +1,57 @@
+# Running tests by ctest, and counting them.
+
+passed=0
+failed=0
+skipped=0
+
+# count_cases LOG: adds the cases of the programs of tests, and prints why some were skipped
+count_cases() {
+    local run
+    run=$(grep -aoE 'test cases: +[0-9]+ \| +[0-9]+ passed' "$1" | awk '{ all += $5 } END { print all + 0 }')
+    passed=$((passed + run))
+    skipped=$((skipped + $(grep -ac 'SKIPPED: ' "$1" || true)))
+}
+
+# run_tests FOLDER CTEST_OPTION...: shows ctest's own summary and adds to the totals
+run_tests() {
+    local folder=$1 results=$PWD/$1/results.xml log=$PWD/$1/Testing/Temporary/LastTest.log run not_run all
+    shift
+    rm -f "$results"
+    ctest --test-dir "$folder" --output-on-failure --no-tests=error --output-junit "$results" \
+        --parallel "$(nproc)" "$@" || true
+    if [[ ! -s $results ]]; then
+        failed=$((failed + 1))
+        return
+    fi
+    all=$(grep -c '<testcase ' "$results" || true)
+    run=$(grep -c '<testcase .* status="run"' "$results" || true)
+    # a test whose program is missing is reported as skipped too: only those count that skipped themselves or are disabled
+    not_run=$(grep -cE '<skipped message="SKIP_|<testcase .* status="disabled"' "$results" || true)
+    [[ $all -gt 0 ]] || failed=$((failed + 1))
+    passed=$((passed + run - $(grep -c '<testcase name="cases: .* status="run"' "$results" || true)))
+    skipped=$((skipped + not_run))
+    failed=$((failed + all - run - not_run))
+    count_cases "$log"
+}
+
+# summarise: prints the totals; fails if a test failed
+summarise() {
+    local summary="$passed passed, $failed failed"
+    [[ $skipped -eq 0 ]] || summary+=", $skipped skipped"
+    echo "$summary"
+    [[ $failed -eq 0 ]]
+}
+
+# quick_cases COMMAND...: with a twentieth of the random cases, without the slow ones that tests/scales.txt lists and without meshes
+# from files
+quick_cases() {
+    ESPALIER_TEST_SCALE=0.05 ESPALIER_MESHES=none \
+        ESPALIER_TEST_LEAVE_OUT=$(patterns_of quick | cut -d ' ' -f 2- | paste -sd ,) "$@"
+}
+
+# compile_by_ccache: where that is installed. A checkout is new each time and has another name; what did not change is compiled once.
+compile_by_ccache() {
+    command -v ccache >/dev/null || return 0
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+}
