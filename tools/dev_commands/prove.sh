@@ -161,11 +161,13 @@ run_part() {
 
 # write_line PART SECONDS RESULT: replaces the part's line of docs/proven.md
 write_line() {
-    local commit processor sets lines part line
+    local commit processor flags set sets="" lines part line
     commit=$(git describe --always --abbrev=12 --dirty=+changes)
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
-    sets=$(sed -nE '/^flags/ { s/$/ /; s/.* (sse4_2) .*/\1 &/; p; q }' /proc/cpuinfo | tr ' ' '\n' | grep -xE 'sse4_2|avx2|avx512vbmi2' | sort -u |
-        sed 's/sse4_2/SSE4.2/; s/avx2/AVX2/; s/avx512vbmi2/AVX-512/' | paste -sd , | sed 's/,/, /g')
+    flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
+    for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
+        [[ $flags != *" ${set%:*} "* ]] || sets+=${sets:+, }${set#*:}
+    done
     line="| $1 | $commit | $(nproc) × $processor | ${sets:-none} | $2 | $3 |"
     lines=$(grep -E '^\| [a-z0-9_]+ \| ' "$proven" 2>/dev/null | grep -v "^| $1 |" | grep -v '^| part ' || true)
     {
