@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns rows of espalier_bench_accuracy into the tables of docs/accuracy.md and the plots beside the rows.
+"""Turns rows of espalier_bench_accuracy into the tables and plots of docs/accuracy.md.
 
     bench/accuracy_report.py bench/results/FILE.jsonl    writes docs/accuracy.md (between its markers) and the plots
     bench/accuracy_report.py --check                     exits with 1 when those are not what the rows say
@@ -216,11 +216,11 @@ def outputs(files):
     """Everything that the rows decide: path and text."""
     rows = read_objects(files, "espalier_bench_accuracy", needed)
     meshes = group(rows)
-    results = ROOT / "bench" / "results"
+    plots = ROOT / "docs" / "images" / "benchmarks"
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions(rows, meshes, files), "lattices": lattice_tables(meshes),
                                       "rays": ray_tables(meshes), "unchanged": no_difference(meshes),
                                       "approximate": query_table(meshes)}),
-            results / "accuracy.svg": lattice_plot(meshes), results / "accuracy_approximate.svg": query_plot(meshes)}
+            plots / "accuracy.svg": lattice_plot(meshes), plots / "accuracy_approximate.svg": query_plot(meshes)}
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 """Turns rows of espalier_bench_peers --json into tables and plots.
 
     bench/report.py FILE.jsonl...          writes docs/benchmarks.md and the README (between their markers), the plots in
-                                           bench/results and docs/images/bytes_and_speed.svg, from these files
+                                           docs/images, from these files
     bench/report.py --add FILE.jsonl       the same from the files that docs/benchmarks.md names and this one, which
                                            replaces a file of the same processor and instruction set
     bench/report.py --check                fails if any of them differs from what its rows give
@@ -24,6 +24,7 @@ from report_rows import KINDS, RAYS, machine_of, read_machines  # noqa: E402
 DOCUMENT = ROOT / "docs" / "benchmarks.md"
 README = ROOT / "README.md"
 CHART = ROOT / "docs" / "images" / "bytes_and_speed.svg"
+PLOTS = ROOT / "docs" / "images" / "benchmarks"
 TIE = 0.995  # shares above round to 1.00
 BUSY = 1.5  # load average; the benchmark itself makes 1
 REFERENCES = ("default", "robust")  # Embree's modes that speeds are shown beside; rows hold ratios to the first
@@ -226,7 +227,7 @@ def outputs(files):
     result = {DOCUMENT: fill(DOCUMENT, texts), CHART: chart(machines),
               README: fill(README, {"numbers": numbers(machines) + "\n\n" + processors(machines)})}
     for name, text in plots(machines).items():
-        result[ROOT / "bench" / "results" / name] = text
+        result[PLOTS / name] = text
     return result
 
 
