@@ -12,7 +12,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 import binomial  # noqa: E402
-import report_lines  # noqa: E402
+import report_plot  # noqa: E402
 from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "accuracy.md"
@@ -169,32 +169,32 @@ def no_difference(meshes):
 
 
 def lines_of(meshes, point):
-    return [report_lines.Line(mesh.name, [point(row) for row in mesh.lattices]) for mesh in meshes]
+    return [report_plot.Line(mesh.name, [point(row) for row in mesh.lattices]) for mesh in meshes]
 
 
 def lattice_plot(meshes):
     def wrong(row):
         count, trials = row["missed"] + row["extra"], row["rays"]
         low, high = binomial.bounds(count, trials)
-        return report_lines.Point(row["bits"], count / trials * 1e6 or None, low * 1e6, high * 1e6)
+        return report_plot.Point(row["bits"], count / trials * 1e6 or None, low * 1e6, high * 1e6)
 
     def distance(row):
         low, high = (value * row["step"] / row["extent"] for value in distance_bounds(row))
-        return report_lines.Point(row["bits"], low, low, high)
+        return report_plot.Point(row["bits"], low, low, high)
 
     def normal(row):
-        return report_lines.Point(row["bits"], row["normal_degrees"][1])
+        return report_plot.Point(row["bits"], row["normal_degrees"][1])
 
     def size(row):
-        return report_lines.Point(row["bits"], row["bytes"] / row["triangles"])
+        return report_plot.Point(row["bits"], row["bytes"] / row["triangles"])
 
     bits = "bits of the lattice"
-    panels = [report_lines.Panel("missed and extra hits per million rays, 95 % bounds", lines_of(meshes, wrong), bits,
+    panels = [report_plot.Lines("missed and extra hits per million rays, 95 % bounds", lines_of(meshes, wrong), bits,
                                  floor=0.3),
-              report_lines.Panel("Hausdorff distance / largest extent", lines_of(meshes, distance), bits),
-              report_lines.Panel("normal error in degrees, 99 % quantile", lines_of(meshes, normal), bits),
-              report_lines.Panel("bytes a kept triangle, profile balanced", lines_of(meshes, size), bits, False)]
-    return report_lines.draw("Against the source mesh", panels)
+              report_plot.Lines("Hausdorff distance / largest extent", lines_of(meshes, distance), bits),
+              report_plot.Lines("normal error in degrees, 99 % quantile", lines_of(meshes, normal), bits),
+              report_plot.Lines("bytes a kept triangle, profile balanced", lines_of(meshes, size), bits, False)]
+    return report_plot.draw_line_panels("Against the source mesh", panels)
 
 
 def query_plot(meshes):
@@ -204,12 +204,12 @@ def query_plot(meshes):
         for dashed, field in ((False, "nodes"), (True, "triangles")):
             for mesh in meshes:
                 rows = [row for row in mesh.queries if row["query"] == query]
-                lines.append(report_lines.Line(mesh.name, [
-                    report_lines.Point(row["accuracy_exponent"], row[field] / max(row[f"exact_{field}"], 1e-9))
+                lines.append(report_plot.Line(mesh.name, [
+                    report_plot.Point(row["accuracy_exponent"], row[field] / max(row[f"exact_{field}"], 1e-9))
                     for row in rows], dashed))
-        panels.append(report_lines.Panel(f"{query}: work / exact (dashed: triangles)", lines,
+        panels.append(report_plot.Lines(f"{query}: work / exact (dashed: triangles)", lines,
                                          "log2 (accuracy / extent)", False))
-    return report_lines.draw("Work of the approximate queries: nodes and triangles", panels)
+    return report_plot.draw_line_panels("Work of the approximate queries: nodes and triangles", panels)
 
 
 def outputs(files):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns rows of espalier_bench_deformation into the tables of docs/moving.md.
+"""Turns rows of espalier_bench_study deformation into the tables of docs/moving.md.
 
     bench/deformation_report.py bench/results/FILE.jsonl    writes docs/moving.md (between its markers)
     bench/deformation_report.py --check                     exits with 1 when the page is not what its rows say
@@ -261,7 +261,7 @@ def boxes_table(rows):
 
 
 def outputs(files):
-    objects = read_objects(files, "espalier_bench_deformation", needed)
+    objects = read_objects(files, "espalier_bench_study deformation", needed)
     rows = Rows([{**row, "mesh": pathlib.PurePath(row["mesh"]).stem} for row in objects])
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions(rows, files), "goals": goals_table(rows), "refits": refits_table(rows) + lost_text(rows),
                                       "memory": memory_table(rows), "nodes": f"{nodes_table(rows)}\n\n{model_text(rows)}",

@@ -180,8 +180,8 @@ def plots(machines):
                     continue
                 marks = [report_plot.Mark(s.name, s.profile, s.bytes, f.median, f.low, f.high)
                          for s in mesh.systems for f in [s.figures[kind]] if f.known]
-                panels.append(report_plot.Panel(f"{name}, {mesh.triangles:,} triangles: {machine.name}", marks))
-        result[f"{kind}.svg"] = report_plot.draw(f"{title}: speed and bytes a triangle", panels)
+                panels.append(report_plot.Marks(f"{name}, {mesh.triangles:,} triangles: {machine.name}", marks))
+        result[f"{kind}.svg"] = report_plot.draw_mark_panels(f"{title}: speed and bytes a triangle", panels)
     return result
 
 

@@ -6,7 +6,7 @@ A bar spans the slowest and the fastest mesh of a system; a dot on it is one mes
 import dataclasses
 import math
 
-from report_picture import Layout, text
+import charts
 
 
 @dataclasses.dataclass
@@ -33,7 +33,7 @@ class Style:
 
 WIDTH, HEIGHT = 430, 320  # of a panel
 LEFT, RIGHT, TOP, BOTTOM = 48, 22, 34, 48
-LAYOUT = Layout(WIDTH, HEIGHT, header=54, font=12, corner=8)
+LAYOUT = charts.Layout(WIDTH, HEIGHT, header=54, font=12, corner=8)
 LOW, HIGH = 3.0, 128.0  # bytes per triangle
 OWN, EMBREE, BULLET, ODE = "#D55E00", "#0072B2", "#007A59", "#8A5A83"
 # Systems in the chart; others would repeat these or have no query for rays.
@@ -92,20 +92,20 @@ def coloured(colour, weight="normal"):
 
 def draw_axes(panel, scale):
     bottom = HEIGHT - BOTTOM
-    parts = [text(LEFT, TOP - 12, panel.title, extra=' font-weight="bold"')]
+    parts = [charts.text(LEFT, TOP - 12, panel.title, extra=' font-weight="bold"')]
     for value in (4, 8, 16, 32, 64, 128):
         x = scale.x(value)
         parts.append(f'<line x1="{x:.1f}" y1="{bottom}" x2="{x:.1f}" y2="{bottom + 4}" stroke="#888"/>')
-        parts.append(text(x, bottom + 18, str(value), "middle", coloured(GREY)))
+        parts.append(charts.text(x, bottom + 18, str(value), "middle", coloured(GREY)))
     for i in range(int(scale.top / 0.5) + 1):
         y = scale.y(0.5 * i)
         dash = ' stroke-dasharray="4 3"' if i == 2 else ""
         parts.append(f'<line x1="{LEFT}" y1="{y:.1f}" x2="{WIDTH - RIGHT}" y2="{y:.1f}" '
                      f'stroke="{"#888" if i in (0, 2) else "#ddd"}"{dash}/>')
-        parts.append(text(LEFT - 7, y + 4, f"{0.5 * i:.1f}", "end", coloured(GREY)))
-    parts.append(text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "bytes per triangle, vertices included", "middle"))
+        parts.append(charts.text(LEFT - 7, y + 4, f"{0.5 * i:.1f}", "end", coloured(GREY)))
+    parts.append(charts.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "bytes per triangle, vertices included", "middle"))
     middle = (TOP + bottom) / 2
-    parts.append(text(14, middle, "rays per second, Embree default = 1", "middle",
+    parts.append(charts.text(14, middle, "rays per second, Embree default = 1", "middle",
                       f' transform="rotate(-90 14 {middle:.1f})"'))
     return parts
 
@@ -127,7 +127,7 @@ def draw_label(bar):
     x, y, anchor = {"below": (bar.x, bar.low + 19, "middle"), "below left": (bar.x + 5, bar.low + 19, "end"),
                     "further below": (bar.x, bar.low + 39, "middle"), "above": (bar.x, bar.high - 10, "middle"),
                     "left": (bar.x - 9, middle, "end"), "right": (bar.x + 9, middle, "start")}[style.side]
-    parts = [text(x, y, style.label, anchor, coloured(style.colour))]
+    parts = [charts.text(x, y, style.label, anchor, coloured(style.colour))]
     if style.side == "further below":
         parts.append(f'<line x1="{bar.x:.1f}" y1="{bar.low + 8:.1f}" x2="{bar.x:.1f}" y2="{y - 12:.1f}" '
                      f'stroke="{style.colour}" stroke-width="0.8"/>')
@@ -142,7 +142,7 @@ def draw_headings(bars):
             x = sum(bar.x for bar in own) / len(own)
             above = any(STYLES[bar.key].side == "above" for bar in own)
             y = min(bar.high for bar in own) - (26 if above else 12)
-            parts.append(text(x, y, heading, "middle", coloured(STYLES[own[0].key].colour, "bold")))
+            parts.append(charts.text(x, y, heading, "middle", coloured(STYLES[own[0].key].colour, "bold")))
     return parts
 
 
@@ -151,7 +151,7 @@ def draw_meshes(bar, scale):
     parts, free = [], 0.0
     for mark in sorted(bar.marks, key=lambda mark: -mark.ratio):
         y = max(scale.y(mark.ratio) + 4, free)
-        parts.append(text(bar.x + 10, y, mark.mesh, extra=coloured(GREY)))
+        parts.append(charts.text(bar.x + 10, y, mark.mesh, extra=coloured(GREY)))
         free = y + 13
     return parts
 
@@ -173,6 +173,6 @@ def draw_panel(panel, scale):
 def draw(panels):
     scale = Scale(panels)
     # Two lines: one panel is no wider.
-    header = [text(LEFT, 24, "Closest hits, one ray at a time", extra=' font-size="14" font-weight="bold"'),
-              text(LEFT, 44, "Left is smaller, up is faster; each dot is one mesh.")]
+    header = [charts.text(LEFT, 24, "Closest hits, one ray at a time", extra=' font-size="14" font-weight="bold"'),
+              charts.text(LEFT, 44, "Left is smaller, up is faster; each dot is one mesh.")]
     return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, scale))

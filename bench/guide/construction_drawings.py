@@ -1,8 +1,7 @@
 """Draws what builders do with the rectangles of planar_trees: the splits of top-down rules, and the steps of AAC."""
 
-import palette
+import charts
 import planar_trees
-from report_picture import Layout, text
 
 WIDTH, HEIGHT = 430, 372  # of a panel
 LEFT, TOP, SCALE = 62, 44, 4.8
@@ -27,19 +26,19 @@ def objects(boxes, colours=None, numbers=None):
     """The rectangles themselves, with a number in each where there are some."""
     parts = []
     for i, box in enumerate(boxes):
-        colour = colours[i] if colours else palette.INK
+        colour = colours[i] if colours else charts.INK
         x, y = place(box.low[0], box.high[1])
         w, h = (SCALE * (box.high[k] - box.low[k]) for k in (0, 1))
         parts.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}" fill="{colour}" fill-opacity="0.45"/>')
         if numbers:
-            parts.append(text(x + w / 2, y + h / 2 + 4, str(numbers[i]), "middle"))
+            parts.append(charts.text(x + w / 2, y + h / 2 + 4, str(numbers[i]), "middle"))
     return parts
 
 
 def heading(title, note):
     """Two lines above a panel's square."""
-    return [text(LEFT, 18, title, extra=' font-weight="bold"'), text(LEFT, 34, note, extra=f' fill="{palette.GREY}"'),
-            rectangle(planar_trees.Box((0, 0), (planar_trees.SIDE, planar_trees.SIDE)), palette.RULE, 1.0)]
+    return [charts.text(LEFT, 18, title, extra=' font-weight="bold"'), charts.text(LEFT, 34, note, extra=f' fill="{charts.GREY}"'),
+            rectangle(planar_trees.Box((0, 0), (planar_trees.SIDE, planar_trees.SIDE)), charts.RULE, 1.0)]
 
 
 # ---- top-down ----------------------------------------------------------------------------------------------------------
@@ -53,7 +52,7 @@ def tree_boxes(root):
     """The boxes of the levels below the root, the lowest first."""
     levels, nodes = [], list(root.children)
     for depth, width in enumerate(LEVELS):
-        levels.append([rectangle(node.box, palette.colour(depth), width, palette.colour(depth) if depth == 0 else None,
+        levels.append([rectangle(node.box, charts.colour(depth), width, charts.colour(depth) if depth == 0 else None,
                                  margin=0.9 - 0.35 * depth) for node in nodes if node.children])
         nodes = [child for node in nodes for child in node.children]
     return [part for level in reversed(levels) for part in level]
@@ -67,13 +66,13 @@ def draw_top_down():
         root = build(boxes)
         return [*heading(title, SAH_NOTE.format(planar_trees.sah_cost(root))), *tree_boxes(root), *objects(boxes)]
 
-    header = [text(12, 22, f"The same {len(boxes)} rectangles, split by four rules", extra=' font-size="15" font-weight="bold"')]
+    header = [charts.title(f"The same {len(boxes)} rectangles, split by four rules")]
     x = 12
     for depth, name in enumerate(("children of the root", "grandchildren", "third level")):
-        header += [f'<line x1="{x}" y1="40" x2="{x + 22}" y2="40" stroke="{palette.colour(depth)}" stroke-width="{LEVELS[depth]}"/>',
-                   text(x + 28, 44, name)]
+        header += [f'<line x1="{x}" y1="40" x2="{x + 22}" y2="40" stroke="{charts.colour(depth)}" stroke-width="{LEVELS[depth]}"/>',
+                   charts.text(x + 28, 44, name)]
         x += 50 + int(6.2 * len(name))
-    return Layout(WIDTH, HEIGHT, header=56, font=11).draw(header, RULES, panel)
+    return charts.Layout(WIDTH, HEIGHT, header=56, font=11).draw(header, RULES, panel)
 
 
 # ---- approximate agglomerative clustering ------------------------------------------------------------------------------
@@ -84,7 +83,7 @@ PHASES = ("#444444", "#0072B2", "#D55E00")  # joints of a lowest part, in betwee
 
 def joint_label(order, x, y, colour):
     return [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="7" fill="#fff" stroke="{colour}"/>',
-            text(x, y + 3.5, str(order), "middle", f' fill="{colour}" font-size="9.5"')]
+            charts.text(x, y + 3.5, str(order), "middle", f' fill="{colour}" font-size="9.5"')]
 
 
 class Aac:
@@ -96,7 +95,7 @@ class Aac:
         self.lowest = [part for part in self.parts if not part.children]
         self.between = [part for part in self.parts if part.children and part is not self.clustering.top]
         self.group_of = {number: i for i, part in enumerate(self.lowest) for number in part.numbers}
-        self.colours = [palette.colour(self.group_of[i]) for i in range(len(self.boxes))]
+        self.colours = [charts.colour(self.group_of[i]) for i in range(len(self.boxes))]
 
     def numbers(self):
         return [self.place_on_curve[i] for i in range(len(self.boxes))]
@@ -104,13 +103,13 @@ class Aac:
     def curve(self):
         centers = [place(*(self.boxes[i].center(k) / 2 for k in (0, 1))) for i in self.clustering.curve]
         line = " ".join(f"{x:.1f},{y:.1f}" for x, y in centers)
-        return f'<polyline points="{line}" fill="none" stroke="{palette.GREY}" stroke-width="1.2" stroke-dasharray="4 3"/>'
+        return f'<polyline points="{line}" fill="none" stroke="{charts.GREY}" stroke-width="1.2" stroke-dasharray="4 3"/>'
 
     def groups(self):
         parts = []
         for i, part in enumerate(self.lowest):
             box = planar_trees.bounds([self.boxes[number] for number in part.numbers])
-            parts.append(rectangle(box, palette.colour(i), 1.0, palette.colour(i), dash="3 2", margin=0.8))
+            parts.append(rectangle(box, charts.colour(i), 1.0, charts.colour(i), dash="3 2", margin=0.8))
         return parts
 
     def joints(self, parts, colour):
@@ -127,7 +126,7 @@ class Aac:
 
     def given(self, parts):
         """The clusters that the parts start with, where these are more than one rectangle."""
-        return [rectangle(node.box, palette.GREY, 1.2, margin=0.4) for part in parts for node in part.given if node.children]
+        return [rectangle(node.box, charts.GREY, 1.2, margin=0.4) for part in parts for node in part.given if node.children]
 
     def phase(self, order):
         """Which of PHASES a joint belongs to."""
@@ -152,8 +151,8 @@ def draw_tree(aac):
     def draw(node):
         if not node.children:
             x = across[node.number]
-            parts.append(f'<line x1="{x:.1f}" y1="{bottom:.1f}" x2="{x:.1f}" y2="{bottom + 12:.1f}" stroke="{palette.GREY}"/>')
-            parts.append(text(x, bottom + 24, str(aac.place_on_curve[node.number]), "middle",
+            parts.append(f'<line x1="{x:.1f}" y1="{bottom:.1f}" x2="{x:.1f}" y2="{bottom + 12:.1f}" stroke="{charts.GREY}"/>')
+            parts.append(charts.text(x, bottom + 24, str(aac.place_on_curve[node.number]), "middle",
                               f' fill="{aac.colours[node.number]}" font-weight="bold" font-size="9.5"'))
             return x, bottom
         ends = [draw(child) for child in node.children]
@@ -195,5 +194,5 @@ def draw_aac():
         title, note, draw = step
         return [*heading(title, note), *draw()]
 
-    header = [text(12, 22, f"Approximate agglomerative clustering of {len(aac.boxes)} rectangles", extra=' font-size="15" font-weight="bold"')]
-    return Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, steps, panel)
+    header = [charts.title(f"Approximate agglomerative clustering of {len(aac.boxes)} rectangles")]
+    return charts.Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, steps, panel)

@@ -1,7 +1,7 @@
 """Draws Terdiman's ladder: the nodes that each step keeps over the same eight triangles, and the bytes of one node."""
 
-import palette
-from report_picture import Layout, text
+import charts
+
 
 WIDTH, HEIGHT = 430, 232  # of a panel
 LEFT, TOP, LEVEL = 14, 58, 30
@@ -9,7 +9,7 @@ ROOM = WIDTH - 2 * LEFT
 TRIANGLES = 8
 WIDE = 1.15  # pixels of a byte of a node in the tree
 BYTE = 6.0  # pixels of a byte of the node below it
-BOX, LINK, DROPPED, TRIANGLE = palette.COLOURS[0], palette.COLOURS[1], palette.GREY, palette.COLOURS[2]
+BOX, LINK, DROPPED, TRIANGLE = charts.COLOURS[0], charts.COLOURS[1], charts.GREY, charts.COLOURS[2]
 
 
 def middle(first, count):
@@ -31,7 +31,7 @@ def triangle_mark(x, y):
     return f'<polygon points="{x - 5:.1f},{y + 8:.1f} {x + 5:.1f},{y + 8:.1f} {x:.1f},{y - 1:.1f}" fill="{TRIANGLE}"/>'
 
 
-def line(x1, y1, x2, y2, colour=palette.INK, dash=""):
+def line(x1, y1, x2, y2, colour=charts.INK, dash=""):
     dashes = f' stroke-dasharray="{dash}"' if dash else ""
     return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}"{dashes}/>'
 
@@ -55,7 +55,7 @@ def draw_leaf(step, first, count, x, y, parts):
     bottom = TOP + 3 * LEVEL + 19
     for i in range(count):
         at = middle(first + i, 1)
-        parts += [line(x, y + 11, at, bottom, palette.GREY), triangle_mark(at, bottom)]
+        parts += [line(x, y + 11, at, bottom, charts.GREY), triangle_mark(at, bottom)]
 
 
 def draw_subtree(step, first, count, y, parts):
@@ -69,7 +69,7 @@ def draw_subtree(step, first, count, y, parts):
     for i in range(children):
         share = count // children
         child = middle(first + i * share, share)
-        parts.append(line(x, y + 11, child, below, palette.GREY))
+        parts.append(line(x, y + 11, child, below, charts.GREY))
         draw_subtree(step, first + i * share, share, below, parts)
     parts += node_mark(step, x, y)
 
@@ -82,7 +82,7 @@ def draw_fields(step):
         parts.append(f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="15" fill="{colour}" fill-opacity="0.75" stroke="#fff"/>')
         words = f"{name}: {size}"
         at = max(x, free)
-        parts.append(text(at, y + 27, words, extra=f' font-size="9.5" fill="{colour}"'))
+        parts.append(charts.text(at, y + 27, words, extra=f' font-size="9.5" fill="{colour}"'))
         free = at + 5.6 * len(words) + 8
         x += width
     return parts
@@ -94,8 +94,8 @@ def draw_panel(step):
     draw_subtree(step, 0, TRIANGLES, TOP, parts)
     word = "node" if step.nodes == 1 else "nodes"
     size = f"{step.nodes} {word} of {step.node_bytes} bytes: {step.nodes * step.node_bytes} bytes"
-    return [text(LEFT, 18, step.title, extra=' font-weight="bold"'), text(WIDTH - LEFT, 18, size, "end"),
-            text(LEFT, 34, step.note, extra=f' fill="{palette.GREY}"'), *parts, *draw_fields(step)]
+    return [charts.text(LEFT, 18, step.title, extra=' font-weight="bold"'), charts.text(WIDTH - LEFT, 18, size, "end"),
+            charts.text(LEFT, 34, step.note, extra=f' fill="{charts.GREY}"'), *parts, *draw_fields(step)]
 
 
 def draw():
@@ -107,7 +107,7 @@ def draw():
         Step("4. Quantised", "step 3 with boxes on a grid over the whole mesh", (quantised, two), 1, False),
         Step("5. Quantised, several a leaf", "steps 2, 3 and 4 at once", (quantised, two), 2, False),
         Step("7. Espalier, profile small", "boxes of 8 children on a grid of the node's own; siblings are neighbours",
-             (("grid", 8, palette.COLOURS[4]), ("links", 8, LINK), ("8 boxes of 6 bytes", 48, BOX)), 2, False, degree=8),
+             (("grid", 8, charts.COLOURS[4]), ("links", 8, LINK), ("8 boxes of 6 bytes", 48, BOX)), 2, False, degree=8),
     ]
-    header = [text(12, 22, "The same eight triangles, step by step: nodes and their bytes", extra=' font-size="15" font-weight="bold"')]
-    return Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, steps, draw_panel)
+    header = [charts.title("The same eight triangles, step by step: nodes and their bytes")]
+    return charts.Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, steps, draw_panel)

@@ -4,8 +4,8 @@ import dataclasses
 import math
 import textwrap
 
-import palette
-from report_picture import Layout, text
+import charts
+
 
 # Corners of the scene's triangles, in units of the drawing; up is up.
 TRIANGLES = (
@@ -165,9 +165,9 @@ class Walk:
 WIDTH, HEIGHT, SCALE, LEFT, TOP = 430, 290, 9.9, 16, 26
 CAPTION, LINE = 242, 15  # where the words begin, and from line to line
 LETTERS = 72  # in a line
-FATES = {"visited": palette.COLOURS[0], "entered": palette.COLOURS[0], "waiting": palette.COLOURS[4], "skipped": palette.COLOURS[1], "missed": "#aaa"}
+FATES = {"visited": charts.COLOURS[0], "entered": charts.COLOURS[0], "waiting": charts.COLOURS[4], "skipped": charts.COLOURS[1], "missed": "#aaa"}
 WORDS = {"visited": "entered, with its number in order of visits", "waiting": "waits on the stack", "skipped": "skipped: begins behind the hit", "missed": "missed by the ray"}
-HIT = palette.COLOURS[2]
+HIT = charts.COLOURS[2]
 
 
 def place(point):
@@ -192,13 +192,13 @@ def draw_box(node, fate, is_current):
 def draw_ray(ray, hit):
     end = hit[0] if hit else min((40.6 - ray.origin[0]) / ray.direction[0], 60.0)
     (x0, y0), (x1, y1) = place(ray.origin), place(ray.at(end))
-    parts = [f'<line x1="{x0:.1f}" y1="{y0:.1f}" x2="{x1:.1f}" y2="{y1:.1f}" stroke="{palette.INK}" stroke-width="1.8"/>',
-             f'<circle cx="{x0:.1f}" cy="{y0:.1f}" r="3.5" fill="{palette.INK}"/>']
+    parts = [f'<line x1="{x0:.1f}" y1="{y0:.1f}" x2="{x1:.1f}" y2="{y1:.1f}" stroke="{charts.INK}" stroke-width="1.8"/>',
+             f'<circle cx="{x0:.1f}" cy="{y0:.1f}" r="3.5" fill="{charts.INK}"/>']
     if hit:
         return [*parts, f'<circle cx="{x1:.1f}" cy="{y1:.1f}" r="5" fill="none" stroke="{HIT}" stroke-width="2.4"/>']
     dx, dy = ray.direction[0], -ray.direction[1]
     tip = [(x1, y1), (x1 - 9 * dx + 4 * dy, y1 - 9 * dy - 4 * dx), (x1 - 9 * dx - 4 * dy, y1 - 9 * dy + 4 * dx)]
-    return [*parts, f'<polygon points="{" ".join(f"{x:.1f},{y:.1f}" for x, y in tip)}" fill="{palette.INK}"/>']
+    return [*parts, f'<polygon points="{" ".join(f"{x:.1f},{y:.1f}" for x, y in tip)}" fill="{charts.INK}"/>']
 
 
 def draw_triangle(number, step):
@@ -211,15 +211,15 @@ def draw_triangle(number, step):
 def tag(x, y, words, colour):
     width = 6 + 6.5 * len(words)
     return [f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="14" rx="3" fill="{colour}"/>',
-            text(x + width / 2, y + 11, words, "middle", ' fill="#fff" font-weight="bold"')]
+            charts.text(x + width / 2, y + 11, words, "middle", ' fill="#fff" font-weight="bold"')]
 
 
 def caption(lines):
-    return [text(LEFT, CAPTION + LINE * i, line) for i, line in enumerate(lines)]
+    return [charts.text(LEFT, CAPTION + LINE * i, line) for i, line in enumerate(lines)]
 
 
 def draw_step(walk, number, step):
-    parts = [text(LEFT, 15, f"Step {number}", extra=' font-weight="bold"')]
+    parts = [charts.text(LEFT, 15, f"Step {number}", extra=' font-weight="bold"')]
     parts += [draw_triangle(i, step) for i in range(len(TRIANGLES))]
     shown = [(node, fate) for node, fate in step.fates.items() if fate in FATES]
     for node, fate in shown:
@@ -249,7 +249,7 @@ def draw_tree(walk):
         return places
 
     places = lay(walk.root, 0, {})
-    parts = [text(LEFT, 15, "The tree, when the walk is over", extra=' font-weight="bold"')]
+    parts = [charts.text(LEFT, 15, "The tree, when the walk is over", extra=' font-weight="bold"')]
     parts += [f'<line x1="{places[n][0]:.1f}" y1="{places[n][1]:.1f}" x2="{places[c][0]:.1f}" y2="{places[c][1]:.1f}" stroke="#bbb"/>'
               for n in places for c in n.children]
     for node, (x, y) in places.items():
@@ -257,7 +257,7 @@ def draw_tree(walk):
         colour = HIT if is_hit else FATES.get(node.fate, "#e4e4e4")
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="11" fill="{colour}"/>')
         if node.number is not None:
-            parts.append(text(x, y + 4, str(node.number), "middle", ' fill="#fff" font-weight="bold"'))
+            parts.append(charts.text(x, y + 4, str(node.number), "middle", ' fill="#fff" font-weight="bold"'))
     return parts + caption([
         "Nothing waits any more: the green triangle is the closest hit.",
         f"Tested: {walk.box_tests} of {len(places)} boxes, {walk.triangle_tests} of {len(TRIANGLES)} triangles.",
@@ -267,10 +267,10 @@ def draw_tree(walk):
 def draw():
     """The picture, as text."""
     walk = Walk(build(tuple(range(len(TRIANGLES)))), Ray(ORIGIN, TARGET))
-    header, x = [text(12, 22, "How a ray finds its triangle", extra=' font-size="15" font-weight="bold"')], 12
+    header, x = [charts.title("How a ray finds its triangle")], 12
     for fate, words in WORDS.items():
-        header += [f'<rect x="{x}" y="34" width="11" height="11" fill="{FATES[fate]}"/>', text(x + 16, 44, words)]
+        header += [f'<rect x="{x}" y="34" width="11" height="11" fill="{FATES[fate]}"/>', charts.text(x + 16, 44, words)]
         x += 40 + 6 * len(words)
     panels = [*enumerate(walk.steps, 1), None]
-    return Layout(WIDTH, HEIGHT, header=56, font=11).draw(
+    return charts.Layout(WIDTH, HEIGHT, header=56, font=11).draw(
         header, panels, lambda panel: draw_tree(walk) if panel is None else draw_step(walk, *panel))

@@ -1,7 +1,7 @@
 """Draws the same triangles of a plane in a uniform grid, in a k-d tree and in a hierarchy of boxes, as SVG."""
 
-import palette
-from report_picture import text
+import charts
+
 
 WIDTH, SIDE, TOP, GAP, LEFT = 880, 250, 62, 40, 20
 TRIANGLES = (
@@ -87,7 +87,7 @@ def boxes(numbers, depth=0):
 
 def polygon(points, left):
     shown = " ".join(f"{left + x * SIDE / 100:.1f},{TOP + y * SIDE / 100:.1f}" for x, y in points)
-    return f'<polygon points="{shown}" fill="{palette.colour(5)}" fill-opacity="0.55" stroke="{palette.INK}" stroke-width="0.8"/>'
+    return f'<polygon points="{shown}" fill="{charts.colour(5)}" fill-opacity="0.55" stroke="{charts.INK}" stroke-width="0.8"/>'
 
 
 def rectangle(box, left, style):
@@ -97,21 +97,21 @@ def rectangle(box, left, style):
 
 def panel(number, title, rectangles, words, is_space):
     left = LEFT + number * (SIDE + GAP)
-    parts = [text(left, TOP - 10, title, extra=' font-weight="bold"')]
+    parts = [charts.text(left, TOP - 10, title, extra=' font-weight="bold"')]
     for box, depth in rectangles:
         if is_space:
             found = len(inside(box))
             shade = ("none", "#f3f0e8", "#e9dfc4", "#dcc890", "#cfae5a")[min(found, 4)]
-            parts.append(rectangle(box, left, f'fill="{shade}" stroke="{palette.colour(1)}" stroke-width="1"'))
+            parts.append(rectangle(box, left, f'fill="{shade}" stroke="{charts.colour(1)}" stroke-width="1"'))
         else:
-            parts.append(rectangle(box, left, f'fill="none" stroke="{palette.colour(2)}" stroke-width="{max(2.4 - 0.5 * depth, 0.8):.1f}"'))
+            parts.append(rectangle(box, left, f'fill="none" stroke="{charts.colour(2)}" stroke-width="{max(2.4 - 0.5 * depth, 0.8):.1f}"'))
     parts += [polygon(triangle, left) for triangle in TRIANGLES]
     if is_space:
         for box, _ in rectangles:
             found = len(inside(box))
             if found:
-                parts.append(text(left + (box[0] + 1.5) * SIDE / 100, TOP + (box[1] + 5.5) * SIDE / 100, str(found), extra=f' font-size="10" fill="{palette.colour(1)}"'))
-    parts.append(text(left, TOP + SIDE + 18, words))
+                parts.append(charts.text(left + (box[0] + 1.5) * SIDE / 100, TOP + (box[1] + 5.5) * SIDE / 100, str(found), extra=f' font-size="10" fill="{charts.colour(1)}"'))
+    parts.append(charts.text(left, TOP + SIDE + 18, words))
     return parts
 
 
@@ -119,8 +119,8 @@ def draw():
     cells, leaves, nodes = grid(), kd_cells(), boxes(list(range(len(TRIANGLES))))
     height = TOP + SIDE + 32
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}" '
-             f'font-family="sans-serif" font-size="11" fill="{palette.INK}">', f'<rect width="{WIDTH}" height="{height}" fill="white"/>',
-             text(LEFT, 24, f"{len(TRIANGLES)} triangles in cells, with their number in each cell, and in boxes", extra=' font-size="15" font-weight="bold"')]
+             f'font-family="sans-serif" font-size="11" fill="{charts.INK}">', f'<rect width="{WIDTH}" height="{height}" fill="white"/>',
+             charts.title(f"{len(TRIANGLES)} triangles in cells, with their number in each cell, and in boxes", LEFT, 24)]
 
     def references(of):
         return sum(len(inside(box)) for box, _ in of)

@@ -1,9 +1,8 @@
-"""What the sections on memory and on the degree of trees share: cells and panels of the rows of espalier_bench_ladder."""
+"""What the sections on memory and on the degree of trees share: cells and panels of the rows of espalier_bench_study ladder."""
 
 import math
 
-import bars
-import palette
+import charts
 from report_page import fail
 
 FIELDS = ("tree", "degree", "leaf_triangles", "nodes", "node_bytes", "bytes_per_triangle", "all_bytes_per_triangle", "rays", "nodes_per_ray",
@@ -13,12 +12,12 @@ FIELDS = ("tree", "degree", "leaf_triangles", "nodes", "node_bytes", "bytes_per_
 
 
 def cell(row, query):
-    work = "; ".join(palette.number(row[f"{field}_per_{query}"]) for field in ("nodes", "box_tests", "triangle_tests"))
+    work = "; ".join(charts.number(row[f"{field}_per_{query}"]) for field in ("nodes", "box_tests", "triangle_tests"))
     return f"{work}; {time(row[f'ns_per_{query}'])}"
 
 
 def time(ns):
-    return f"{palette.number(ns / 1000)} µs" if ns >= 1000 else f"{palette.number(ns)} ns"
+    return f"{charts.number(ns / 1000)} µs" if ns >= 1000 else f"{charts.number(ns)} ns"
 
 
 def ray_cell(row):
@@ -53,11 +52,11 @@ def mean(values):
 
 
 def bar(label, name, values):
-    return bars.Bar(label, mean(values), min(values), max(values), group=1 if name.startswith("espalier") else 0)
+    return charts.Bar(label, mean(values), min(values), max(values), group=1 if name.startswith("espalier") else 0)
 
 
 def value_panel(rows, measures, title, field, trees):
-    return bars.Panel(title, [bar(label, name, [row[field] for row in rows.of(measures, tree=name)]) for name, _, label in trees])
+    return charts.Bars(title, [bar(label, name, [row[field] for row in rows.of(measures, tree=name)]) for name, _, label in trees])
 
 
 def ratio_panel(rows, measures, title, field, trees, reference):
@@ -65,4 +64,4 @@ def ratio_panel(rows, measures, title, field, trees, reference):
     def ratios(name):
         return [rows.one(measures, mesh=mesh, tree=name)[field] / rows.one(measures, mesh=mesh, tree=reference)[field]
                 for mesh in rows.meshes(measures)]
-    return bars.Panel(title, [bar(label, name, ratios(name)) for name, _, label in trees])
+    return charts.Bars(title, [bar(label, name, ratios(name)) for name, _, label in trees])

@@ -3,8 +3,8 @@
 import itertools
 import math
 
-import palette
-from report_picture import Layout, text
+import charts
+
 
 WIDTH, HEIGHT = 430, 312  # of a panel
 SCALE, LEFT, BASE = 19.0, 42, 262  # pixels of a unit, and where the origin is
@@ -104,10 +104,10 @@ def intervals(volumes, direction, offset):
 
     ranges = [interval(volume, direction) for volume in volumes]
     low, high = min(r[0] for r in ranges) - 0.6, max(r[1] for r in ranges) + 0.6
-    parts = [line(point(low), point(high), palette.GREY, 0.8)]
+    parts = [line(point(low), point(high), charts.GREY, 0.8)]
     for i, (begin, end) in enumerate(ranges):
         beside = 0.14 if i == 0 else -0.14
-        parts.append(line(point(begin, beside), point(end, beside), palette.colour(i), 4.0))
+        parts.append(line(point(begin, beside), point(end, beside), charts.colour(i), 4.0))
     return parts
 
 
@@ -115,15 +115,15 @@ def draw_spheres():
     parts, circles = [], [circle(shape) for shape in SHAPES]
     for i, (center, radius) in enumerate(circles):
         x, y = place(center)
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{SCALE * radius:.1f}" fill="{palette.colour(i)}" fill-opacity="0.1" '
-                     f'stroke="{palette.colour(i)}" stroke-width="1.5"/>')
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{palette.colour(i)}"/>')
-    return [*parts, line(circles[0][0], circles[1][0], palette.INK, 1.2, "3 2")]
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{SCALE * radius:.1f}" fill="{charts.colour(i)}" fill-opacity="0.1" '
+                     f'stroke="{charts.colour(i)}" stroke-width="1.5"/>')
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{charts.colour(i)}"/>')
+    return [*parts, line(circles[0][0], circles[1][0], charts.INK, 1.2, "3 2")]
 
 
 def draw_slabs(directions_of, tested):
     volumes = [slabs(shape, directions_of(shape)) for shape in SHAPES]
-    parts = [polygon_of(volume, palette.colour(i), 0.1) for i, volume in enumerate(volumes)]
+    parts = [polygon_of(volume, charts.colour(i), 0.1) for i, volume in enumerate(volumes)]
     for direction, offset in tested:
         parts += intervals(volumes, direction, offset)
     return parts
@@ -150,11 +150,11 @@ PANELS = (
 
 def draw_panel(panel):
     title, question, volumes = panel
-    shapes = [polygon_of(shape, palette.colour(i), 0.5, 1.0) for i, shape in enumerate(SHAPES)]
-    return [text(14, 18, title, extra=' font-weight="bold"'), text(14, 34, question, extra=f' fill="{palette.GREY}"'),
+    shapes = [polygon_of(shape, charts.colour(i), 0.5, 1.0) for i, shape in enumerate(SHAPES)]
+    return [charts.text(14, 18, title, extra=' font-weight="bold"'), charts.text(14, 34, question, extra=f' fill="{charts.GREY}"'),
             *volumes(), *shapes]
 
 
 def draw():
-    header = [text(14, 24, "The same two shapes in volumes of four kinds", extra=' font-size="15" font-weight="bold"')]
-    return Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, PANELS, draw_panel)
+    header = [charts.title("The same two shapes in volumes of four kinds", 14, 24)]
+    return charts.Layout(WIDTH, HEIGHT, header=36, font=11).draw(header, PANELS, draw_panel)

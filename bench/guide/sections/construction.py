@@ -2,11 +2,9 @@
 
 import math
 
+import charts
 import construction_drawings
-import palette
-import scatter
 from report_page import fail, table
-from report_picture import Layout, shape, text
 
 ROWS = {"builders": ("family", "builder", "reinserted", "build_ms", "reinsertion_ms", "references", "height", "sah_cost", "volumes",
                      "bytes_per_triangle", "rays", "nodes_per_ray", "leaves_per_ray", "triangles_per_ray", "ns_per_ray", "poses",
@@ -87,7 +85,7 @@ def baseline_text(comparison):
                    "1.00 is binned SAH with 32 bins as it is built:")
     for mesh in comparison.meshes:
         row = comparison.row(mesh, BASELINE)
-        lines.append([f"{mesh}, {row['triangles']:,} triangles", f"{palette.number(row['build_ms'])} ms", f"{row['sah_cost']:.1f}",
+        lines.append([f"{mesh}, {row['triangles']:,} triangles", f"{charts.number(row['build_ms'])} ms", f"{row['sah_cost']:.1f}",
                       f"{row['volumes']:.2f}", f"{row['bytes_per_triangle']:.1f} a triangle", f"{row['nodes_per_ray']:.2f}",
                       f"{row['ns_per_ray']:.0f} ns", f"{row['ns_per_pose'] / 1000:.2f} µs"])
     header = ["mesh", "time to build", "SAH cost", "sum of volumes", "bytes", "nodes a ray", "time of a ray", "time of a pair"]
@@ -121,50 +119,35 @@ def full_table(comparison):
 
 # ---- figure ------------------------------------------------------------------------------------------------------------
 
-class RatioAxis(scatter.Axis):
-    """Linear, from just below the least ratio."""
-
-    def __init__(self, ratios, begin, end):
-        super().__init__(ratios, False, begin, end)
-        self.low, self.high = min(ratios) - 0.06, max(ratios) + 0.06
-
-    def ticks(self):
-        return [i / 10 for i in range(math.ceil(10 * self.low), math.floor(10 * self.high) + 1)]
-
-
 def ratio_panel(comparison, reinserted):
-    points = [scatter.Point(label, comparison.ratio(name, reinserted, "build_ms"), comparison.ratio(name, reinserted, "ns_per_ray"),
+    points = [charts.Point(label, comparison.ratio(name, reinserted, "build_ms"), comparison.ratio(name, reinserted, "ns_per_ray"),
                             FAMILIES.index(comparison.row(comparison.meshes[0], name)["family"])) for name, label, _ in BUILDERS if label]
     title = "After reinsertion, whose time is included" if reinserted else "As built"
-    return scatter.Panel(title, points, "time to build, relative (logarithmic)", "time of a ray, relative")
+    return charts.Points(title, points, "time to build, relative (logarithmic)", "time of a ray, relative")
 
 
 def draw_ratios(comparison):
     panels = [ratio_panel(comparison, reinserted) for reinserted in (False, True)]
     every = [point for panel in panels for point in panel.points]  # both panels have the same axes
-    across = scatter.Axis([point.x for point in every], True, scatter.LEFT, scatter.WIDTH - scatter.RIGHT)
-    up = RatioAxis([point.y for point in every], scatter.HEIGHT - scatter.BOTTOM, scatter.TOP)
+    across, up = charts.axes_of(every)
+    ratios = [point.y for point in every]  # linear, from just below the least
+    up = charts.Axis(min(ratios) - 0.06, max(ratios) + 0.06, up.begin, up.end, False)
+    up_ticks = [(up.at(i / 10), f"{i / 10:.4g}") for i in range(math.ceil(10 * up.low), math.floor(10 * up.high) + 1)]
 
     def draw_panel(panel):
-        parts = scatter.draw_axes(panel, across, up)
+        parts = charts.FRAME.draw(panel.title, panel.across, panel.up, charts.ticks_of(across), up_ticks)
         places = [(across.at(point.x), up.at(point.y)) for point in panel.points]
         taken = [(x - 5, y - 5, x + 5, y + 5) for x, y in places]
         for point, (x, y) in zip(panel.points, places):
-            colour = palette.colour(point.group)
-            label_x, label_y, anchor, box = scatter.label(point.name, x, y, taken)
-            taken.append(box)
+            colour = charts.colour(point.group)
+            label_x, label_y, anchor = charts.place_label(point.name, x, y, taken)
             if label_y != y:
-                parts.append(f'<line x1="{x:.1f}" y1="{y:.1f}" x2="{label_x:.1f}" y2="{label_y:.1f}" stroke="{colour}" stroke-width="0.7"/>')
-            parts += [shape(palette.kind(point.group), x, y, colour, 4.0),
-                      text(label_x, label_y + 4, point.name, anchor, f' fill="{colour}"')]
+                parts.append(charts.line(x, y, label_x, label_y, colour, 0.7))
+            parts += [charts.shape(charts.kind(point.group), x, y, colour, 4.0),
+                      charts.text(label_x, label_y + 4, point.name, anchor, f' fill="{colour}"')]
         return parts
 
-    header = [text(12, 22, "Time to build and time of a ray, over those of binned SAH with 32 bins", extra=' font-size="15" font-weight="bold"')]
-    x = 12
-    for i, name in enumerate(FAMILIES):
-        header += [shape(palette.kind(i), x + 6, 40, palette.colour(i), 4.0), text(x + 16, 44, name)]
-        x += 34 + int(scatter.LETTER * len(name))
-    return Layout(scatter.WIDTH, scatter.HEIGHT, header=58, font=11).draw(header, panels, draw_panel)
+    return charts.draw_point_panels("Time to build and time of a ray, over those of binned SAH with 32 bins", panels, FAMILIES, draw_panel)
 
 
 # ---- what the report calls ---------------------------------------------------------------------------------------------

@@ -1,7 +1,6 @@
 """Section 8 of the guide, the cost function: costs that are fitted, and predicted beside measured times."""
 
-import palette
-import scatter
+import charts
 from report_page import fail, table
 
 COST, OTHERS = "cost", "cost by other counts"
@@ -39,7 +38,7 @@ def cost_table(rows):
     for query, words, *_ in QUERIES:
         for row in rows.of(COST, query=query):
             lines.append([words, row["mesh"], *(cost(row, symbol) for symbol in ("Nv", "Np", "Nu", "constant")),
-                          palette.number(row["mean_ns"]), percent(row["held_out_median_error"]), percent(row["held_out_worst_error"]),
+                          charts.number(row["mean_ns"]), percent(row["held_out_median_error"]), percent(row["held_out_worst_error"]),
                           other_error(rows, row)])
     return table(["query", "mesh", "Cv, ns", "Cp, ns", "Cu, ns", "Co, ns", "mean time, ns", "median error", "worst error",
                   "median error with other counts"], lines)
@@ -57,10 +56,10 @@ def figure(rows):
     meshes = rows.meshes(COST)
     panels = []
     for query, _, title, unit, nanoseconds in QUERIES:
-        points = [scatter.Point("", group[-2] / nanoseconds, group[-1] / nanoseconds, meshes.index(row["mesh"]))
+        points = [charts.Point("", group[-2] / nanoseconds, group[-1] / nanoseconds, meshes.index(row["mesh"]))
                   for row in rows.of(COST, query=query) for group in drawn_groups(row)]
-        panels.append(scatter.Panel(title, points, f"measured, {unit}", f"predicted, {unit}", diagonal=True))
-    return scatter.draw("Time of groups of queries: predicted by a fit to other groups, and measured", panels, legend=meshes)
+        panels.append(charts.Points(title, points, f"measured, {unit}", f"predicted, {unit}", diagonal=True))
+    return charts.draw_point_panels("Time of groups of queries: predicted by a fit to other groups, and measured", panels, legend=meshes)
 
 
 def texts(rows):

@@ -1,6 +1,6 @@
 """Section 5 of the guide, the degree of the tree: 2, 4, 8 or 16 children a node."""
 
-import bars
+import charts
 import tree_rows
 from report_page import table
 
@@ -49,7 +49,7 @@ def figure(rows):
         tree_rows.ratio_panel(rows, DEGREE, "Time of a ray, in times of degree 2", "ns_per_ray", TREES, FIRST),
         tree_rows.ratio_panel(rows, DEGREE, "Time of a box, in times of degree 2", "ns_per_box", TREES, FIRST),
     ]
-    return bars.draw("The degree of the tree", panels,
+    return charts.draw_bar_panels("The degree of the tree", panels,
                      legend=("one box at a time: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 

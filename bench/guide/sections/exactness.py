@@ -2,9 +2,7 @@
 
 import math
 
-import bars
-import palette
-import scatter
+import charts
 from report_page import table
 
 LEAKS, KERNELS, LATTICES = "leaks", "kernels", "lattices"
@@ -35,7 +33,7 @@ def measured_systems(rows):
 def leak_table(rows):
     lines = []
     for name, words in measured_systems(rows):
-        cells = [palette.number(share(rows.of(LEAKS, system=name, aim=aim))) for aim, _ in AIMS]
+        cells = [charts.number(share(rows.of(LEAKS, system=name, aim=aim))) for aim, _ in AIMS]
         found = rows.of(LEAKS, system=name)
         lines.append([words, *cells, f"{sum(row['leaks'] for row in found):,} of {sum(row['rays'] for row in found):,}"])
     return table(["test of a ray and a triangle", *(words for _, words in AIMS), "rays that passed"], lines)
@@ -94,11 +92,11 @@ def lattice_words(rows):
 
 
 def figure_of_leaks(rows):
-    leaks = [bars.Bar(words, share(rows.of(LEAKS, system=name)), group=1 if name in OWN else 0) for name, words in measured_systems(rows)]
-    times = [bars.Bar(dict(SYSTEMS)[kernel], ratio(rows, kernel), group=1 if kernel in OWN else 0) for kernel in rows.values(KERNELS, "kernel")]
-    panels = [bars.Panel("Of a million rays at edges and vertices, those that pass", leaks),
-              bars.Panel("Time of a ray, in times of the first", times)]
-    return bars.draw("What floats lose, and what integers cost", panels, legend=("others", "this library's integers"))
+    leaks = [charts.Bar(words, share(rows.of(LEAKS, system=name)), group=1 if name in OWN else 0) for name, words in measured_systems(rows)]
+    times = [charts.Bar(dict(SYSTEMS)[kernel], ratio(rows, kernel), group=1 if kernel in OWN else 0) for kernel in rows.values(KERNELS, "kernel")]
+    panels = [charts.Bars("Of a million rays at edges and vertices, those that pass", leaks),
+              charts.Bars("Time of a ray, in times of the first", times)]
+    return charts.draw_bar_panels("What floats lose, and what integers cost", panels, legend=("others", "this library's integers"))
 
 
 def figure_of_lattices(rows):
@@ -108,9 +106,9 @@ def figure_of_lattices(rows):
         for group, mesh in enumerate(rows.meshes(LATTICES)):
             for row in rows.of(LATTICES, mesh=mesh):
                 is_first = group == 0
-                points.append(scatter.Point(f"{row['bits']} bits" if is_first else "", 1e6 * row["error_of_extent"], row[field], group))
-        panels.append(scatter.Panel(up[0].upper() + up[1:], points, "greatest error, millionths of the longest side", up, path=True))
-    return scatter.draw("The trade: error against memory and time", panels, legend=rows.meshes(LATTICES))
+                points.append(charts.Point(f"{row['bits']} bits" if is_first else "", 1e6 * row["error_of_extent"], row[field], group))
+        panels.append(charts.Points(up[0].upper() + up[1:], points, "greatest error, millionths of the longest side", up, path=True))
+    return charts.draw_point_panels("The trade: error against memory and time", panels, legend=rows.meshes(LATTICES))
 
 
 def texts(rows):

@@ -1,7 +1,6 @@
 """Section 1 of the guide, introduction: how the time of a query grows with the number of triangles."""
 
-import palette
-import scatter
+import charts
 from report_page import table
 
 RAYS, PAIRS = "growth of rays", "growth of pairs"
@@ -12,8 +11,8 @@ METHODS = (("loop", "loop over all triangles"), ("hierarchy", "binary tree of bo
 def time(ns):
     for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
         if ns >= size:
-            return f"{palette.number(ns / size)} {unit}"
-    return f"{palette.number(ns)} ns"
+            return f"{charts.number(ns / size)} {unit}"
+    return f"{charts.number(ns)} ns"
 
 
 def cell(rows, measures, triangles, method):
@@ -33,9 +32,9 @@ def figure(rows):
         points = []
         for group, (method, words) in enumerate(METHODS):
             shown = rows.of(measures, method=method)
-            points += [scatter.Point(words if row is shown[-1] else "", row["triangles"], row["ns"] / 1000, group) for row in shown]
-        panels.append(scatter.Panel(title, points, "triangles of a mesh", "µs", path=True))
-    return scatter.draw("Time of a query by the size of the mesh", panels)
+            points += [charts.Point(words if row is shown[-1] else "", row["triangles"], row["ns"] / 1000, group) for row in shown]
+        panels.append(charts.Points(title, points, "triangles of a mesh", "µs", path=True))
+    return charts.draw_point_panels("Time of a query by the size of the mesh", panels)
 
 
 def texts(rows):

@@ -1,6 +1,6 @@
 """Also on disk: a mesh that is compressed and built at load beside a blob; a table of docs/benchmarks.md."""
 
-import palette
+import charts
 from report_page import table
 
 LOAD = "load"
@@ -17,7 +17,7 @@ def megabytes(value):
 
 
 def milliseconds(value):
-    return "–" if value is None else palette.number(value)
+    return "–" if value is None else charts.number(value)
 
 
 def smallest_peak(row):

@@ -1,8 +1,7 @@
 """Section 6 of the guide, memory: Terdiman's ladder, in bytes, work and time."""
 
-import bars
+import charts
 import ladder_drawing
-import palette
 import tree_rows
 from report_page import table
 
@@ -42,7 +41,7 @@ def box_table(rows):
 
 def words_of(rows):
     row = rows.of(LADDER)[0]
-    touching = ", ".join(f"{mesh} {palette.number(rows.one(LADDER, mesh=mesh, tree=FIRST)['touching_per_box'])}" for mesh in rows.meshes(LADDER))
+    touching = ", ".join(f"{mesh} {charts.number(rows.one(LADDER, mesh=mesh, tree=FIRST)['touching_per_box'])}" for mesh in rows.meshes(LADDER))
     return (f"Nodes visited; boxes tested; triangles tested; time. Means over {row['rays']:,} incoherent rays to their closest hit,\n"
             f"and over {row['boxes']:,} boxes that find all triangles that they touch (on average: {touching}).\n"
             f"{tree_rows.recounted(rows.of(LADDER))}\n"
@@ -56,7 +55,7 @@ def figure(rows):
         tree_rows.ratio_panel(rows, LADDER, "Time of a ray, in times of step 1", "ns_per_ray", STEPS, FIRST),
         tree_rows.ratio_panel(rows, LADDER, "Time of a box, in times of step 1", "ns_per_box", STEPS, FIRST),
     ]
-    return bars.draw("Terdiman's ladder: bytes and time", panels,
+    return charts.draw_bar_panels("Terdiman's ladder: bytes and time", panels,
                      legend=("textbook trees: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 

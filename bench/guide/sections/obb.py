@@ -2,8 +2,7 @@
 
 import math
 
-import bars
-import palette
+import charts
 from report_page import table
 
 FITS, TREES, BUILDS = "obb fits", "obb trees", "obb builds"
@@ -37,7 +36,7 @@ def of_fit(rows, fit, size, field):
 
 
 def time(microseconds):
-    return f"{palette.number(microseconds / 1000)} ms" if microseconds >= 1000 else f"{palette.number(microseconds)} µs"
+    return f"{charts.number(microseconds / 1000)} ms" if microseconds >= 1000 else f"{charts.number(microseconds)} µs"
 
 
 def fit_table(rows):
@@ -47,7 +46,7 @@ def fit_table(rows):
         for size, _ in SIZES:
             cells.append(f"{mean(of_fit(rows, fit, size, 'volume')):.2f}; {time(mean(of_fit(rows, fit, size, 'set_us')))}")
         worst = max(max(of_fit(rows, fit, size, "worst_over_least")) for size, _ in SIZES[1:])
-        cells.append(palette.number(worst))
+        cells.append(charts.number(worst))
         lines.append(cells)
     return table(["axes", *(f"{words} triangles" for _, words in SIZES), "worst"], lines)
 
@@ -97,12 +96,12 @@ def tree_words(rows):
 def fit_figure(rows):
     panels = []
     for size, words in SIZES[:3]:
-        shown = [bars.Bar(label, mean(of_fit(rows, fit, size, "volume")), min(of_fit(rows, fit, size, "volume")),
+        shown = [charts.Bar(label, mean(of_fit(rows, fit, size, "volume")), min(of_fit(rows, fit, size, "volume")),
                           max(of_fit(rows, fit, size, "volume"))) for fit, _, label in FIT_WORDS]
-        panels.append(bars.Panel(f"Volume over that of the AABB, {words} triangles", shown))
-    shown = [bars.Bar(label, mean(of_fit(rows, fit, "100", "set_us")), group=1) for fit, _, label in FIT_WORDS]
-    panels.append(bars.Panel("Time of a fit, 50 to 100 triangles", shown, "µs", logarithmic=True))
-    return bars.draw("Oriented boxes: fits", panels, legend=("volume: the mean over the meshes, and a line from the least to the greatest", "time"))
+        panels.append(charts.Bars(f"Volume over that of the AABB, {words} triangles", shown))
+    shown = [charts.Bar(label, mean(of_fit(rows, fit, "100", "set_us")), group=1) for fit, _, label in FIT_WORDS]
+    panels.append(charts.Bars("Time of a fit, 50 to 100 triangles", shown, "µs", logarithmic=True))
+    return charts.draw_bar_panels("Oriented boxes: fits", panels, legend=("volume: the mean over the meshes, and a line from the least to the greatest", "time"))
 
 
 def tree_figure(rows):
@@ -111,9 +110,9 @@ def tree_figure(rows):
         shown = []
         for kind in KINDS:
             values = ratios(rows, measured, "ns", kind)
-            shown.append(bars.Bar(kind[3], mean(values), min(values), max(values), group=1 if kind[1] == "obb" else 0))
-        panels.append(bars.Panel(f"Two meshes {measured[2]}", shown, logarithmic=True))
-    return bars.draw("Time of a pose, in times of AABBs in the AABB tree", panels, legend=("AABBs: mean, least and greatest of the meshes", "OBBs"))
+            shown.append(charts.Bar(kind[3], mean(values), min(values), max(values), group=1 if kind[1] == "obb" else 0))
+        panels.append(charts.Bars(f"Two meshes {measured[2]}", shown, logarithmic=True))
+    return charts.draw_bar_panels("Time of a pose, in times of AABBs in the AABB tree", panels, legend=("AABBs: mean, least and greatest of the meshes", "OBBs"))
 
 
 def texts(rows):

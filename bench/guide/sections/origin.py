@@ -2,9 +2,8 @@
 
 import dataclasses
 
-import palette
+import charts
 from report_page import table
-from report_picture import text
 
 ROWS = {}
 
@@ -83,12 +82,12 @@ def spread_out(packages):
 def drawing():
     places = spread_out(PACKAGES)
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
-             f'font-family="sans-serif" font-size="11" fill="{palette.INK}">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
-             text(12, 22, "Packages by year; a line leads to one that took over a tree or its main idea", extra=' font-size="15" font-weight="bold"')]
+             f'font-family="sans-serif" font-size="11" fill="{charts.INK}">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
+             charts.title("Packages by year; a line leads to one that took over a tree or its main idea")]
     for family, name in enumerate(FAMILIES):
         y = 70 + family * ROW
-        parts += [text(12, y + 4, name, extra=f' fill="{palette.colour(family)}" font-weight="bold"'),
-                  f'<line x1="{LEFT - 20}" y1="{y}" x2="{WIDTH - 12}" y2="{y}" stroke="{palette.RULE}"/>']
+        parts += [charts.text(12, y + 4, name, extra=f' fill="{charts.colour(family)}" font-weight="bold"'),
+                  f'<line x1="{LEFT - 20}" y1="{y}" x2="{WIDTH - 12}" y2="{y}" stroke="{charts.RULE}"/>']
     for package in PACKAGES:
         x, y = places[package.name]
         for parent in package.parents:
@@ -98,10 +97,10 @@ def drawing():
             parts.append(f'<path d="M{from_x:.1f},{from_y} Q{middle:.1f},{(from_y + y) / 2 - 2 * bend:.1f} {x:.1f},{y}" fill="none" stroke="#888"/>')
     for package in PACKAGES:
         x, y = places[package.name]
-        colour = palette.colour(package.family)
+        colour = charts.colour(package.family)
         parts += [f'<rect x="{x - BOX / 2:.1f}" y="{y - 16}" width="{BOX}" height="32" rx="5" fill="white" stroke="{colour}" stroke-width="1.5"/>',
-                  text(round(x, 1), y - 2, package.name, "middle", ' font-weight="bold"'),
-                  text(round(x, 1), y + 11, str(package.year), "middle", f' fill="{palette.GREY}"')]
+                  charts.text(round(x, 1), y - 2, package.name, "middle", ' font-weight="bold"'),
+                  charts.text(round(x, 1), y + 11, str(package.year), "middle", f' fill="{charts.GREY}"')]
     return "\n".join([*parts, "</svg>"]) + "\n"
 
 

@@ -2,8 +2,7 @@
 
 import math
 
-import palette
-import scatter
+import charts
 from report_page import table
 
 BUILDERS = "builders"
@@ -78,24 +77,24 @@ def depth_panel(rows, mesh):
         shown = []
         for depth, areas in enumerate(row["areas_by_depth"], 1):
             so_far += areas
-            shown.append(scatter.Point("", depth, so_far / whole, group))
+            shown.append(charts.Point("", depth, so_far / whole, group))
         shown[-1].name = dict(SHOWN)[builder]
         points += shown
-    return scatter.Panel(f"{mesh}: areas down to each depth, over all of binned SAH", points, "depth", "areas so far", logarithmic=False, path=True)
+    return charts.Points(f"{mesh}: areas down to each depth, over all of binned SAH", points, "depth", "areas so far", logarithmic=False, path=True)
 
 
 def time_panel(rows, field, title):
     points = []
     for group, mesh in enumerate(rows.meshes(BUILDERS)):
         base = rows.one(BUILDERS, mesh=mesh, builder=COMPARED, reinserted=False)
-        points += [scatter.Point("", value(row, "areas") / value(base, "areas"), row[field] / base[field], group) for row in rows.of(BUILDERS, mesh=mesh)]
-    return scatter.Panel(title, points, "sum of areas, over binned SAH", "time, over binned SAH")
+        points += [charts.Point("", value(row, "areas") / value(base, "areas"), row[field] / base[field], group) for row in rows.of(BUILDERS, mesh=mesh)]
+    return charts.Points(title, points, "sum of areas, over binned SAH", "time, over binned SAH")
 
 
 def figure(rows):
     panels = [time_panel(rows, "ns_per_ray", "Time of a ray, each tree of section 5"), time_panel(rows, "ns_per_pose", "Time of a pair, each tree of section 5"),
               *(depth_panel(rows, mesh) for mesh in (rows.meshes(BUILDERS)[0], rows.meshes(BUILDERS)[-1]))]
-    return scatter.draw("Areas of boxes and time (upper panels: a mark for each mesh)", panels, legend=rows.meshes(BUILDERS))
+    return charts.draw_point_panels("Areas of boxes and time (upper panels: a mark for each mesh)", panels, legend=rows.meshes(BUILDERS))
 
 
 def texts(rows):

@@ -2,8 +2,7 @@
 
 import math
 
-import bars
-import palette
+import charts
 import subdivision_drawing
 from report_page import table
 
@@ -17,14 +16,14 @@ COMPARED = "hierarchy"
 
 
 def microseconds(ns):
-    return f"{palette.number(ns / 1000)} µs" if ns >= 1000 else f"{palette.number(ns)} ns"
+    return f"{charts.number(ns / 1000)} µs" if ns >= 1000 else f"{charts.number(ns)} ns"
 
 
 def cell(row):
     if row["build_ms"] is None:
         built = f"{row['bytes_per_triangle']:.1f} B with triangles"
     else:
-        built = f"{palette.number(row['build_ms'])} ms; {row['references_per_triangle']:.1f}; {row['bytes_per_triangle']:.1f} B"
+        built = f"{charts.number(row['build_ms'])} ms; {row['references_per_triangle']:.1f}; {row['bytes_per_triangle']:.1f} B"
     return f"{built}; {microseconds(row['ray_ns'])}; {microseconds(row['box_ns'])}"
 
 
@@ -62,14 +61,14 @@ def ratio_panel(rows, title, field):
                 values.append(row[field] / base[field])
         if values:
             mean = math.exp(sum(map(math.log, values)) / len(values))
-            shown.append(bars.Bar(label, mean, min(values), max(values), group=1 if name == "espalier" else 0))
-    return bars.Panel(title, shown)
+            shown.append(charts.Bar(label, mean, min(values), max(values), group=1 if name == "espalier" else 0))
+    return charts.Bars(title, shown)
 
 
 def figure(rows):
     panels = [ratio_panel(rows, "Time of a ray", "ray_ns"), ratio_panel(rows, "Time of a box", "box_ns"),
               ratio_panel(rows, "Time to build", "build_ms"), ratio_panel(rows, "Bytes (Espalier: with triangles)", "bytes_per_triangle")]
-    return bars.draw("Subdivisions of space, in times of the binary tree of boxes", panels,
+    return charts.draw_bar_panels("Subdivisions of space, in times of the binary tree of boxes", panels,
                      legend=("the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 

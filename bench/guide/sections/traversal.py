@@ -2,8 +2,7 @@
 
 import math
 
-import bars
-import palette
+import charts
 import ray_walk
 from report_page import table
 
@@ -32,7 +31,7 @@ QUESTIONS = {"any": "is there a contact", "all": "all contacts"}
 
 
 def count(value):
-    return "–" if value is None else palette.number(value)
+    return "–" if value is None else charts.number(value)
 
 
 def pair_table(rows):
@@ -43,7 +42,7 @@ def pair_table(rows):
         for mesh in meshes:
             for question in QUESTIONS:
                 row = rows.one(PAIRS, mesh=mesh, poses_are="touching", question=question, rule=rule)
-                cells.append(f"{count(row['box_tests'])}; {palette.number(row['ns'] / 1000)} µs")
+                cells.append(f"{count(row['box_tests'])}; {charts.number(row['ns'] / 1000)} µs")
         lines.append([words, *cells])
     return table(["descend", *(f"{mesh}: {words}" for mesh in meshes for words in ("a contact", "all contacts"))], lines)
 
@@ -62,7 +61,7 @@ def ray_table(rows):
         cells = []
         for mesh in rows.meshes(RAYS):
             row = rows.one(RAYS, mesh=mesh, order=order)
-            cells.append(f"{count(row['box_tests'])}; {count(row['triangle_tests'])}; {palette.number(row['ns'])} ns")
+            cells.append(f"{count(row['box_tests'])}; {count(row['triangle_tests'])}; {charts.number(row['ns'])} ns")
         lines.append([words, *cells])
     return table(["order", *rows.meshes(RAYS)], lines)
 
@@ -82,7 +81,7 @@ def ratios(rows, measures, compared, **fields):
 
 def bar(label, name, values):
     mean, low, high = values
-    return bars.Bar(label, mean, low, high, group=1 if name == "espalier" else 0)
+    return charts.Bar(label, mean, low, high, group=1 if name == "espalier" else 0)
 
 
 def figure(rows):
@@ -91,10 +90,10 @@ def figure(rows):
         for question, asked in QUESTIONS.items():
             shown = [bar(label, rule, ratios(rows, PAIRS, {"rule": RULE_OF_COMPARISON}, poses_are=poses_are, question=question, rule=rule))
                      for rule, _, label in RULES]
-            panels.append(bars.Panel(f"Two meshes {words}: {asked}", shown, logarithmic=True))
+            panels.append(charts.Bars(f"Two meshes {words}: {asked}", shown, logarithmic=True))
     shown = [bar(label, order, ratios(rows, RAYS, {"order": ORDER_OF_COMPARISON}, order=order)) for order, _, label in ORDERS]
-    panels.append(bars.Panel("Rays: closest hit", shown))
-    return bars.draw("Time of a query, in times of “all children of both” or “nearest first”", panels,
+    panels.append(charts.Bars("Rays: closest hit", shown))
+    return charts.draw_bar_panels("Time of a query, in times of “all children of both” or “nearest first”", panels,
                      legend=("binary tree of boxes, in float: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 

@@ -1,7 +1,6 @@
 """Section 9 of the guide, update: refit, rebuild and reinsertion, of deforming meshes and of many moving boxes."""
 
-import bars
-import palette
+import charts
 from report_page import fail, table
 
 REFIT, BAKE, RAYS, BOXES, PHASE = "refit", "bake", "rays", "boxes", "broad phase"
@@ -36,10 +35,10 @@ def refit_table(rows):
     for system, profile, words in REFITS:
         found = [only(rows, REFIT, mesh=mesh, system=system, profile=profile) for mesh in meshes]
         if any(found):
-            lines.append([f"refit, {words}", *(f"{palette.number(row['ns_per_triangle'])} ns" if row else "–" for row in found)])
+            lines.append([f"refit, {words}", *(f"{charts.number(row['ns_per_triangle'])} ns" if row else "–" for row in found)])
     for effort in rows.values(BAKE, "effort"):
         lines.append([f"rebuild: Espalier, effort `{effort}`",
-                      *(f"{palette.number(rows.one(BAKE, mesh=mesh, effort=effort)['ns_per_triangle'])} ns" for mesh in meshes)])
+                      *(f"{charts.number(rows.one(BAKE, mesh=mesh, effort=effort)['ns_per_triangle'])} ns" for mesh in meshes)])
     return table(["time a triangle", *meshes], lines)
 
 
@@ -64,7 +63,7 @@ def phase_table(rows):
         row = only(rows, PHASE, system=system, **{"from": "boxes"})
         if row:
             name = words.split(":")[0].split(",")[0] if words[0].isupper() else words
-            lines.append([name, how, f"{palette.number(row['median_us'])} µs", f"{palette.number(row['pairs_us'])} µs"])
+            lines.append([name, how, f"{charts.number(row['median_us'])} µs", f"{charts.number(row['pairs_us'])} µs"])
     first = rows.of(PHASE)[0]
     return (table(["", "update", "a step", "of it: pairs"], lines) +
             f"\n\n{first['objects']:,} boxes of edge 1, all of which move by up to {first['speed']:g} in each step; {first['pairs']:,} pairs touch. "
@@ -79,16 +78,16 @@ def figure(rows):
         for system, profile, words in REFITS:
             row = only(rows, REFIT, mesh=mesh, system=system, profile=profile)
             if row:
-                shown.append(bars.Bar(words, row["ns_per_triangle"], group=1 if system == "espalier" else 0))
-        shown.append(bars.Bar("rebuild: Espalier, fast", rows.one(BAKE, mesh=mesh, effort="fast")["ns_per_triangle"], group=1))
-        panels.append(bars.Panel(f"{mesh}: a new pose, time a triangle", shown, "ns", logarithmic=True))
+                shown.append(charts.Bar(words, row["ns_per_triangle"], group=1 if system == "espalier" else 0))
+        shown.append(charts.Bar("rebuild: Espalier, fast", rows.one(BAKE, mesh=mesh, effort="fast")["ns_per_triangle"], group=1))
+        panels.append(charts.Bars(f"{mesh}: a new pose, time a triangle", shown, "ns", logarithmic=True))
     shown = []
     for system, _, words in PHASES:
         row = only(rows, PHASE, system=system, **{"from": "boxes"})
         if row:
-            shown.append(bars.Bar(words, row["median_us"] / 1000, group=1 if system == "espalier" else 0))
-    panels.append(bars.Panel("A step of many moving boxes", shown, "ms"))
-    return bars.draw("Update: time to follow a motion", panels, legend=("others", "Espalier"))
+            shown.append(charts.Bar(words, row["median_us"] / 1000, group=1 if system == "espalier" else 0))
+    panels.append(charts.Bars("A step of many moving boxes", shown, "ms"))
+    return charts.draw_bar_panels("Update: time to follow a motion", panels, legend=("others", "Espalier"))
 
 
 def texts(rows):

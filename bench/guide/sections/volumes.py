@@ -2,11 +2,9 @@
 
 import math
 
-import palette
-import scatter
+import charts
 import volume_drawing
 from report_page import table
-from report_picture import Layout, text
 
 VOLUMES = "volumes"
 ROWS = {VOLUMES: ("kind", "volume_bytes", "node_bytes", "rays", "hits", "poses", "touching_poses", "contacts", "ray_volume_tests",
@@ -77,38 +75,36 @@ def full_table(rows):
                           *(query_cell(row, prefix) for prefix in ("ray", "ball", "pose"))])
         own = rows.one(VOLUMES, mesh=mesh, kind=OWN)
         lines.append([mesh, "Espalier", str(own["volume_bytes"]), "–", "–", query_cell(own, "ray"), "–",
-                      f"{palette.number(own['pose_ns'] / 1000)} µs"])
+                      f"{charts.number(own['pose_ns'] / 1000)} µs"])
     return table(["mesh", "kind", "bytes", "area", "volume", "ray", "ball", "two meshes"], lines)
 
 
 def query_cell(row, prefix):
-    tests = "; ".join(palette.number(row[f"{prefix}_{field}"]) for field in ("volume_tests", "triangle_tests"))
+    tests = "; ".join(charts.number(row[f"{prefix}_{field}"]) for field in ("volume_tests", "triangle_tests"))
     ns = row[f"{prefix}_ns"]
-    return f"{tests}; " + (f"{palette.number(ns / 1000)} µs" if prefix == "pose" else f"{ns:,.0f} ns")
+    return f"{tests}; " + (f"{charts.number(ns / 1000)} µs" if prefix == "pose" else f"{ns:,.0f} ns")
 
 
 def panel(rows, prefix, test, title):
-    points = [scatter.Point(label, ratio(rows, kind, f"{prefix}_volume_tests"), ratio(rows, kind, test), 1 if kind == COMPARED else 0)
+    points = [charts.Point(label, ratio(rows, kind, f"{prefix}_volume_tests"), ratio(rows, kind, test), 1 if kind == COMPARED else 0)
               for kind, _, label in KINDS]
-    return scatter.Panel(title, points, "tests of volumes in a query, relative to AABBs", "time of a test, relative to AABBs")
+    return charts.Points(title, points, "tests of volumes in a query, relative to AABBs", "time of a test, relative to AABBs")
 
 
 def draw_panel(shown):
     """The points, and the line on which fewer tests just pay for their price."""
-    across = scatter.Axis([point.x for point in shown.points], True, scatter.LEFT, scatter.WIDTH - scatter.RIGHT)
-    up = scatter.Axis([point.y for point in shown.points], True, scatter.HEIGHT - scatter.BOTTOM, scatter.TOP)
+    across, up = charts.axes_of(shown.points)
     low, high = max(across.low, 1 / up.high), min(across.high, 1 / up.low)
-    line = (f'<line x1="{across.at(low):.1f}" y1="{up.at(1 / low):.1f}" x2="{across.at(high):.1f}" y2="{up.at(1 / high):.1f}" '
-            f'stroke="{palette.GREY}" stroke-dasharray="4 3"/>')
-    return [*scatter.draw_panel(shown), line]
+    return [*charts.draw_points(shown),
+            charts.line(across.at(low), up.at(1 / low), across.at(high), up.at(1 / high), charts.GREY, dash="4 3")]
 
 
 def figure(rows):
     panels = [panel(rows, *query) for query in QUERIES]
-    header = [text(12, 22, "Fewer tests against dearer ones", extra=' font-size="15" font-weight="bold"'),
-              text(12, 44, "On the dashed line, all tests of volumes together take as long as with AABBs: below it they take less. "
+    header = [charts.title("Fewer tests against dearer ones"),
+              charts.text(12, 44, "On the dashed line, all tests of volumes together take as long as with AABBs: below it they take less. "
                            "Means over the meshes, logarithmic.")]
-    return Layout(scatter.WIDTH, scatter.HEIGHT, header=58, font=11).draw(header, panels, draw_panel)
+    return charts.Layout(charts.FRAME.width, charts.FRAME.height, header=58).draw(header, panels, draw_panel)
 
 
 def texts(rows):
