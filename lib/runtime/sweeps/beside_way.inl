@@ -6,6 +6,7 @@
 
 /// The test in place of BesideWay where bounds take no longer. It rejects nothing.
 struct AnyPlace {
+    using Shape = SweepInLanes;
     AnyPlace(const SweepInLanes&, float) {}
     [[nodiscard]] unsigned meet(const CornersFromPoint&) const { return ~0u; }
 };
@@ -14,6 +15,8 @@ struct AnyPlace {
 /// leads from the nearest point of the way of the capsule's middle to the mean of the corners.
 class BesideWay {
 public:
+    using Shape = CapsuleInLanes;
+
     BesideWay(const CapsuleInLanes& capsule, float limit)
         : axis_(splat_each(capsule.axis)), thick_(splat(capsule.radius + rounding)) {
         float way[3], squared = 0.0f;
