@@ -27,6 +27,7 @@
 #include "rational.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
+#include "support/machine/chosen_instruction_set.hpp"
 
 namespace espalier::detail {
 namespace scalar {
@@ -96,7 +97,7 @@ template <class Node>
 std::vector<Path<Node>> paths() {
     std::vector<Path<Node>> result = {{"scalar", detail::scalar::children_as_defined<Node>}};
 #if ESPALIER_X86
-    const detail::InstructionSet best = detail::detect_instruction_set();
+    const detail::InstructionSet best = best_instruction_set();
     if (best >= detail::InstructionSet::sse42) result.push_back({"sse42", detail::sse42::children<Node>});
     if (best >= detail::InstructionSet::avx2) {
         result.push_back({"avx2", detail::avx2::children<Node>});

@@ -1,7 +1,9 @@
-// The instruction set that queries run on, chosen by a test.
+// The instruction set that queries run on, chosen by a test, and the sets that tests may choose from.
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <runtime/lanes/select.hpp>
 
@@ -29,18 +31,24 @@ private:
 #endif
 };
 
-/// Calls the function once on each instruction set that this machine and this program have.
+const char* name_of(detail::InstructionSet set);
+
+/// The instruction sets that this machine and this program have, the best one last. None is better than
+/// ESPALIER_TEST_SET, where the environment has it.
+const std::vector<detail::InstructionSet>& instruction_sets();
+inline detail::InstructionSet best_instruction_set() { return instruction_sets().back(); }
+
+/// Makes all queries run on ESPALIER_TEST_SET, where the environment has it, unless a test chooses a lesser set.
+/// Returns what is wrong with it; else an empty text.
+std::string force_instruction_set();
+
+/// Calls the function once on each of instruction_sets().
 template <class Function>
 void on_each_instruction_set(Function function) {
-#if ESPALIER_X86
-    const auto best = static_cast<std::uint8_t>(detail::detect_instruction_set());
-    for (std::uint8_t set = 0; set <= best; ++set) {
-        const ChosenInstructionSet chosen{static_cast<detail::InstructionSet>(set)};
+    for (const detail::InstructionSet set : instruction_sets()) {
+        const ChosenInstructionSet chosen(set);
         function();
     }
-#else
-    function();
-#endif
 }
 
 }  // namespace espalier::tests

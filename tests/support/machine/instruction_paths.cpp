@@ -1,6 +1,6 @@
 #include "instruction_paths.hpp"
 
-#include <runtime/lanes/select.hpp>
+#include "chosen_instruction_set.hpp"
 
 /// By the name of the one that single rays take, and of the one for everything else.
 #define ESPALIER_PATH_OF(rays, set)                                                                                 \
@@ -18,7 +18,7 @@ const std::vector<InstructionPath>& instruction_paths() {
     static const std::vector<InstructionPath> paths = [] {
         std::vector<InstructionPath> found = {ESPALIER_PATH(scalar), ESPALIER_PATH_OF(small, scalar)};
 #if ESPALIER_X86
-        const detail::InstructionSet best = detail::detect_instruction_set();
+        const detail::InstructionSet best = best_instruction_set();
         using detail::InstructionSet;  // each has all of those before it
         if (best >= InstructionSet::sse42) found.push_back(ESPALIER_PATH(sse42));
         if (best >= InstructionSet::avx2) found.push_back(ESPALIER_PATH(avx2));

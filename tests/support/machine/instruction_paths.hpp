@@ -1,4 +1,5 @@
-// The inner queries of every instruction set that this machine has, by name: the scalar ones first.
+// The inner queries of each instruction set that tests run on (chosen_instruction_set.hpp), by name: the scalar ones
+// first.
 #pragma once
 
 #include <cstdint>
