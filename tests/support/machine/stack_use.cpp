@@ -2,19 +2,24 @@
 
 #include <ucontext.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
 #include <stdexcept>
-#include <vector>
 
 namespace espalier::tests {
 
 namespace {
 
-constexpr unsigned char paint = 0xC5;
-constexpr std::size_t alignment = 64;  // a vector of AVX-512
+constexpr std::uint64_t paint = 0xC5C5'C5C5'C5C5'C5C5;
+
+/// Starts at a multiple of 64 always, of a vector of AVX-512: frames that hold vectors align themselves, so the sum
+/// depends on the start.
+struct alignas(64) PaintedStack {
+    std::array<std::uint64_t, 64 * 1024 / sizeof(std::uint64_t)> words;
+    PaintedStack() { words.fill(paint); }
+};
 
 // makecontext passes ints only; the tests measure one call at a time.
 struct Measurement {
@@ -31,25 +36,23 @@ void run_on_painted_stack() {
 }  // namespace
 
 std::size_t stack_use(FunctionRef<void()> call) {
-    // Starts at a multiple of 64 always: frames that hold vectors align themselves, so the sum depends on the start.
-    constexpr std::size_t size = 256 * 1024;
-    std::vector<unsigned char> memory(size + alignment, paint);
-    void* start = memory.data();
-    std::size_t space = memory.size();
-    if (std::align(alignment, size, start, space) == nullptr) throw std::runtime_error("std::align failed");
-    const std::span<unsigned char> stack{static_cast<unsigned char*>(start), size};
+    // One for all calls: to paint it takes longer than most queries, so each call repaints only what it has written.
+    static PaintedStack stack;
     ucontext_t caller;
     ucontext_t painted;
     if (getcontext(&painted) != 0) throw std::runtime_error("getcontext failed");
-    painted.uc_stack.ss_sp = stack.data();
-    painted.uc_stack.ss_size = stack.size();
+    painted.uc_stack.ss_sp = stack.words.data();
+    painted.uc_stack.ss_size = sizeof stack.words;
     painted.uc_link = &caller;
     measurement.call = &call;
     makecontext(&painted, run_on_painted_stack, 0);
     if (swapcontext(&caller, &painted) != 0) throw std::runtime_error("swapcontext failed");
-    std::size_t untouched = 0;
-    while (untouched < stack.size() && stack[untouched] == paint) ++untouched;
-    return measurement.top - reinterpret_cast<std::uintptr_t>(stack.data()) - untouched;
+    const auto deepest =
+        std::find_if(stack.words.begin(), stack.words.end(), [](std::uint64_t word) { return word != paint; });
+    if (deepest == stack.words.begin()) throw std::runtime_error("the call took the whole stack");
+    const std::size_t use = measurement.top - reinterpret_cast<std::uintptr_t>(&*deepest);
+    std::fill(deepest, stack.words.end(), paint);
+    return use;
 }
 
 }  // namespace espalier::tests

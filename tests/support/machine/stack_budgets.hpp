@@ -1,0 +1,173 @@
+// How many bytes of stack each query may take.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+
+#include "chosen_instruction_set.hpp"
+
+namespace espalier::tests {
+
+/// For the instruction sets scalar, sse42, avx2 and avx512, with libraries compiled with -O1 and, in a Release build,
+/// with -O3. A budget is a measured count of GCC 12 on x86-64 plus 4 %, up to a multiple of 64.
+struct StackBudget {
+    const char* query;
+    std::size_t slow[4], fast[4];
+};
+inline constexpr StackBudget stack_budgets[] = {
+    {"open", {1536, 1536, 1536, 1536}, {896, 896, 896, 896}},
+    {"raycast", {2112, 2112, 2368, 2496}, {1792, 1792, 2176, 2048}},
+    {"raycast, the inner query", {2048, 2048, 2368, 2496}, {1792, 1728, 2176, 2048}},
+    {"closest_point, the inner query", {2240, 2688, 3584, 3712}, {2240, 2880, 3904, 3712}},
+    {"raycast, a rounded ray", {2368, 2368, 2688, 2880}, {2048, 1984, 2432, 2304}},
+    {"occluded", {1984, 1984, 2240, 2432}, {1664, 1664, 2048, 1920}},
+    {"raycast, a batch", {2176, 11456, 12352, 12480}, {1856, 11520, 12032, 11904}},
+    {"occluded, a batch", {2048, 11456, 12352, 12480}, {1792, 11456, 11968, 11776}},
+    {"raycast, arrays", {7296, 16576, 17472, 17664}, {6912, 16576, 17088, 16960}},
+    {"for_each_hit", {2176, 2176, 2432, 2624}, {1856, 1856, 2304, 2176}},
+    {"for_each_crossing", {2240, 2240, 2496, 2624}, {1920, 1856, 2304, 2176}},
+    {"closest_hits", {2304, 2304, 2560, 2816}, {1984, 1984, 2432, 2304}},
+    {"find_contacts, a capsule", {4800, 4800, 4800, 4800}, {4992, 4992, 4992, 4928}},
+    {"find_contacts, a box", {3840, 4032, 4736, 4928}, {3904, 4224, 4416, 4928}},
+    {"find_contacts, a hull", {6400, 6464, 7168, 7424}, {6720, 6720, 6912, 7424}},
+    {"overlaps, two blobs", {5504, 6656, 8640, 13120}, {4928, 4992, 6912, 6656}},
+    {"collect_contacts, resumed", {5760, 6912, 8896, 13376}, {5120, 5184, 7104, 6848}},
+    {"collect_touches", {5888, 7040, 9024, 13504}, {5632, 5696, 7232, 6976}},
+    {"pair_touch", {2112, 2112, 2112, 2112}, {2432, 2432, 2432, 2432}},
+    {"distance, two blobs", {5824, 6976, 8960, 13440}, {5120, 5184, 7104, 6848}},
+    {"pairs of triangles, the inner query", {5184, 6272, 8256, 12736}, {4544, 4608, 6528, 6272}},
+    {"sweep, a sphere", {3456, 4096, 5696, 8256}, {3584, 3968, 5312, 6912}},
+    {"sweep, a capsule", {3520, 4352, 6144, 9088}, {3584, 4224, 5824, 7936}},
+    {"sweep, a box", {2944, 3456, 4160, 5248}, {2816, 3520, 4416, 5568}},
+    {"sweep, an oriented box", {5376, 5568, 6528, 7424}, {4928, 5696, 6784, 7872}},
+    {"sweep, a hull", {4928, 5568, 6528, 7488}, {4928, 5696, 6784, 7872}},
+    {"overlaps", {1920, 1984, 2944, 2624}, {1792, 1856, 2624, 1536}},
+    {"for_each_overlap", {1984, 2048, 3008, 2688}, {1856, 1984, 2688, 1600}},
+    {"may_overlap and distance_bounds", {2496, 2944, 3840, 3968}, {2432, 3008, 4096, 3904}},
+    {"occluded with an accuracy", {2176, 2176, 2432, 2688}, {1856, 1856, 2304, 2176}},
+    {"overlaps and pages, a capsule", {3008, 2944, 3008, 2944}, {3072, 3072, 3072, 3008}},
+    {"overlaps and pages, a box", {1728, 1856, 2560, 2304}, {1920, 2048, 2496, 1856}},
+    {"overlaps and pages, an oriented box", {2560, 2496, 3008, 2688}, {2816, 2816, 2880, 2752}},
+    {"overlaps and pages, a cone", {2752, 2688, 2816, 2688}, {2816, 2816, 2816, 2752}},
+    {"overlaps and pages, a triangle", {2688, 2624, 2752, 2688}, {2304, 2304, 2688, 2240}},
+    {"overlaps and pages, planes", {2752, 2752, 3328, 3008}, {2944, 2944, 3264, 2880}},
+    {"closest_point", {2560, 3008, 3904, 4096}, {2560, 3136, 4224, 4096}},
+    {"closest_triangles", {2496, 2944, 3840, 4096}, {2560, 3136, 4224, 4096}},
+    {"closest_point, a segment", {2752, 2752, 2752, 2752}, {2944, 2944, 2944, 2944}},
+    {"closest_point, a box", {2752, 2752, 2752, 2752}, {3072, 3072, 3072, 3072}},
+    {"contains", {1472, 1472, 1472, 1472}, {1472, 1472, 1472, 1472}},
+    {"winding_number", {2432, 2432, 2688, 2816}, {2112, 2112, 2496, 2432}},
+    {"signed_distance", {2688, 3136, 3840, 3968}, {2816, 3392, 3584, 4096}},
+    {"for_each_node", {1280, 1280, 1280, 1280}, {1344, 1344, 1344, 1344}},
+    {"fix_internal_edge_normal", {768, 768, 768, 768}, {576, 576, 576, 576}},
+    {"triangle_at", {640, 640, 640, 640}, {576, 576, 576, 576}},
+    {"oriented_bounds", {320, 320, 320, 320}, {256, 256, 256, 256}},
+    {"open, predicted", {2496, 2496, 2496, 2496}, {2688, 2688, 2688, 2688}},
+    {"raycast, predicted", {2496, 2496, 4800, 4864}, {2432, 2432, 3136, 3136}},
+    {"raycast, the inner query, predicted", {2496, 2496, 4736, 4864}, {2432, 2368, 3072, 3136}},
+    {"closest_point, the inner query, predicted", {3008, 3392, 4224, 4288}, {3008, 3584, 3840, 4352}},
+    {"raycast, a rounded ray, predicted", {2816, 2816, 5056, 5184}, {2688, 2688, 3328, 3392}},
+    {"occluded, predicted", {2432, 2432, 4672, 4800}, {2304, 2304, 3008, 3008}},
+    {"raycast, a batch, predicted", {2624, 10752, 12480, 12672}, {2560, 11264, 10496, 11648}},
+    {"occluded, a batch, predicted", {2560, 10752, 12480, 12672}, {2432, 11200, 10432, 11584}},
+    {"raycast, arrays, predicted", {7680, 15872, 17600, 17792}, {7616, 16320, 15552, 16704}},
+    {"for_each_hit, predicted", {2624, 2624, 4864, 4928}, {2496, 2496, 3200, 3264}},
+    {"for_each_crossing, predicted", {2688, 2688, 4864, 4928}, {2560, 2496, 3200, 3264}},
+    {"closest_hits, predicted", {2752, 2752, 4992, 5120}, {2624, 2624, 3328, 3392}},
+    {"find_contacts, a capsule, predicted", {5568, 5504, 5568, 5504}, {5760, 5760, 5760, 5696}},
+    {"find_contacts, a box, predicted", {4544, 4800, 5504, 5632}, {4672, 4992, 5184, 5760}},
+    {"find_contacts, a hull, predicted", {7104, 7232, 7936, 8128}, {7488, 7488, 7616, 8192}},
+    {"overlaps, two blobs, predicted", {6784, 7872, 9856, 14336}, {6144, 6208, 8064, 7872}},
+    {"collect_contacts, resumed, predicted", {6976, 8064, 10112, 14592}, {6336, 6400, 8320, 8064}},
+    {"collect_touches, predicted", {7104, 8192, 10240, 14720}, {6848, 6912, 8448, 8192}},
+    {"pair_touch, predicted", {3584, 3584, 3584, 3584}, {3520, 3520, 3520, 3520}},
+    {"distance, two blobs, predicted", {7104, 8192, 10176, 14656}, {6336, 6400, 8320, 8064}},
+    {"pairs of triangles, the inner query, predicted", {5184, 6272, 8256, 12736}, {4544, 4608, 6528, 6272}},
+    {"sweep, a sphere, predicted", {4224, 4800, 6336, 8768}, {4864, 5248, 6464, 8000}},
+    {"sweep, a capsule, predicted", {4224, 5056, 6784, 9664}, {4864, 5504, 6976, 8960}},
+    {"sweep, a box, predicted", {3648, 4160, 4800, 5760}, {4096, 4800, 5568, 6656}},
+    {"sweep, an oriented box, predicted", {6080, 6336, 7168, 7936}, {6144, 6912, 7936, 8832}},
+    {"sweep, a hull, predicted", {5632, 6336, 7168, 8000}, {6208, 6912, 7936, 8832}},
+    {"overlaps, predicted", {2624, 2752, 3456, 3008}, {2944, 2944, 2880, 2560}},
+    {"for_each_overlap, predicted", {2688, 2816, 3520, 3072}, {3008, 3008, 2944, 2624}},
+    {"may_overlap and distance_bounds, predicted", {3264, 3648, 4480, 4544}, {3200, 3776, 4032, 4480}},
+    {"occluded with an accuracy, predicted", {2624, 2624, 4928, 4992}, {2496, 2496, 3200, 3264}},
+    {"overlaps and pages, a capsule, predicted", {3712, 3648, 3712, 3712}, {3840, 3840, 3840, 3712}},
+    {"overlaps and pages, a box, predicted", {2752, 2752, 3136, 2880}, {2816, 2816, 3136, 2752}},
+    {"overlaps and pages, an oriented box, predicted", {3264, 3200, 3584, 3264}, {3584, 3584, 3584, 3520}},
+    {"overlaps and pages, a cone, predicted", {3456, 3392, 3520, 3456}, {3584, 3584, 3584, 3520}},
+    {"overlaps and pages, a triangle, predicted", {3456, 3392, 3456, 3392}, {3072, 3072, 3264, 3008}},
+    {"overlaps and pages, planes, predicted", {3520, 3456, 3904, 3584}, {3712, 3712, 3904, 3648}},
+    {"closest_point, predicted", {3264, 3712, 4544, 4608}, {3328, 3904, 4160, 4608}},
+    {"closest_triangles, predicted", {3264, 3712, 4480, 4608}, {3328, 3904, 4160, 4608}},
+    {"closest_point, a segment, predicted", {3584, 3584, 3584, 3584}, {3648, 3648, 3648, 3648}},
+    {"closest_point, a box, predicted", {3520, 3520, 3520, 3520}, {3904, 3904, 3904, 3904}},
+    {"contains, predicted", {2624, 2624, 2624, 2624}, {3136, 3136, 3136, 3136}},
+    {"winding_number, predicted", {2880, 2880, 5056, 5120}, {2816, 2752, 3456, 3456}},
+    {"signed_distance, predicted", {3392, 3840, 4672, 4736}, {3520, 4160, 4416, 4864}},
+    {"for_each_node, predicted", {3072, 3072, 3072, 3072}, {2944, 2944, 2944, 2944}},
+    {"fix_internal_edge_normal, predicted", {320, 320, 320, 320}, {128, 128, 128, 128}},
+    {"triangle_at, predicted", {2432, 2432, 2432, 2432}, {2240, 2240, 2240, 2240}},
+    {"oriented_bounds, predicted", {320, 320, 320, 320}, {256, 256, 256, 256}},
+    {"scene, open_scene", {3456, 3456, 3456, 3456}, {3584, 3584, 3584, 3584}},
+    {"scene of tiles, open_scene", {3456, 3456, 3456, 3456}, {3584, 3584, 3584, 3584}},
+    {"scene, raycast", {3648, 3648, 4352, 4288}, {3584, 3520, 4288, 4288}},
+    {"scene of tiles, raycast", {4736, 4736, 5504, 5440}, {4608, 4544, 5312, 5376}},
+    {"scene, occluded", {3328, 3392, 4032, 3968}, {3200, 3200, 3840, 3840}},
+    {"scene of tiles, occluded", {4544, 4608, 5312, 5184}, {4352, 4352, 4864, 4864}},
+    {"scene, for_each_hit", {3840, 3840, 4544, 4480}, {3904, 3904, 4608, 4608}},
+    {"scene of tiles, for_each_hit", {4928, 4992, 5696, 5568}, {4864, 4864, 5312, 5312}},
+    {"scene, closest_point", {4352, 4736, 5824, 5568}, {4224, 4864, 4992, 5504}},
+    {"scene of tiles, closest_point", {5376, 5760, 7296, 6656}, {5120, 5824, 5952, 6400}},
+    {"scene, overlaps, a sphere", {3840, 3968, 4480, 4160}, {4224, 4224, 4032, 3840}},
+    {"scene of tiles, overlaps, a sphere", {4864, 4992, 5504, 5248}, {5312, 5312, 5120, 4928}},
+    {"scene, overlaps, a capsule", {4864, 4800, 4864, 4864}, {4992, 4992, 4992, 4928}},
+    {"scene of tiles, overlaps, a capsule", {5696, 5632, 5760, 5696}, {5760, 5760, 5760, 5696}},
+    {"scene, overlaps, a box", {4544, 4544, 4736, 4544}, {4928, 4928, 4928, 4864}},
+    {"scene of tiles, overlaps, a box", {5632, 5568, 5824, 5696}, {6080, 6080, 6016, 5952}},
+    {"scene, overlaps, an oriented box", {4416, 4352, 4608, 4416}, {4800, 4800, 4800, 4736}},
+    {"scene of tiles, overlaps, an oriented box", {5504, 5440, 5696, 5568}, {5952, 5952, 5888, 5824}},
+    {"scene, overlaps, a triangle", {4608, 4544, 4608, 4544}, {4288, 4288, 4416, 4224}},
+    {"scene of tiles, overlaps, a triangle", {5632, 5632, 5696, 5696}, {5440, 5440, 5568, 5376}},
+    {"scene, overlaps, a cone", {4608, 4544, 4672, 4608}, {4800, 4800, 4800, 4736}},
+    {"scene of tiles, overlaps, a cone", {5632, 5632, 5696, 5632}, {5888, 5952, 5888, 5824}},
+    {"scene, sweep, a sphere", {5312, 5952, 7360, 9920}, {6016, 6400, 7488, 9152}},
+    {"scene of tiles, sweep, a sphere", {6464, 7040, 8512, 11072}, {7104, 7488, 8640, 10304}},
+    {"scene, sweep, a capsule", {5312, 6144, 7808, 10752}, {5760, 6720, 8064, 10176}},
+    {"scene of tiles, sweep, a capsule", {6528, 7296, 8960, 11968}, {7168, 7872, 9216, 11392}},
+    {"scene, sweep, a box", {7232, 7488, 8256, 9152}, {7296, 8064, 8960, 9984}},
+    {"scene of tiles, sweep, a box", {8384, 8640, 9408, 10304}, {8448, 9280, 10112, 11200}},
+    {"scene, sweep, an oriented box", {7232, 7488, 8256, 9152}, {7296, 8064, 8960, 9984}},
+    {"scene of tiles, sweep, an oriented box", {8384, 8640, 9408, 10304}, {8448, 9280, 10112, 11200}},
+    {"scene, sweep, a hull", {7616, 8320, 9088, 9920}, {8064, 8896, 9728, 10752}},
+    {"scene of tiles, sweep, a hull", {9600, 10240, 11072, 11904}, {9984, 10816, 11648, 12736}},
+    {"scene, for_each_candidate", {1216, 1280, 1280, 1280}, {896, 960, 896, 896}},
+    {"scene of tiles, for_each_candidate", {1664, 1664, 1664, 1664}, {1664, 1728, 1728, 1728}},
+    {"refit", {1024, 1024, 1024, 1024}, {1300, 1300, 1300, 1300}},
+    {"seal and create_deformable", {384, 384, 384, 384}, {512, 512, 512, 512}},
+};
+
+/// Compares the stack that a query was measured to take on the chosen instruction set with its budget. Other sets than
+/// those of x86 have the largest of the four.
+inline void check_stack(const std::string& query, std::size_t most) {
+    const auto budget = std::find_if(std::begin(stack_budgets), std::end(stack_budgets),
+                                     [&](const StackBudget& each) { return query == each.query; });
+    const detail::InstructionSet set = detail::instruction_set();
+    const std::string on_set = name_of(set) + (": " + query);
+    REQUIRE_MESSAGE(budget != std::end(stack_budgets), on_set);
+#ifdef NDEBUG
+    const auto& of_sets = budget->fast;
+#else
+    const auto& of_sets = budget->slow;
+#endif
+    const std::size_t at_most = set <= detail::InstructionSet::avx512 ? of_sets[static_cast<unsigned>(set)]
+                                                                      : *std::max_element(of_sets, of_sets + 4);
+    MESSAGE(on_set, ": ", most, " bytes of stack, budget ", at_most);
+    CHECK_MESSAGE(most <= at_most, on_set);
+}
+
+}  // namespace espalier::tests
