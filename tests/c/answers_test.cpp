@@ -1,12 +1,15 @@
-// Claims about espalier.h: asked from C, every query answers what it answers C++.
+// Claims about espalier.h: called from C, every query answers what it answers C++.
 #include <doctest/doctest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "comparing.hpp"
-#include "expecting.hpp"
+#include <espalier/bake.hpp>
+
+#include "both.hpp"
+#include "fixtures.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/meshes/makers.hpp"
@@ -22,6 +25,12 @@ OpenedBlob blob_with_materials_alone() {
     return {mesh, BakeOptions()};
 }
 
+/// Requires that each function which takes such an object found something at least once.
+void check_answered(const Both& both, Takes takes) {
+    for (const Entry& entry : entries)
+        if (entry.takes == takes) CHECK_MESSAGE(both.answered.count(entry.name) == 1, std::string(entry.name));
+}
+
 }  // namespace
 
 TEST_SUITE("answers") {
@@ -34,119 +43,62 @@ TEST_SUITE("answers") {
         for (const TestBlob& blob : small_test_blobs()) blobs.push_back(&blob.opened);
         for (const OpenedBlob& blob : special) blobs.push_back(&blob);
         Random random(1);
+        Both both;
         for (const OpenedBlob* opened : blobs) {
-            const OpenedBlob& other = *blobs[random.below(static_cast<std::uint32_t>(blobs.size()))];
-            const espalier_blob c_blob = open_from_c(opened->bytes), c_other = open_from_c(other.bytes);
-            for (std::uint64_t i = 0; i < scaled(20); ++i)
-                compare_all(c_blob, c_other, opened->blob, other.blob, some_question(opened->blob, random));
+            REQUIRE(both.open(opened->bytes) == OpenStatus::ok);
+            REQUIRE(both.open(blobs[random.below(static_cast<std::uint32_t>(blobs.size()))]->bytes, 1) ==
+                    OpenStatus::ok);
+            for (std::uint64_t i = 0; i < scaled(30); ++i)
+                both.compare(Takes::blob, some_question(opened->blob, random));
         }
+        both.answered.insert("read_remap");  // below
+        if (asks_enough()) check_answered(both, Takes::blob);
     }
 
     TEST_CASE("c api: every query of a scene gives the bits of C++") {
         const std::vector<std::byte> bytes = bake_instances(some_instances());
-        const SceneOfBoth both(bytes);
-        REQUIRE(both.c_status == ESPALIER_OPEN_OK);
-        REQUIRE(both.scene);
-        REQUIRE(both.meshes.size() > 2);
+        Both both;
+        REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
+        REQUIRE(both.scene().meshes().size() > 2);
         Random random(12);
-        std::uint64_t hits = 0, contacts = 0;
-        const std::uint64_t rounds = scaled(500);
-        for (std::uint64_t i = 0; i < rounds; ++i) {
-            const question asked = some_question(both.scene, random);
-            compare_scenes(both.c_scene, both.scene, asked);
-            const Vec3 from = cpp(asked.points[0]), way = cpp(asked.directions[0]);
-            hits += raycast(both.scene, {.origin = from, .direction = way}) ? 1u : 0u;
-            contacts += sweep(both.scene, Sphere{from, asked.lengths[0]}, way) ? 1u : 0u;
-        }
-        if (asks_enough()) CHECK(hits > rounds / 16);
-        if (asks_enough()) CHECK(contacts > rounds / 16);
+        for (std::uint64_t i = 0; i < scaled(800); ++i) both.compare(Takes::scene, some_question(both.scene(), random));
+        if (asks_enough()) check_answered(both, Takes::scene);
     }
 
-    TEST_CASE("c api: a blob filled with zeros is the empty blob") {
-        espalier_blob zero;
-        std::memset(&zero, 0, sizeof zero);
-        static const Blob empty;  // static, so that what lies between its fields is zero too
-        CHECK(std::memcmp(&zero, static_cast<const void*>(&empty), sizeof zero) == 0);
-        const OpenedBlob opened = blob_with_everything(Profile::fast);
-        const espalier_blob c_opened = open_from_c(opened.bytes);
-        Random random(2);
-        for (std::uint64_t i = 0; i < scaled(50); ++i) {
-            const question asked = some_question(opened.blob, random);
-            compare_all(zero, zero, empty, empty, asked);
-            compare_all(zero, c_opened, empty, opened.blob, asked);
-            compare_all(c_opened, zero, opened.blob, empty, asked);
-        }
-    }
-
-    TEST_CASE("c api: a scene filled with zeros is the empty scene") {
-        espalier_scene zero;
-        std::memset(&zero, 0, sizeof zero);
-        static const BakedScene empty;  // static, so that what lies between its fields is zero too
-        CHECK(std::memcmp(&zero, static_cast<const void*>(&empty), sizeof zero) == 0);
-        const OpenedBlob opened = blob_with_everything(Profile::fast);
-        const std::vector<std::byte> bytes = bake_instances({});
-        const SceneOfBoth nothing(bytes);
-        REQUIRE(nothing.c_status == ESPALIER_OPEN_OK);
-        Random random(13);
-        for (std::uint64_t i = 0; i < scaled(50); ++i) {
-            const question asked = some_question(opened.blob, random);
-            compare_scenes(zero, empty, asked);
-            compare_scenes(nothing.c_scene, nothing.scene, asked);
-        }
+    TEST_CASE("c api: a remap is read into the array of C") {
+        Mesh cube = make_cube(-1.0f, 1.0f);
+        const MeshView view = cube.view();
+        const BakeResult baked = bake(std::span(&view, 1));
+        const std::vector<std::byte> file = remap_file(baked);
+        Both both;
+        REQUIRE(both.open(baked.bytes) == OpenStatus::ok);
+        espalier_original_triangle remap[12];
+        CHECK(c99_read_remap(file.data(), file.size(), &both.c->blob[0], remap, 12) == ESPALIER_OPEN_OK);
+        CHECK(std::equal(baked.remap.begin(), baked.remap.end(), spanned<OriginalTriangle>(remap, 12).begin()));
     }
 
     TEST_CASE("c api: a ray and a transform from C have the defaults of C++") {
-        const Ray ray = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
-        const espalier_ray c_ray = espalier_default_ray({1, 2, 3}, {4, 5, 6});
-        CHECK(c(ray.origin).x == c_ray.origin.x);
-        CHECK(c(ray.direction).z == c_ray.direction.z);
-        CHECK(ray.t_min == c_ray.t_min);
-        CHECK(ray.t_max == c_ray.t_max);
-        CHECK(static_cast<espalier_face_culling>(ray.culling) == c_ray.culling);
-        const Transform transform;
-        const espalier_transform c_transform = espalier_identity();
-        CHECK(std::memcmp(&transform, &c_transform, sizeof transform) == 0);
+        const espalier_ray ray = c99_default_ray({1, 2, 3}, {4, 5, 6});
+        const Ray in_cpp = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
+        CHECK(to<Ray>(&ray).origin == in_cpp.origin);
+        CHECK(to<Ray>(&ray).direction == in_cpp.direction);
+        CHECK(ray.t_min == in_cpp.t_min);
+        CHECK(ray.t_max == in_cpp.t_max);
+        CHECK(ray.culling == static_cast<espalier_face_culling>(in_cpp.culling));
+        const espalier_transform identity = c99_identity();
+        CHECK(to<Transform>(&identity) == Transform());
+        for (std::size_t i = 0; i < KDop::count; ++i)
+            CHECK(to<Vec3>(&espalier_k_dop_directions[i]) == KDop::directions[i]);
     }
 
-    TEST_CASE("c api: every status has the same sentence in C") {
+    TEST_CASE("c api: every status has the same sentence and meaning in C") {
         for (unsigned value = 0; value < 256; ++value) {
             const auto byte = static_cast<std::uint8_t>(value);
-            CHECK(std::string(espalier_describe_open_status(byte)) == describe(OpenStatus{byte}));
-            CHECK(std::string(espalier_describe_query_status(byte)) == describe(QueryStatus{byte}));
-        }
-    }
-
-    TEST_CASE("c api: opening gives the status of C++ and no half-open blob") {
-        const OpenedBlob good = blob_with_everything(Profile::balanced);
-        CHECK(misbehaviour_of_open(good.bytes.data(), good.bytes.size()) == 0);
-        std::vector<std::byte> bytes(good.bytes.begin(), good.bytes.end());
-        Random random(3);
-        for (int i = 0; i < 500; ++i) {
-            const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-            const std::byte was = bytes[at];
-            bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
-            espalier_blob c_blob;
-            const OpenStatus status = open(bytes).status();
-            REQUIRE(espalier_open(bytes.data(), bytes.size(), &c_blob) == static_cast<espalier_open_status>(status));
-            REQUIRE(espalier_open_unchecked(bytes.data(), bytes.size(), &c_blob) ==
-                    static_cast<espalier_open_status>(open_unchecked(bytes).status()));
-            bytes[at] = was;
-        }
-    }
-    TEST_CASE("c api: opening a scene gives the status of C++ and no half-open scene") {
-        const std::vector<std::byte> good = bake_instances(some_instances());
-        CHECK(misbehaviour_of_open_scene(good.data(), good.size()) == 0);
-        const OpenedBlob blob = blob_with_everything(Profile::fast);
-        CHECK(SceneOfBoth(blob.bytes).c_status == ESPALIER_OPEN_NOT_A_SCENE);
-        std::vector<std::byte> bytes = good;
-        Random random(14);
-        for (int i = 0; i < 500; ++i) {
-            const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-            bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
-            const SceneOfBoth both(bytes);
-            REQUIRE(both.c_status == static_cast<espalier_open_status>(both.scene.status()));
-            REQUIRE(espalier_scene_status(&both.c_scene) == both.c_status);
-            bytes[at] = good[at];
+            CHECK(std::string(c99_describe_open_status(byte)) == describe(OpenStatus{byte}));
+            CHECK(std::string(c99_describe_query_status(byte)) == describe(QueryStatus{byte}));
+            CHECK(c99_yes({byte}) == (byte == ESPALIER_QUERY_OK));
+            CHECK(c99_no({byte}) == (byte == ESPALIER_QUERY_NOT_FOUND));
+            CHECK(c99_is_refused(byte) == (byte >= 16));
         }
     }
 }

@@ -12,6 +12,8 @@
 #include <espalier/bake.hpp>
 #include <espalier/c/bake.h>
 
+#include <c99.h>
+
 #include "support/machine/exact_buffer.hpp"
 #include "support/meshes/mesh.hpp"
 
@@ -31,7 +33,7 @@ class GivenMesh {
 public:
     GivenMesh(const Mesh& mesh, const Arrangement& arrangement = {}, const double (&moved_by)[3] = {0.0, 0.0, 0.0})
         : name_(mesh.name), materials_(mesh.materials) {
-        espalier_init_mesh_view(&view_, sizeof view_);
+        c99_init_mesh_view(&view_, sizeof view_);
         std::vector<std::byte> positions, triangles;
         for (const Vec3& p : mesh.positions) {
             const double xyz[3] = {double(p.x) + moved_by[0], double(p.y) + moved_by[1], double(p.z) + moved_by[2]};
@@ -89,18 +91,18 @@ private:
 
 /// A result that is released when it goes out of scope.
 struct Release {
-    void operator()(const espalier_bake_result* result) const { espalier_release_bake_result(result); }
+    void operator()(const espalier_bake_result* result) const { c99_release_bake_result(result); }
 };
 using BakedFromC = std::unique_ptr<const espalier_bake_result, Release>;
 
 inline espalier_bake_options default_options_of_c() {
     espalier_bake_options options;
-    espalier_init_bake_options(&options, sizeof options);
+    c99_init_bake_options(&options, sizeof options);
     return options;
 }
 
 inline BakedFromC bake_from_c(const espalier_mesh_view& mesh, const espalier_bake_options& options) {
-    return BakedFromC(espalier_bake(&mesh, 1, &options));
+    return BakedFromC(c99_bake(&mesh, 1, &options));
 }
 
 inline std::span<const std::byte> bytes_of(const espalier_bake_result& result) {

@@ -137,6 +137,8 @@ TEST_SUITE("memory") {
             const BakedFromC result = bake_from_c(given.view(), options);
             if (result->status == ESPALIER_BAKE_OK) break;
             REQUIRE(result->status == ESPALIER_BAKE_STOPPED);
+            REQUIRE(result->bytes == nullptr);
+            REQUIRE(std::string(result->message).find("progress") != std::string::npos);
             REQUIRE(left == -1);
             ++stops;
         }

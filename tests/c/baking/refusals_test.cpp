@@ -150,12 +150,12 @@ TEST_SUITE("refusals") {
             check_refusal(*refused, cases[i].status, cases[i].words);
         }
         const espalier_bake_options options = default_options_of_c();
-        const BakedFromC no_meshes(espalier_bake(nullptr, 2, &options));
+        const BakedFromC no_meshes(c99_bake(nullptr, 2, &options));
         check_refusal(*no_meshes, ESPALIER_BAKE_INVALID_ARGUMENT, {"meshes is null"});
         GivenMesh given(cube);
         std::array two = {given.view(), given.view()};
         two[1].size -= 1;
-        const BakedFromC of_two_sizes(espalier_bake(two.data(), 2, &options));
+        const BakedFromC of_two_sizes(c99_bake(two.data(), 2, &options));
         check_refusal(*of_two_sizes, ESPALIER_BAKE_INVALID_ARGUMENT, {"mesh 1", "but the first one"});
     }
 
@@ -163,7 +163,7 @@ TEST_SUITE("refusals") {
         const double positions[] = {0, 0, 0, 1e300, 0, 0, 0, 1, 0, -3.5e38, 2, 2};
         const std::uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
         espalier_mesh_view view;
-        espalier_init_mesh_view(&view, sizeof view);
+        c99_init_mesh_view(&view, sizeof view);
         view.positions = positions;
         view.position_count = 4;
         view.position_stride = 24;
@@ -229,33 +229,32 @@ TEST_SUITE("refusals") {
         CHECK(bake_from_c(view, options)->status == ESPALIER_BAKE_INVALID_ARGUMENT);
         unsigned char larger[sizeof options + 16];
         std::memset(larger, 0xA5, sizeof larger);
-        espalier_init_bake_options(reinterpret_cast<espalier_bake_options*>(larger), sizeof larger);
+        c99_init_bake_options(reinterpret_cast<espalier_bake_options*>(larger), sizeof larger);
         std::memcpy(&options, larger, sizeof options);
         CHECK(options.size == sizeof larger);
         CHECK(options.resolution == 16.0);
         CHECK(larger[sizeof larger - 1] == 0);
         std::memset(larger, 0xA5, sizeof larger);
-        espalier_init_mesh_view(reinterpret_cast<espalier_mesh_view*>(larger), sizeof(std::size_t));
+        c99_init_mesh_view(reinterpret_cast<espalier_mesh_view*>(larger), sizeof(std::size_t));
         CHECK(larger[sizeof(std::size_t)] == 0xA5);
-        espalier_init_mesh_view(nullptr, sizeof view);
-        espalier_init_bake_options(nullptr, sizeof options);
+        c99_init_mesh_view(nullptr, sizeof view);
+        c99_init_bake_options(nullptr, sizeof options);
     }
 
     TEST_CASE("c api: a loaded baker has the sizes of its structures and a sentence for each status") {
-        CHECK(espalier_size_of_baking("mesh_view") == sizeof(espalier_mesh_view));
-        CHECK(espalier_size_of_baking("bake_options") == sizeof(espalier_bake_options));
-        CHECK(espalier_size_of_baking("bake_result") == sizeof(espalier_bake_result));
-        CHECK(espalier_size_of_baking("bake_report") == sizeof(espalier_bake_report));
-        CHECK(espalier_size_of_baking("bake_finding") == sizeof(espalier_bake_finding));
-        CHECK(espalier_size_of_baking("bake_warning") == sizeof(espalier_bake_warning));
-        CHECK(espalier_size_of_baking("source_place") == sizeof(espalier_source_place));
-        CHECK(espalier_size_of_baking("bytes") == sizeof(espalier_bytes));
-        for (const char* const other : {"", "bake", "blob", "bake_options "})
-            CHECK(espalier_size_of_baking(other) == 0);
-        CHECK(espalier_size_of_baking(nullptr) == 0);
-        const std::string unknown = espalier_describe_bake_status(200);
+        CHECK(c99_size_of_baking("mesh_view") == sizeof(espalier_mesh_view));
+        CHECK(c99_size_of_baking("bake_options") == sizeof(espalier_bake_options));
+        CHECK(c99_size_of_baking("bake_result") == sizeof(espalier_bake_result));
+        CHECK(c99_size_of_baking("bake_report") == sizeof(espalier_bake_report));
+        CHECK(c99_size_of_baking("bake_finding") == sizeof(espalier_bake_finding));
+        CHECK(c99_size_of_baking("bake_warning") == sizeof(espalier_bake_warning));
+        CHECK(c99_size_of_baking("source_place") == sizeof(espalier_source_place));
+        CHECK(c99_size_of_baking("bytes") == sizeof(espalier_bytes));
+        for (const char* const other : {"", "bake", "blob", "bake_options "}) CHECK(c99_size_of_baking(other) == 0);
+        CHECK(c99_size_of_baking(nullptr) == 0);
+        const std::string unknown = c99_describe_bake_status(200);
         for (unsigned status = 0; status < 256; ++status) {
-            const std::string sentence = espalier_describe_bake_status(static_cast<espalier_bake_status>(status));
+            const std::string sentence = c99_describe_bake_status(static_cast<espalier_bake_status>(status));
             const bool is_known = status <= ESPALIER_BAKE_INTERNAL ||
                                   (status >= ESPALIER_BAKE_INVALID_ARGUMENT && status <= ESPALIER_BAKE_NOT_SOUND);
             CHECK((sentence != unknown) == is_known);

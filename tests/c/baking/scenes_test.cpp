@@ -68,14 +68,15 @@ TEST_SUITE("scenes") {
         const std::vector<espalier_instance> given = in_c(instances);
         const SceneBakeResult expected = bake_scene(spans, instances);
         REQUIRE(expected);
-        const BakedFromC result(espalier_bake_scene(blobs.data(), 2, given.data(), given.size()));
+        const BakedFromC result(c99_bake_scene(blobs.data(), 2, given.data(), given.size()));
         REQUIRE(result->status == ESPALIER_BAKE_OK);
         CHECK(std::string(result->message).empty());
         CHECK(copied(*result) == expected.bytes);
-        const BakedFromC verdict(espalier_verify_scene(result->bytes, result->byte_count));
+        const BakedFromC verdict(c99_verify_scene(result->bytes, result->byte_count));
         CHECK(verdict->status == ESPALIER_BAKE_OK);
         CHECK(verdict->bytes == nullptr);
-        const BakedFromC empty(espalier_bake_scene(nullptr, 0, nullptr, 0));
+        check_refused(c99_verify(result->bytes, result->byte_count), ESPALIER_BAKE_NOT_SOUND, "");
+        const BakedFromC empty(c99_bake_scene(nullptr, 0, nullptr, 0));
         CHECK(empty->status == ESPALIER_BAKE_OK);
         CHECK(copied(*empty) == bake_scene({}, {}).bytes);
     }
@@ -84,31 +85,30 @@ TEST_SUITE("scenes") {
         const Bytes blob = some_blob(1.0f);
         espalier_bytes one = in_c(blob);
         std::vector<espalier_instance> given = in_c(some_instances());
-        check_refused(espalier_bake_scene(&one, 1, given.data(), 3), ESPALIER_BAKE_INVALID_MESH, "instance 1");
-        check_refused(espalier_bake_scene(nullptr, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT,
-                      "blobs is null");
-        check_refused(espalier_bake_scene(&one, 1, nullptr, 1), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
+        check_refused(c99_bake_scene(&one, 1, given.data(), 3), ESPALIER_BAKE_INVALID_MESH, "instance 1");
+        check_refused(c99_bake_scene(nullptr, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blobs is null");
+        check_refused(c99_bake_scene(&one, 1, nullptr, 1), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
         one.bytes = nullptr;
-        check_refused(espalier_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
+        check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
         one = {blob.data(), blob.size() - 1};
-        check_refused(espalier_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
+        check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
     }
 
     TEST_CASE("c api: the deep check has the verdict of C++") {
         Bytes blob = some_blob(1.0f);
-        const BakedFromC sound(espalier_verify(blob.data(), blob.size()));
+        const BakedFromC sound(c99_verify(blob.data(), blob.size()));
         CHECK(sound->status == ESPALIER_BAKE_OK);
         CHECK(std::string(sound->message).empty());
         for (std::size_t i = 0; i < blob.size(); i += 7) {
             blob[i] ^= std::byte{4};
             const VerifyReport expected = verify(blob);
-            const BakedFromC result(espalier_verify(blob.data(), blob.size()));
+            const BakedFromC result(c99_verify(blob.data(), blob.size()));
             CHECK((result->status == ESPALIER_BAKE_OK) == expected.sound);
             CHECK(result->message == expected.message);
             blob[i] ^= std::byte{4};
         }
-        check_refused(espalier_verify(nullptr, 8), ESPALIER_BAKE_INVALID_ARGUMENT, "bytes is null");
-        check_refused(espalier_verify(nullptr, 0), ESPALIER_BAKE_NOT_SOUND, "");
-        check_refused(espalier_verify_scene(blob.data(), blob.size()), ESPALIER_BAKE_NOT_SOUND, "");
+        check_refused(c99_verify(nullptr, 8), ESPALIER_BAKE_INVALID_ARGUMENT, "bytes is null");
+        check_refused(c99_verify(nullptr, 0), ESPALIER_BAKE_NOT_SOUND, "");
+        check_refused(c99_verify_scene(blob.data(), blob.size()), ESPALIER_BAKE_NOT_SOUND, "");
     }
 }
