@@ -1,25 +1,19 @@
 // The espalier command: its arguments, and nothing else.
-#include <espalier/espalier.hpp>
-#include <espalier/format.hpp>
-
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/choices.hpp"
+#include <espalier/espalier.hpp>
+#include <espalier/format.hpp>
+
 #include "base/numbers.hpp"
 #include "command_line/arguments.hpp"
-#include "command_line/usage_error.hpp"
 #include "commands/commands.hpp"
 #include "platform/arguments.hpp"
 #include "platform/standard_streams.hpp"
-#include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 
@@ -27,173 +21,108 @@ namespace espalier::tools {
 
 namespace {
 
-void add_refit(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<RefitArguments>();
-    CLI::App* verb = add_verb(app, "refit", "Move the vertices of a deformable blob to a pose");
-    verb->add_option("blob", arguments->blob, "A blob of bake --deformable")->required()->type_name("BLOB");
-    verb->add_option("pose", arguments->pose,
-                     "A mesh file with all vertices of the baked mesh, in the same order: OBJ, PLY or glTF. Its faces "
-                     "do not count; give --unit, --scale and --up as for bake")
-        ->required()
-        ->type_name("POSE");
-    verb->add_option("-o,--output", arguments->output, "The blob to write, in this pose")
-        ->required()
-        ->type_name("BLOB");
-    add_source(verb, arguments->source);
-    verb->remove_option(verb->get_option("--allow-empty"));  // a pose needs no triangles
-    add_json(verb, arguments->json);
-    add_quiet(verb, arguments->quiet);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_refit(*arguments); }; });
+void add_refit(Verb verb, RefitArguments& arguments) {
+    verb.option("blob", arguments.blob, "BLOB", "A blob of bake --deformable").required();
+    verb.option("pose", arguments.pose, "POSE",
+                "A mesh file with all vertices of the baked mesh, in the same order: OBJ, PLY or glTF. Its faces "
+                "do not count; give --unit, --scale and --up as for bake")
+        .required();
+    verb.option("-o,--output", arguments.output, "BLOB", "The blob to write, in this pose").required();
+    add_source(verb, arguments.source, strict_of_a_bake, nullptr);  // a pose needs no triangles
+    add_json_and_quiet(verb, arguments.json, arguments.quiet);
 }
 
-void add_embed(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<EmbedArguments>();
-    CLI::App* verb = add_verb(app, "embed", "Make a blob or a scene into a source file, to be linked into a program");
-    add_blob(verb, arguments->blob);
-    verb->add_option("-o,--output", arguments->output,
-                     "The source to write: an array for C and C++ (.c, .cpp), or assembler (.S) that includes the blob "
-                     "by its name, which compiles faster; give the compiler the blob's folder with -I")
-        ->required()
-        ->type_name("SOURCE");
-    verb->add_option(
-            "--header", arguments->header,
-            "Also write a header for C and C++ that declares SYMBOL, SYMBOL_size and, in C++20, SYMBOL_bytes()")
-        ->type_name("HEADER");
-    verb->add_option("--symbol", arguments->symbol, "Name of the array; without it, that of SOURCE without its ending")
-        ->type_name("SYMBOL");
-    verb->add_option("--section", arguments->section, "Where the linker finds it; without it .rodata.SYMBOL")
-        ->type_name("SECTION");
-    verb->add_option("--alignment", arguments->alignment,
-                     "Of the first byte; a power of two. Queries need none: it is for caches and for direct memory "
-                     "access")
-        ->capture_default_str()
-        ->type_name("BYTES");
-    add_json(verb, arguments->json);
-    add_quiet(verb, arguments->quiet);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_embed(*arguments); }; });
+void add_embed(Verb verb, EmbedArguments& arguments) {
+    add_blob(verb, arguments.blob);
+    verb.option("-o,--output", arguments.output, "SOURCE",
+                "The source to write: an array for C and C++ (.c, .cpp), or assembler (.S) that includes the blob "
+                "by its name, which compiles faster; give the compiler the blob's folder with -I")
+        .required();
+    verb.option("--header", arguments.header, "HEADER",
+                "Also write a header for C and C++ that declares SYMBOL, SYMBOL_size and, in C++20, SYMBOL_bytes()");
+    verb.option("--symbol", arguments.symbol, "SYMBOL",
+                "Name of the array; without it, that of SOURCE without its ending");
+    verb.option("--section", arguments.section, "SECTION", "Where the linker finds it; without it .rodata.SYMBOL");
+    verb.option("--alignment", arguments.alignment, "BYTES",
+                "Of the first byte; a power of two. Queries need none: it is for caches and for direct memory access")
+        .with_default();
+    add_json_and_quiet(verb, arguments.json, arguments.quiet);
 }
 
-void add_info(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* verb = add_verb(app, "info", "Say what is inside a blob or a scene");
-    add_blob(verb, arguments->blob);
-    verb->add_flag(
-        "--histogram", arguments->histogram,
-        "Also how good the tree is: areas, volumes and overlap of boxes by depth, balance, triangles in a leaf");
-    add_json(verb, arguments->json);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_info(*arguments); }; });
+void add_info(Verb verb, InfoArguments& arguments) {
+    add_blob(verb, arguments.blob);
+    verb.flag("--histogram", arguments.histogram,
+              "Also how good the tree is: areas, volumes and overlap of boxes by depth, balance, triangles in a leaf");
+    add_json(verb, arguments.json);
 }
 
-void add_verify(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* verb = add_verb(app, "verify", "Prove that a blob or a scene is sound; exit status 3 when it is not");
-    add_blob(verb, arguments->blob);
-    verb->add_flag("--deep", arguments->deep, "Also that every box contains all below it, and that the header is true");
-    verb->add_option("--source", arguments->sources,
-                     "Also that the vertices of this mesh (or of these, in order) lie within max error of the surface; "
-                     "give --unit, --scale and --up as for bake")
-        ->type_name("MESH");
-    add_source(verb, arguments->source);
-    verb->get_option("--strict")->description("Warnings about the files of --source are errors: exit status 3");
-    verb->get_option("--allow-empty")
-        ->description("Take files of --source without triangles; without it they are an error");
-    add_json(verb, arguments->json);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
+void add_verify(Verb verb, VerifyArguments& arguments) {
+    add_blob(verb, arguments.blob);
+    verb.flag("--deep", arguments.deep, "Also that every box contains all below it, and that the header is true");
+    verb.option("--source", arguments.sources, "MESH",
+                "Also that the vertices of this mesh (or of these, in order) lie within max error of the surface; "
+                "give --unit, --scale and --up as for bake");
+    add_source(verb, arguments.source, "Warnings about the files of --source are errors: exit status 3",
+               "Take files of --source without triangles; without it they are an error");
+    add_json(verb, arguments.json);
 }
 
-void add_render(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* verb = add_verb(app, "render", "Draw a blob or a scene by casting rays at it");
-    add_blob(verb, arguments->blob);
-    verb->add_option("-o,--output", arguments->output, "The PNG to write")->required()->type_name("PNG");
-    verb->add_option("--size", arguments->size, "Pixels")->capture_default_str()->type_name("WIDTHxHEIGHT");
+void add_render(Verb verb, RenderArguments& arguments) {
+    add_blob(verb, arguments.blob);
+    verb.option("-o,--output", arguments.output, "PNG", "The PNG to write").required();
+    verb.option("--size", arguments.size, "WIDTHxHEIGHT", "Pixels").with_default();
     const Choices<bool> heatmaps{{"steps", true}};
-    add_choice(
-        verb, "--heatmap", arguments->heatmap, heatmaps,
+    verb.choice(
+        "--heatmap", arguments.heatmap, heatmaps,
         "Colour by work instead of by light: steps are the nodes and triangles visited for a pixel; of blobs only");
-    add_choice(verb, "--up", arguments->up, axes, "The axis that points up in the picture; y without it");
-    verb->add_option("--azimuth", arguments->azimuth, "Where the eye stands around the up axis, in degrees")
-        ->capture_default_str()
-        ->type_name("DEGREES");
-    verb->add_option("--elevation", arguments->elevation, "How high the eye stands, in degrees, -89 to 89")
-        ->capture_default_str()
-        ->check(between(-89.0, 89.0))
-        ->type_name("DEGREES");
-    verb->add_option("--samples", arguments->samples, "Rays along each side of a pixel")
-        ->capture_default_str()
-        ->check(between(1u, 8u))
-        ->type_name("1..8");
-    verb->add_option("--threads", arguments->threads, "0: all of the machine. The picture does not depend on it")
-        ->capture_default_str()
-        ->type_name("COUNT");
-    add_json(verb, arguments->json);
-    add_quiet(verb, arguments->quiet);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_render(*arguments); }; });
+    verb.choice("--up", arguments.up, axes, "The axis that points up in the picture; y without it");
+    verb.option("--azimuth", arguments.azimuth, "DEGREES", "Where the eye stands around the up axis, in degrees")
+        .with_default();
+    verb.option("--elevation", arguments.elevation, "DEGREES", "How high the eye stands, in degrees, -89 to 89")
+        .with_default()
+        .between(-89.0, 89.0);
+    verb.option("--samples", arguments.samples, "1..8", "Rays along each side of a pixel")
+        .with_default()
+        .between(1u, 8u);
+    add_threads(verb, arguments.threads, "0: all of the machine. The picture does not depend on it");
+    add_json_and_quiet(verb, arguments.json, arguments.quiet);
 }
 
-void add_dump(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<DumpArguments>();
-    CLI::App* verb = add_verb(app, "dump", "Every byte of a blob or a scene, with its meaning");
-    add_blob(verb, arguments->blob);
-    verb->add_option("--limit", arguments->limit,
-                     "At most so many lines, and a last one that counts the bytes left out")
-        ->type_name("LINES");
-    add_json(verb, arguments->json);
-    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
+void add_dump(Verb verb, DumpArguments& arguments) {
+    add_blob(verb, arguments.blob);
+    verb.option("--limit", arguments.limit, "LINES",
+                "At most so many lines, and a last one that counts the bytes left out");
+    add_json(verb, arguments.json);
 }
 
-/// Returns "bake --help" for "help bake".
-std::vector<std::string> with_help_as_option(std::vector<std::string> arguments) {
-    if (arguments.empty() || arguments.front() != "help") return arguments;
-    arguments.erase(arguments.begin());
-    if (arguments.size() > 1 && arguments.front() == "query") arguments.insert(arguments.begin() + 1, "BLOB");
-    arguments.emplace_back("--help");
-    return arguments;
+/// A verb whose options are those that `add` adds.
+template <class Arguments>
+void add_verb(Verb& command, const char* name, const char* description, void (*add)(Verb, Arguments&),
+              ExitCode (*run)(const Arguments&)) {
+    const auto arguments = std::make_shared<Arguments>();
+    Verb verb = command.below(name, description);
+    add(verb, *arguments);
+    verb.runs([arguments, run] { return run(*arguments); });
 }
 
-/// CLI11 takes -1 for a number, but -.5, -inf and -2mm for options. With a space before it none of them looks like one,
-/// and number parsers skip the space.
-std::vector<std::string> with_negative_numbers_marked(std::vector<std::string> arguments) {
-    for (std::string& argument : arguments) {
-        const bool is_negative =
-            argument.size() > 1 && argument[0] == '-' &&
-            (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9') || parse_double(argument));  // -inf
-        if (is_negative) argument.insert(0, 1, ' ');
-    }
-    return arguments;
-}
-
-ExitCode run(std::vector<std::string> words) {
-    CLI::App app{"Baked collision meshes, queried straight from their bytes", "espalier"};
-    app.allow_windows_style_options(false);  // on no system is /folder/mesh.obj an option
-    app.footer(std::string("'espalier VERB --help' has the options. stdout is data; stderr has messages.\n") +
-               exit_code_help);
-    app.set_version_flag("--version", text("espalier ", library_version, ", format ", format::version_major, '.',
-                                           format::version_minor));
-    app.require_subcommand(1);
-    Chosen chosen;
-    add_bake(app, chosen);
-    add_refit(app, chosen);
-    add_embed(app, chosen);
-    add_info(app, chosen);
-    add_verify(app, chosen);
-    add_query(app, chosen);
-    add_render(app, chosen);
-    add_trade(app, chosen);
-    add_dump(app, chosen);
-    refuse_empty_values(app);
-    words = with_negative_numbers_marked(with_help_as_option(std::move(words)));
-    std::reverse(words.begin(), words.end());  // CLI11 takes them last first
-    try {
-        app.parse(std::move(words));
-    } catch (const CLI::Success& success) {  // --help and --version
-        app.exit(success);
-        finish_standard_output();
-        return ExitCode::ok;
-    } catch (const CLI::ParseError& error) {
-        throw usage_error(app, error);
-    }
-    return chosen();
+ExitCode run(const std::vector<std::string>& words) {
+    CommandLine line("Baked collision meshes, queried straight from their bytes",
+                     text("espalier ", library_version, ", format ", format::version_major, '.', format::version_minor),
+                     "'espalier VERB --help' has the options. stdout is data; stderr has messages.\n");
+    Verb& command = line.top();
+    add_verb(command, "bake", "Make one blob or scene out of mesh files", add_bake, run_bake);
+    add_verb(command, "refit", "Move the vertices of a deformable blob to a pose", add_refit, run_refit);
+    add_verb(command, "embed", "Make a blob or a scene into a source file, to be linked into a program", add_embed,
+             run_embed);
+    add_verb(command, "info", "Say what is inside a blob or a scene", add_info, run_info);
+    add_verb(command, "verify", "Prove that a blob or a scene is sound; exit status 3 when it is not", add_verify,
+             run_verify);
+    add_query(command.below("query", "Answer one query of a blob or a scene"));
+    add_verb(command, "render", "Draw a blob or a scene by casting rays at it", add_render, run_render);
+    add_verb(command, "trade", "Bake one source in many ways; measure bytes, time and error of each", add_trade,
+             run_trade);
+    add_verb(command, "dump", "Every byte of a blob or a scene, with its meaning", add_dump, run_dump);
+    return line.parse(words)();
 }
 
 /// Whether a document is due on stdout, also where the command line cannot be parsed.

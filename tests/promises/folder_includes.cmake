@@ -91,7 +91,7 @@ check_folder_includes(tools
   "render: base"
   "absent: base import/base import/gltf/data import/assimp render"
   "commands: base platform import/base import report files layout bake trade scenes query render"
-  "command_line: base platform query commands"
+  "command_line: base platform report query commands"
   ".: base platform report commands command_line")
 
 set(includes_from_elsewhere semihosting.hpp)  # of docs/examples/firmware

@@ -14,7 +14,7 @@ namespace espalier::tools {
 namespace {
 
 /// The bounds of points along one axis.
-struct Range {
+struct Interval {
     float low = std::numeric_limits<float>::infinity();
     float high = -std::numeric_limits<float>::infinity();
 
@@ -25,7 +25,7 @@ struct Range {
 };
 
 struct Bounds {
-    std::array<Range, 3> axes;
+    std::array<Interval, 3> axes;
 
     void add(Vec3 point) {
         axes[0].add(point.x);
@@ -71,7 +71,7 @@ AssetSize asset_size(const Imported& imported) {
         for (const std::uint32_t vertex : vertices[i]) bounds.add(imported.meshes[i].positions[vertex]);
     }
     AssetSize size;
-    for (const Range& range : bounds.axes) {
+    for (const Interval& range : bounds.axes) {
         if (range.low > range.high) continue;
         const double low = static_cast<double>(range.low);
         const double high = static_cast<double>(range.high);

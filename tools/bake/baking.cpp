@@ -12,7 +12,7 @@ namespace espalier::tools {
 
 namespace {
 
-ExitCode exit_code_of(BakeStatus status) {
+ExitCode exit_code_of_bake(BakeStatus status) {
     switch (status) {
         case BakeStatus::ok:
             return ExitCode::ok;
@@ -39,7 +39,8 @@ BakeResult sound_or_throw(BakeResult result, const Imported& imported, const Bak
             message += " --drop-bad-triangles drops such triangles and counts them.";
         }
         const std::optional<SourcePlace>& place = result.place;
-        throw CommandError(exit_code_of(result.status), message, place ? details_of(*place, imported) : ErrorDetails());
+        throw CommandError(exit_code_of_bake(result.status), message,
+                           place ? details_of(*place, imported) : ErrorDetails());
     }
     static_cast<void>(opened(result));
     return result;

@@ -12,7 +12,7 @@ namespace espalier::tools {
 
 namespace {
 
-std::optional<int> whole_number(const char* begin, const char* end) {
+std::optional<int> exponent_in(const char* begin, const char* end) {
     int number = 0;
     const auto [stopped, error] = std::from_chars(begin, end, number);
     if (error != std::errc() || stopped != end) return std::nullopt;
@@ -20,7 +20,7 @@ std::optional<int> whole_number(const char* begin, const char* end) {
 }
 
 std::optional<int> step_exponent(const std::string& input) {
-    if (input.starts_with("2^")) return whole_number(input.data() + 2, input.data() + input.size());
+    if (input.starts_with("2^")) return exponent_in(input.data() + 2, input.data() + input.size());
     const std::optional<double> step = parse_double(input);
     if (!step || !std::isfinite(*step) || *step <= 0.0) return std::nullopt;
     int exponent = 0;

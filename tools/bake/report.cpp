@@ -59,7 +59,7 @@ std::string numbered_names(const ImportedFile& file) {
     return result;
 }
 
-double bytes_per_triangle(const BakeReport& report) {
+double bytes_per_baked_triangle(const BakeReport& report) {
     return report.tree.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.tree.triangles;
 }
 
@@ -103,8 +103,8 @@ void say_report(const Console& console, const BakeReport& report) {
                      counted(report.tree.vertices, "vertex"), ", ", counted(report.tree.nodes, "node"), ", ",
                      report.tree.leaves, report.tree.leaves == 1 ? " leaf" : " leaves", ", depth ", report.tree.depth,
                      report.closed ? ", closed" : ", not closed"));
-    console.say(
-        text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_triangle(report), 4), " per triangle"));
+    console.say(text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_baked_triangle(report), 4),
+                     " per triangle"));
     if (report.motion.positions != 0) {
         console.say(text("motion: ", counted(report.motion.positions, "position"), " in the range ",
                          shortest(report.motion.range.min), " to ", shortest(report.motion.range.max), "; ",
@@ -170,7 +170,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["max_error"] = report.lattice.max_error;
     document["step_below_float_spacing"] = report.warns_of(BakeWarning::Kind::step_below_float_spacing);
     document["bytes"] = report.bytes;
-    document["bytes_per_triangle"] = bytes_per_triangle(report);
+    document["bytes_per_triangle"] = bytes_per_baked_triangle(report);
     document["nodes"] = report.tree.nodes;
     document["leaves"] = report.tree.leaves;
     document["depth"] = report.tree.depth;

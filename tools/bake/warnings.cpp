@@ -9,7 +9,7 @@ namespace {
 constexpr double largest_expected_extent = 1000.0;  // metres
 constexpr double smallest_expected_extent = 0.001;
 
-const char* name_of(BakeWarning::Kind kind) {
+const char* name_of_kind(BakeWarning::Kind kind) {
     switch (kind) {
         case BakeWarning::Kind::step_below_float_spacing:
             return "step_below_float_spacing";
@@ -29,7 +29,7 @@ std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& p
     const auto add = [&](const char* kind, const std::string& message) {
         warnings.push_back({kind, message, file, {}, {}});
     };
-    for (const BakeWarning& warning : report.warnings) add(name_of(warning.kind), warning.message);
+    for (const BakeWarning& warning : report.warnings) add(name_of_kind(warning.kind), warning.message);
     if (report.tree.triangles == 0 || policy.expected_size) return warnings;
     const double extent = report.bounds.extent;
     if (extent > largest_expected_extent || extent < smallest_expected_extent) {

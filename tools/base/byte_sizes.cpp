@@ -12,7 +12,7 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr double most_bytes = 1e15;
+constexpr double largest_size = 1e15;
 
 std::optional<double> factor_of(std::string_view suffix) {
     if (suffix.empty() || suffix == "B") return 1.0;
@@ -43,7 +43,7 @@ std::uint64_t parse_byte_size(const std::string& input, std::string_view option)
     const std::optional<double> factor = factor_of(end);
     const bool is_number = end != input.c_str() && std::isfinite(value) && factor;
     const double bytes = is_number ? std::floor(value * *factor) : 0.0;
-    if (!(bytes >= 1.0 && bytes <= most_bytes)) {
+    if (!(bytes >= 1.0 && bytes <= largest_size)) {
         throw CommandError(ExitCode::usage,
                            text(option, ": '", printable(input),
                                 "' is no amount of bytes. Write a number above zero, with K, M or G for powers of "

@@ -9,9 +9,8 @@ namespace espalier::tools {
 
 namespace {
 
-template <class... Arguments>
-std::string written(Arguments... arguments) {
-    std::array<char, 64> buffer;
+template <std::size_t Size, class... Arguments>
+std::string_view write(std::array<char, Size>& buffer, Arguments... arguments) {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), arguments...);
     return {buffer.data(), end.ptr};
 }
@@ -26,9 +25,24 @@ std::optional<Number> parsed(const std::string& text, Number (*convert)(const ch
 
 }  // namespace
 
-std::string shortest(float value) { return written(value); }
-std::string shortest(double value) { return written(value); }
-std::string rounded(double value, int digits) { return written(value, std::chars_format::general, digits); }
+TextPart::TextPart(char character) : buffer_{character}, words_(buffer_.data(), 1) {}
+TextPart::TextPart(float number) : words_(write(buffer_, number)) {}
+TextPart::TextPart(double number) : words_(write(buffer_, number)) {}
+TextPart::TextPart(bool is_negative, std::uint64_t bits)
+    : words_(is_negative ? write(buffer_, static_cast<std::int64_t>(bits)) : write(buffer_, bits)) {}
+
+std::string joined(std::span<const TextPart> parts) {
+    std::string result;
+    for (const TextPart& part : parts) result += part.words();
+    return result;
+}
+
+std::string shortest(float value) { return text(value); }
+std::string shortest(double value) { return text(value); }
+std::string rounded(double value, int digits) {
+    std::array<char, 64> buffer;
+    return std::string(write(buffer, value, std::chars_format::general, digits));
+}
 std::string shortest(Vec3 value) { return shortest(value.x) + ' ' + shortest(value.y) + ' ' + shortest(value.z); }
 
 std::optional<double> parse_double(const std::string& text) { return parsed(text, std::strtod); }

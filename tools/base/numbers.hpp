@@ -1,8 +1,12 @@
 // Numbers to text and back. The text is the shortest that reads back as the same number.
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <sstream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,19 +25,37 @@ std::string shortest(Vec3 value);
 std::optional<double> parse_double(const std::string& text);
 std::optional<float> parse_float(const std::string& text);
 
-/// The parts as one string, numbers in their shortest form.
+/// A part of a text: characters, or a number in its shortest form.
+class TextPart {
+public:
+    TextPart(std::string_view words) : words_(words) {}
+    TextPart(const std::string& words) : words_(words) {}
+    TextPart(const char* words) : words_(words) {}
+    TextPart(char character);
+    TextPart(float number);
+    TextPart(double number);
+    TextPart(std::signed_integral auto number) : TextPart(number < 0, static_cast<std::uint64_t>(number)) {}
+    TextPart(std::unsigned_integral auto number) : TextPart(false, std::uint64_t{number}) {}
+    TextPart(bool) = delete;
+    TextPart(const TextPart&) = delete;  // it may contain what it refers to
+    TextPart& operator=(const TextPart&) = delete;
+
+    [[nodiscard]] std::string_view words() const { return words_; }
+
+private:
+    TextPart(bool is_negative, std::uint64_t bits);
+
+    std::array<char, 32> buffer_;
+    std::string_view words_;
+};
+
+std::string joined(std::span<const TextPart> parts);
+
+/// The parts as one string.
 template <class... Parts>
 std::string text(const Parts&... parts) {
-    std::ostringstream stream;
-    const auto append = [&stream](const auto& part) {
-        if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(part)>>) {
-            stream << shortest(part);
-        } else {
-            stream << part;
-        }
-    };
-    (append(parts), ...);
-    return stream.str();
+    const TextPart all[] = {TextPart(parts)...};
+    return joined(all);
 }
 
 /// "1 triangle", "2 triangles"

@@ -1,8 +1,12 @@
 #include "placement.hpp"
 
+#include <cmath>
+
 namespace espalier::tools {
 
 const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
+
+bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
 Vec3 Placement::operator()(const std::array<double, 3>& point) const {
     std::array<float, 3> result{};

@@ -14,6 +14,8 @@ enum class Axis : std::uint8_t { x, y, z };
 /// "+X"
 const char* axis_name(Axis axis);
 
+bool is_finite(Vec3 point);
+
 /// point -> linear * point + offset
 struct Placement {
     std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "base/numbers.hpp"
 #include "platform/paths.hpp"
-#include "similar_word.hpp"
 
 namespace espalier::tools {
 
@@ -28,6 +32,41 @@ constexpr std::array<std::pair<const char*, const char*>, 10> other_names_of_kin
      {"within", "within-distance"},
      {"steps", "to-lattice"},
      {"contact", "fix-internal-edge-normal"}}};
+
+/// The optimal string alignment distance (Damerau 1964), over three rows of its table.
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({replaced, last[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before_last[j - 2] + 1);
+            }
+        }
+        std::swap(before_last, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+/// Returns the first of the words, in lower case, that are nearest to `typed` in lower case, by letters inserted, left
+/// out, replaced or exchanged with the next. Empty if none is within a third of its length.
+std::string similar_word(std::string_view typed, std::span<const std::string> words) {
+    std::string lower(typed);
+    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    std::string nearest;
+    std::size_t least = typed.size() / 3 + 1;
+    for (const std::string& word : words) {
+        const std::size_t found = distance(lower, word);
+        if (found >= least) continue;
+        least = found;
+        nearest = word;
+    }
+    return nearest;
+}
 
 /// The verb or the kind of query that was being read.
 const CLI::App& innermost(const CLI::App& app) {

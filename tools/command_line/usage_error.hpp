@@ -1,7 +1,10 @@
 // What is wrong with a command line, in words for people.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 #include "base/exit_code.hpp"
 

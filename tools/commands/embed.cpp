@@ -74,7 +74,7 @@ void require_sound(const std::string& path, const std::vector<std::byte>& bytes)
     if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
 }
 
-void refuse_to_meet(const EmbedArguments& arguments) {
+void refuse_to_meet_sources(const EmbedArguments& arguments) {
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
     refuse_to_overwrite_input(outputs, arguments.blob);
     refuse_one_file_for_two(outputs);
@@ -86,7 +86,7 @@ void refuse_to_meet(const EmbedArguments& arguments) {
 
 ExitCode run_embed(const EmbedArguments& arguments) {
     const Console console(arguments.quiet);
-    refuse_to_meet(arguments);
+    refuse_to_meet_sources(arguments);
     const EmbeddingLanguage language = language_of(arguments.output);
     Embedding embedding;
     embedding.symbol = symbol_of(arguments);

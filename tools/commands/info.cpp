@@ -39,7 +39,7 @@ double extent_of(const Blob& blob) {
     return std::ldexp(1.0, blob.lattice().step_exponent) * largest;
 }
 
-std::string format_version(const BlobFile& file) {
+std::string blob_format_version(const BlobFile& file) {
     return text(read_u16(file.bytes, format::header::version_major_at), '.',
                 read_u16(file.bytes, format::header::version_minor_at));
 }
@@ -50,11 +50,11 @@ std::string joined(const std::vector<std::string>& names) {
     return result.empty() ? "none" : result;
 }
 
-void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
+void print_blob_json(const InfoArguments& arguments, const BlobFile& file) {
     const Blob& blob = file.blob;
     Json document = json_document();
     document["file"] = arguments.blob;
-    document["format_version"] = format_version(file);
+    document["format_version"] = blob_format_version(file);
     document["profile"] = name_of(blob.profile());
     document["triangles"] = triangles_of(blob);
     document["copies"] = blob.duplicate_reference_count();
@@ -113,10 +113,10 @@ void print_motion(const Blob& blob) {
                               " per triangle; the rest may stay in flash"));
 }
 
-void print_table(const InfoArguments& arguments, const BlobFile& file) {
+void print_blob_table(const InfoArguments& arguments, const BlobFile& file) {
     const Blob& blob = file.blob;
     std::cout << printable(arguments.blob) << '\n';
-    line("format", text(format_version(file), ", profile ", name_of(blob.profile())));
+    line("format", text(blob_format_version(file), ", profile ", name_of(blob.profile())));
     line("triangles", text(triangles_of(blob)));
     if (blob.duplicate_reference_count() != 0)
         line("copies", text(blob.duplicate_reference_count(), ", in further leaves: answers rays, enumerates nothing"));
@@ -164,9 +164,9 @@ ExitCode run_info(const InfoArguments& arguments) {
     }
     const BlobFile file = open_blob(arguments.blob, std::move(bytes));
     if (arguments.json) {
-        print_json_info(arguments, file);
+        print_blob_json(arguments, file);
     } else {
-        print_table(arguments, file);
+        print_blob_table(arguments, file);
     }
     return ExitCode::ok;
 }

@@ -93,8 +93,8 @@ std::vector<Warning> warnings_about(const RefitArguments& arguments, const Refit
              {}}};
 }
 
-Json result_json(const RefitArguments& arguments, const Imported& pose, const Refitted& refitted,
-                 const std::vector<Warning>& warnings) {
+Json refit_json(const RefitArguments& arguments, const Imported& pose, const Refitted& refitted,
+                const std::vector<Warning>& warnings) {
     const Box bounds = refitted.blob.bounds();
     Json document = json_document();
     document["file"] = arguments.blob;
@@ -109,7 +109,7 @@ Json result_json(const RefitArguments& arguments, const Imported& pose, const Re
     return document;
 }
 
-void refuse_to_meet(const RefitArguments& arguments, const std::vector<std::string>& inputs) {
+void refuse_to_meet_pose(const RefitArguments& arguments, const std::vector<std::string>& inputs) {
     const NamedOutput outputs[] = {{"-o", arguments.output}};
     for (const std::string& input : inputs) refuse_to_overwrite_input(outputs, input);
     require_writable(outputs);
@@ -118,13 +118,13 @@ void refuse_to_meet(const RefitArguments& arguments, const std::vector<std::stri
 
 ExitCode refit_with_warnings(const RefitArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
-    refuse_to_meet(arguments, {arguments.blob, arguments.pose});
+    refuse_to_meet_pose(arguments, {arguments.blob, arguments.pose});
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.keep_vertices = true;
     const BlobFile file = open_blob_file(arguments.blob);
     require_deformable(arguments, file.blob);
     const Imported pose = import_with_progress({&arguments.pose, 1}, source, arguments.quiet);
-    refuse_to_meet(arguments, pose.files.front().opened);
+    refuse_to_meet_pose(arguments, pose.files.front().opened);
 
     const Refitted refitted = tools::refitted(arguments, file, pose);
     give(warnings_about(arguments, refitted), warnings);
@@ -135,7 +135,7 @@ ExitCode refit_with_warnings(const RefitArguments& arguments, std::vector<Warnin
         text("quality: an average ray costs ", rounded(double(refitted.quality), 3), " times as much as at rest"));
     write_output_file(arguments.output, refitted.bytes);
     console.say(text("wrote ", printable(arguments.output)));
-    if (arguments.json) print_json(result_json(arguments, pose, refitted, warnings));
+    if (arguments.json) print_json(refit_json(arguments, pose, refitted, warnings));
     return ExitCode::ok;
 }
 

@@ -24,7 +24,7 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr std::size_t most_listed = 16;
+constexpr std::size_t most_parts_listed = 16;
 constexpr double bytes_around_flattened = format::header::bytes + format::guard_bytes;
 
 /// A mesh or a tile, and what all its instances come to.
@@ -89,12 +89,12 @@ SceneFigures figures_of(std::span<const std::byte> bytes, const BakedScene& scen
     return figures;
 }
 
-std::string format_version(std::span<const std::byte> bytes) {
+std::string scene_format_version(std::span<const std::byte> bytes) {
     return text(read_u16(bytes, format::scene::version_major_at), '.',
                 read_u16(bytes, format::scene::version_minor_at));
 }
 
-float step_of(const BakedScene& scene) { return std::ldexp(1.0f, detail::data_of(scene).tree.step_exponent); }
+float lattice_step_of(const BakedScene& scene) { return std::ldexp(1.0f, detail::data_of(scene).tree.step_exponent); }
 
 std::uint32_t node_count(const BakedScene& scene) { return detail::data_of(scene).tree.node_count; }
 
@@ -110,7 +110,7 @@ struct NamedBytes {
     std::size_t bytes;
 };
 
-std::vector<NamedBytes> sections_of(const SceneLayout& layout) {
+std::vector<NamedBytes> scene_sections_of(const SceneLayout& layout) {
     return {{"header", format::scene::header_bytes},
             {"part_sizes", layout.part_sizes.bytes},
             {"meshes", layout.mesh_bytes()},
@@ -120,19 +120,19 @@ std::vector<NamedBytes> sections_of(const SceneLayout& layout) {
             {"padding", layout.padding}};
 }
 
-void print_json_info(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
+void print_scene_json(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
     const SceneFigures figures = figures_of(bytes, scene);
     Json document = json_document();
     document["file"] = arguments.blob;
-    document["scene_version"] = format_version(bytes);
+    document["scene_version"] = scene_format_version(bytes);
     document["instances"] = scene.instance_count();
     document["triangles"] = figures.triangles;
     document["bytes"] = scene.size();
     document["flattened_bytes"] = figures.flattened_bytes;
     Json sections = Json::object();
-    for (const NamedBytes& section : sections_of(figures.layout)) sections[section.name] = section.bytes;
+    for (const NamedBytes& section : scene_sections_of(figures.layout)) sections[section.name] = section.bytes;
     document["sections"] = std::move(sections);
-    document["step"] = json_number(step_of(scene));
+    document["step"] = json_number(lattice_step_of(scene));
     document["max_error"] = json_number(scene.max_error());
     document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
     if (const auto common = scene.common_lattice()) {
@@ -149,16 +149,16 @@ void print_json_info(const InfoArguments& arguments, std::span<const std::byte> 
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
         const Blob& mesh = scene.meshes()[i];
         const PartUse& use = figures.uses[i];
-        meshes.push_back({{"instances", use.instances},
-                          {"triangles", mesh.triangle_count()},
-                          {"bytes", mesh.size()},
-                          {"profile", name_of(mesh.profile())},
-                          {"step", json_number(std::ldexp(1.0f, mesh.lattice().step_exponent))},
-                          {"max_error", json_number(mesh.max_error())},
-                          {"least_scale", json_number(use.least_scale)},
-                          {"largest_scale", json_number(use.largest_scale)},
-                          {"checksum", checksum_text(mesh.checksum())}});
-        if (arguments.histogram) meshes.back()["tree_quality"] = tree_quality_json(tree_quality_of(mesh));
+        Json& listed = meshes.push_back({{"instances", use.instances},
+                                         {"triangles", mesh.triangle_count()},
+                                         {"bytes", mesh.size()},
+                                         {"profile", name_of(mesh.profile())},
+                                         {"step", json_number(std::ldexp(1.0f, mesh.lattice().step_exponent))},
+                                         {"max_error", json_number(mesh.max_error())},
+                                         {"least_scale", json_number(use.least_scale)},
+                                         {"largest_scale", json_number(use.largest_scale)},
+                                         {"checksum", checksum_text(mesh.checksum())}});
+        if (arguments.histogram) listed["tree_quality"] = tree_quality_json(tree_quality_of(mesh));
     }
     document["meshes"] = std::move(meshes);
     Json tiles = Json::array();
@@ -182,7 +182,7 @@ void print_line(const std::string& name, const std::string& value) {
 
 void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
     const std::size_t meshes = scene.meshes().size();
-    for (std::size_t i = 0; i < figures.uses.size() && i < most_listed; ++i) {
+    for (std::size_t i = 0; i < figures.uses.size() && i < most_parts_listed; ++i) {
         const PartUse& use = figures.uses[i];
         if (i >= meshes) {
             const BakedScene& tile = scene.tiles()[i - meshes];
@@ -202,7 +202,7 @@ void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
                  counted(mesh.size(), "byte"), ", step ", shortest(std::ldexp(1.0f, mesh.lattice().step_exponent)),
                  ", max error ", shortest(mesh.max_error()), ", ", scales));
     }
-    if (figures.uses.size() > most_listed) print_line("...", "--json lists all");
+    if (figures.uses.size() > most_parts_listed) print_line("...", "--json lists all");
 }
 
 void print_tree_qualities(const BakedScene& scene) {
@@ -213,10 +213,10 @@ void print_tree_qualities(const BakedScene& scene) {
     if (!scene.tiles().empty()) std::cout << "the meshes of tiles: info --histogram for the file of each tile\n";
 }
 
-void print_table(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
+void print_scene_table(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
     const SceneFigures figures = figures_of(bytes, scene);
     std::cout << printable(arguments.blob) << '\n';
-    print_line("format", text("scene ", format_version(bytes)));
+    print_line("format", text("scene ", scene_format_version(bytes)));
     print_line("instances", text(scene.instance_count()));
     print_line("meshes", text(scene.meshes().size()));
     if (!scene.tiles().empty()) print_line("tiles", text(scene.tiles().size()));
@@ -224,7 +224,7 @@ void print_table(const InfoArguments& arguments, std::span<const std::byte> byte
     print_line("bounds", text(shortest(scene.bounds().min), " to ", shortest(scene.bounds().max)));
     print_line("max error", shortest(scene.max_error()));
     print_line("tree", text(counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},
-                            ", step ", shortest(step_of(scene))));
+                            ", step ", shortest(lattice_step_of(scene))));
     const Result<Lattice> common = scene.common_lattice();
     print_line("common step", common ? text(shortest(std::ldexp(1.0f, common->step_exponent)), ", of ",
                                             counted(instances_on_common_lattice(scene), "instance"))
@@ -233,7 +233,7 @@ void print_table(const InfoArguments& arguments, std::span<const std::byte> byte
     print_line("flattened", text("about ", rounded(figures.flattened_bytes, 10),
                                  " bytes as one blob with the steps of the meshes: an estimate"));
     print_line("bytes", text(scene.size(), ", of which"));
-    for (const NamedBytes& section : sections_of(figures.layout)) {
+    for (const NamedBytes& section : scene_sections_of(figures.layout)) {
         std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
                   << section.bytes << '\n';
     }
@@ -246,8 +246,8 @@ void print_table(const InfoArguments& arguments, std::span<const std::byte> byte
 
 void print_scene_info(const InfoArguments& arguments, std::span<const std::byte> bytes) {
     const SceneFile file = open_scene_file(arguments.blob, bytes);
-    if (arguments.json) print_json_info(arguments, bytes, file.scene);
-    else print_table(arguments, bytes, file.scene);
+    if (arguments.json) print_scene_json(arguments, bytes, file.scene);
+    else print_scene_table(arguments, bytes, file.scene);
 }
 
 }  // namespace espalier::tools

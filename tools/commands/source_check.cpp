@@ -10,14 +10,13 @@
 #include <espalier/distance.hpp>
 
 #include "base/numbers.hpp"
+#include "base/placement.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
 constexpr std::uint64_t most_checked = 100'000;
-
-bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
 std::array<double, 3> difference(Vec3 to, Vec3 from) {
     const auto along = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
@@ -105,8 +104,9 @@ double measuring_error_at(const BakedScene& scene, Vec3 point, double distance) 
     return error;
 }
 
-template <class Surface>
-void check_point(const Surface& surface, Vec3 point, const std::function<std::string()>& words, SourceCheck& check) {
+template <class SourceSurface>
+void check_point(const SourceSurface& surface, Vec3 point, const std::function<std::string()>& words,
+                 SourceCheck& check) {
     const double distance = distance_to(surface, point);
     const double error = measuring_error_at(surface, point, distance);
     ++check.checked;
@@ -127,8 +127,8 @@ std::vector<ImportedPlace> places_of(const Imported& source) {
     return places;
 }
 
-template <class Surface>
-SourceCheck check_surface(const Surface& surface, bool is_empty, const Imported& source) {
+template <class SourceSurface>
+SourceCheck check_surface(const SourceSurface& surface, bool is_empty, const Imported& source) {
     SourceCheck check;
     std::vector<UsedVertices> used;
     for (const ImportedMesh& mesh : source.meshes) used.push_back(used_vertices(mesh));

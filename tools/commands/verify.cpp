@@ -73,7 +73,8 @@ std::string source_failure(const Verified& file, const SourceCheck& check) {
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
 
-Json result_json(const VerifyArguments& arguments, const Verification& result, std::span<const Warning> warnings) {
+Json verification_json(const VerifyArguments& arguments, const Verification& result,
+                       std::span<const Warning> warnings) {
     Json document = json_document();
     document["file"] = arguments.blob;
     document["ok"] = result.failure.empty();
@@ -126,7 +127,7 @@ ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warn
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }
     if (!result.failure.empty() && code == ExitCode::ok) code = ExitCode::invalid_input;
-    Json document = arguments.json ? result_json(arguments, result, warnings) : Json();
+    Json document = arguments.json ? verification_json(arguments, result, warnings) : Json();
     if (!result.failure.empty()) {
         return report_failure({code, result.failure, {.file = arguments.blob}}, arguments.json ? &document : nullptr);
     }

@@ -8,7 +8,7 @@ namespace espalier::tools {
 namespace {
 
 /// As compilers write them: a space gets a backslash, and those before it double; a dollar doubles.
-std::string escaped(const std::string& path) {
+std::string escaped_for_make(const std::string& path) {
     std::string result;
     std::size_t backslashes = 0;
     for (const char character : path) {
@@ -29,8 +29,8 @@ std::string escaped(const std::string& path) {
 }  // namespace
 
 std::string depfile_text(const std::string& target, std::span<const std::string> sources) {
-    std::string result = escaped(target) + ':';
-    for (const std::string& source : sources) result += " \\\n " + escaped(source);
+    std::string result = escaped_for_make(target) + ':';
+    for (const std::string& source : sources) result += " \\\n " + escaped_for_make(source);
     result += '\n';
     return result;
 }

@@ -23,7 +23,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-constexpr HeaderField header_fields[] = {
+constexpr HeaderField blob_header_fields[] = {
     {format::header::magic_at, 4, "magic", HeaderField::Kind::text},
     {format::header::version_major_at, 2, "format version, major", HeaderField::Kind::integer},
     {format::header::version_minor_at, 2, "format version, minor", HeaderField::Kind::integer},
@@ -58,7 +58,7 @@ constexpr HeaderField deformable_fields[] = {
 /// Of any bytes, also those of a blob that was refused.
 std::vector<HeaderField> fields_of(Bytes bytes) {
     using namespace format::header;
-    std::vector<HeaderField> fields(std::begin(header_fields), std::end(header_fields));
+    std::vector<HeaderField> fields(std::begin(blob_header_fields), std::end(blob_header_fields));
     if (bytes.size() >= features_at + 4 && (read_u32(bytes, features_at) & format::feature::deformable) != 0)
         fields.insert(fields.end(), std::begin(deformable_fields), std::end(deformable_fields));
     const std::size_t at = fields.back().at + fields.back().bytes;
@@ -86,8 +86,8 @@ void list_leaves(Bytes bytes, const Blob& blob, const Section& leaves, ByteListi
 }
 
 /// Fields of one width, eight to a line: they end on a byte. `value` is the text of the one that begins at a bit.
-void list_numbers(const Section& section, std::uint32_t count, unsigned width, const char* name,
-                  const std::function<std::string(std::size_t)>& value, ByteListing& listing) {
+void list_values(const Section& section, std::uint32_t count, unsigned width, const char* name,
+                 const std::function<std::string(std::size_t)>& value, ByteListing& listing) {
     for (std::uint32_t first = 0; first < count && !listing.full(); first += 8) {
         const std::uint32_t here = std::min(count - first, 8u);
         std::string values;
@@ -131,7 +131,7 @@ void list_ids(Bytes bytes, const detail::BlobData& data, ByteListing& listing) {
 void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
     const unsigned width = (data.features & format::feature::materials_16) != 0 ? 16 : 8;
     const auto value = [&](std::size_t bit) { return text(read_bits(bytes, bit, width)); };
-    list_numbers(section, data.triangle_count, width, "materials", value, listing);
+    list_values(section, data.triangle_count, width, "materials", value, listing);
 }
 
 void list_sources(Bytes bytes, std::uint32_t count, ByteListing& listing) {
@@ -168,8 +168,8 @@ void list_edge_flags(Bytes bytes, const Section& section, const detail::BlobData
                 "-^vo"[read_bits(bytes, bit + edge * format::edge_flags::edge_bits, format::edge_flags::edge_bits)];
         return kinds;
     };
-    list_numbers(section, data.triangle_count, format::edge_flags::triangle_bits,
-                 "edges (- flat, ^ convex, v concave, o open)", value, listing);
+    list_values(section, data.triangle_count, format::edge_flags::triangle_bits,
+                "edges (- flat, ^ convex, v concave, o open)", value, listing);
 }
 
 std::string signed_numbers(Bytes bytes, std::size_t at, unsigned count) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t bytes_in_a_line = 16;
 constexpr std::size_t hexadecimal_column = 3 * bytes_in_a_line + 1;
 
-std::string hexadecimal(std::span<const std::byte> bytes) {
+std::string in_hexadecimal(std::span<const std::byte> bytes) {
     constexpr char digits[] = "0123456789abcdef";
     std::string result;
     for (const std::byte byte : bytes) {
@@ -58,7 +58,7 @@ void ByteListing::field_up_to(std::size_t offset, const std::string& meaning) {
 void ByteListing::line(std::size_t count, const std::string& meaning) {
     if (full()) return;
     ++lines_;
-    std::string bytes = hexadecimal(bytes_.subspan(at_, count));
+    std::string bytes = in_hexadecimal(bytes_.subspan(at_, count));
     if (json_) {
         collected_.push_back({{"at", at_}, {"bytes", std::move(bytes)}, {"meaning", meaning}});
     } else {

@@ -9,7 +9,7 @@ namespace espalier::tools {
 
 namespace {
 
-std::string value_of(std::span<const std::byte> bytes, const HeaderField& field) {
+std::string value_of_field(std::span<const std::byte> bytes, const HeaderField& field) {
     const auto integer = [&](std::size_t at, std::size_t width) {
         return width == 1 ? read_u8(bytes, at) : width == 2 ? read_u16(bytes, at) : read_u32(bytes, at);
     };
@@ -46,7 +46,7 @@ void list_header(std::span<const std::byte> bytes, std::span<const HeaderField> 
             listing.heading(text("cut short: a header has ", fields.back().at + fields.back().bytes, " bytes"));
             return;
         }
-        listing.field(field.bytes, field.name + value_of(bytes, field));
+        listing.field(field.bytes, field.name + value_of_field(bytes, field));
     }
 }
 

@@ -37,7 +37,7 @@ std::vector<Leaf> leaves_of(Bytes bytes, const Blob& blob) {
 }
 
 /// The next `count` numbers as one field.
-void list_row(Bytes bytes, const std::string& name, unsigned count, unsigned bits, ByteListing& listing) {
+void list_motion_row(Bytes bytes, const std::string& name, unsigned count, unsigned bits, ByteListing& listing) {
     std::string values;
     for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * bits, bits));
     listing.field(std::size_t{count} * bits / 8, text(name, ':', values));
@@ -53,7 +53,7 @@ void list_corners(Bytes bytes, const Blob& blob, const Section& section, ByteLis
         if (listing.full()) return;
         listing.heading(text(leaf.name(), ", triangles from ", leaf.first_triangle));
         for (const char* corner : {"  corner a", "  corner b", "  corner c"})
-            list_row(bytes, corner, leaf.fields.triangles, 8, listing);
+            list_motion_row(bytes, corner, leaf.fields.triangles, 8, listing);
     }
     listing.field_up_to(section.at + section.bytes - format::corners::guard_bytes, "padding");
     listing.field(format::corners::guard_bytes, "zeros, so that wide loads stay inside");
@@ -63,7 +63,7 @@ void list_vertex_sources(Bytes bytes, const Blob& blob, const Section& section, 
     const unsigned bits = vertex_source_bits(blob);
     for (const Leaf& leaf : leaves_of(bytes, blob)) {
         if (listing.full()) return;
-        list_row(bytes, text("positions of ", leaf.name()), leaf.fields.vertices, bits, listing);
+        list_motion_row(bytes, text("positions of ", leaf.name()), leaf.fields.vertices, bits, listing);
     }
     listing.field_up_to(section.at + section.bytes, "padding");
 }

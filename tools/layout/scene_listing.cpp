@@ -15,7 +15,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-constexpr HeaderField header_fields[] = {
+constexpr HeaderField scene_header_fields[] = {
     {format::scene::magic_at, 4, "magic", HeaderField::Kind::text},
     {format::scene::version_major_at, 2, "format version of scenes, major", HeaderField::Kind::integer},
     {format::scene::version_minor_at, 2, "format version of scenes, minor", HeaderField::Kind::integer},
@@ -41,7 +41,7 @@ constexpr HeaderField header_fields[] = {
      HeaderField::Kind::zero},
 };
 
-std::string floats(Bytes bytes, std::size_t at, unsigned count) {
+std::string floats_text(Bytes bytes, std::size_t at, unsigned count) {
     std::string result;
     for (unsigned i = 0; i < count; ++i) result += text(' ', read_f32(bytes, at + 4 * i));
     return result;
@@ -51,9 +51,9 @@ void list_instance(Bytes bytes, std::uint32_t number, ByteListing& listing) {
     namespace field = format::scene;
     const std::size_t at = listing.at();
     const auto integer = [&](std::size_t field_at) { return read_u32(bytes, at + field_at); };
-    listing.field(16, text("instance ", number, ": rotation x y z w", floats(bytes, at + field::rotation_at, 4)));
-    listing.field(12, text("translation", floats(bytes, at + field::translation_at, 3)));
-    listing.field(4, text("scale", floats(bytes, at + field::scale_at, 1)));
+    listing.field(16, text("instance ", number, ": rotation x y z w", floats_text(bytes, at + field::rotation_at, 4)));
+    listing.field(12, text("translation", floats_text(bytes, at + field::translation_at, 3)));
+    listing.field(4, text("scale", floats_text(bytes, at + field::scale_at, 1)));
     listing.field(4, text("mesh ", integer(field::mesh_at)));
     listing.field(4, text("mask ", checksum_text(integer(field::mask_at))));
     listing.field(4, text("user ", integer(field::user_at)));
@@ -62,7 +62,7 @@ void list_instance(Bytes bytes, std::uint32_t number, ByteListing& listing) {
 
 }  // namespace
 
-void list_scene_header(Bytes bytes, ByteListing& listing) { list_header(bytes, header_fields, listing); }
+void list_scene_header(Bytes bytes, ByteListing& listing) { list_header(bytes, scene_header_fields, listing); }
 
 void list_scene(Bytes bytes, const BakedScene& scene, ByteListing& listing) {
     const SceneLayout layout = layout_of(bytes, scene);

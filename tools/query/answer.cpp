@@ -153,6 +153,8 @@ Answer& Answer::counted_list(const char* name, const char* singular, const std::
 
 Json json_box(const Box& box) { return {{"min", json_point(box.min)}, {"max", json_point(box.max)}}; }
 
+QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
+
 const char* name_of(QueryStatus status) {
     switch (status) {
         case QueryStatus::ok:

@@ -12,7 +12,7 @@ namespace {
 float max_distance(const QueryCall& call) { return length_argument(call.options().max_distance, "--max-distance"); }
 
 /// Adds the values of a closest point; of a segment or a box its own point too.
-void add_values(Record& record, const ClosestPoint& nearest, bool has_shape) {
+void add_closest_values(Record& record, const ClosestPoint& nearest, bool has_shape) {
     record.add("distance", nearest.distance).add("point", nearest.point);
     if (has_shape) record.add("on_shape", nearest.on_shape);
     record.add("feature", name_in(feature_choices, nearest.feature)).add("u", nearest.u).add("v", nearest.v);
@@ -21,7 +21,7 @@ void add_values(Record& record, const ClosestPoint& nearest, bool has_shape) {
 }
 
 void add_nearest(Record& record, const Blob& blob, const ClosestPoint& nearest, bool has_shape = false) {
-    add_values(record.triangle(blob, nearest.triangle, "nearest "), nearest, has_shape);
+    add_closest_values(record.triangle(blob, nearest.triangle, "nearest "), nearest, has_shape);
 }
 
 Answer nearest_in_scene(const QueryCall& call, const BakedScene& scene, Vec3 point) {
@@ -33,7 +33,8 @@ Answer nearest_in_scene(const QueryCall& call, const BakedScene& scene, Vec3 poi
     }
     answer.record.title("nothing within that distance").add_silently("found", bool(nearest));
     if (nearest)
-        add_values(answer.record.triangle(scene, nearest.instance, nearest->triangle, "nearest "), *nearest, false);
+        add_closest_values(answer.record.triangle(scene, nearest.instance, nearest->triangle, "nearest "), *nearest,
+                           false);
     return answer;
 }
 
@@ -49,7 +50,7 @@ Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool h
     return answer;
 }
 
-Answer bounds_answer(const QueryCall& call, Vec3 point, float limit) {
+Answer distance_bounds_answer(const QueryCall& call, Vec3 point, float limit) {
     const float accuracy = length_argument(call.options().accuracy, "--accuracy");
     Answer answer(call);
     QueryCounters counters;
@@ -68,7 +69,7 @@ Answer closest_point_answer(QueryCall& call) {
     const Vec3 point = call.next_vector();
     if (const BakedScene* scene = call.scene()) return nearest_in_scene(call, *scene, point);
     const float limit = max_distance(call);
-    if (!call.options().accuracy.empty()) return bounds_answer(call, point, limit);
+    if (!call.options().accuracy.empty()) return distance_bounds_answer(call, point, limit);
     if (!call.options().first) return nearest_answer(call, closest_point(call.blob(), point, limit));
     Answer answer(call);
     std::vector<ClosestPoint> places(std::min(*call.options().first, call.blob().triangle_count()));

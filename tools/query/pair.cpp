@@ -8,7 +8,7 @@ namespace espalier::tools {
 
 namespace {
 
-espalier::Transform placement_of(const QueryArguments& options) {
+espalier::Transform stated_placement(const QueryArguments& options) {
     espalier::Transform result;
     const auto turn = [&](std::size_t i) { return number_argument(options.rotation.at(i), "--rotate"); };
     const auto move = [&](std::size_t i) { return length_argument(options.translation.at(i), "--move"); };
@@ -21,7 +21,7 @@ espalier::Transform placement_of(const QueryArguments& options) {
 /// The other blob and its place in the first one's space.
 struct Other {
     explicit Other(QueryCall& call)
-        : transform(placement_of(call.options())),
+        : transform(stated_placement(call.options())),
           file(open_blob_file(call.next_name())),
           limit(call.options().work_limit) {}
     [[nodiscard]] PlacedBlob placed() const { return {file.blob, transform}; }
@@ -36,9 +36,6 @@ void add_pair(Record& record, const QueryCall& call, const Other& other, Triangl
     Record b(record.as_json());
     record.add("a", a.triangle(call.blob(), in_a)).add("b", b.triangle(other.file.blob, in_b));
 }
-
-/// The status of a command: that nothing was found is an answer like any other.
-QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
 
 Answer overlaps_answer(QueryCall& call) {
     const Other other(call);
@@ -58,7 +55,7 @@ Answer first_contact_answer(QueryCall& call) {
     return answer;
 }
 
-Answer contacts_answer(QueryCall& call) {
+Answer pair_contacts_answer(QueryCall& call) {
     const Other other(call);
     Answer answer(call);
     bool is_full = false;
@@ -134,7 +131,7 @@ QueryKinds pair_kinds() {
          "All pairs of triangles that touch, in the order of the trees",
          {name_word("OTHER")},
          placed | option_limit,
-         contacts_answer},
+         pair_contacts_answer},
         {family,
          "touches",
          "Where each pair of triangles touches: common points, depth and the direction in which OTHER leaves",

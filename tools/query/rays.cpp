@@ -20,11 +20,8 @@ Vec3 point_at(const Ray& ray, float t) {
 
 std::string name_of(Side side) { return side == Side::front ? "front" : "back"; }
 
-/// Returns the status of an answer that also has words for a miss: it is complete.
-QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
-
 /// Adds the values of a hit of a triangle of that blob.
-void add_values(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
+void add_hit_values(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
     record.add("t", hit.t).add("point", point_at(ray, hit.t)).add("normal", hit.normal).add("side", name_of(hit.side));
     record.add("u", hit.u).add("v", hit.v);
     if (const OriginalHit original = original_hit(blob, hit)) {
@@ -33,11 +30,11 @@ void add_values(Record& record, const Blob& blob, const Ray& ray, const RayHit& 
 }
 
 void add_hit(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
-    add_values(record.triangle(blob, hit.triangle, "hit "), blob, ray, hit);
+    add_hit_values(record.triangle(blob, hit.triangle, "hit "), blob, ray, hit);
 }
 
 void add_hit(Record& record, const BakedScene& scene, const Ray& ray, const RayHit& hit, InstanceId instance) {
-    add_values(record.triangle(scene, instance, hit.triangle, "hit "), mesh_at(scene, instance).value, ray, hit);
+    add_hit_values(record.triangle(scene, instance, hit.triangle, "hit "), mesh_at(scene, instance).value, ray, hit);
 }
 
 /// Lists all hits, or the crossings among them.

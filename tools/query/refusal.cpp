@@ -21,7 +21,7 @@ struct Argument {
     Range range;
 };
 
-double value_of(QueryWord::Type type, const std::string& word, const char* name) {
+double value_of_word(QueryWord::Type type, const std::string& word, const char* name) {
     if (type == QueryWord::Type::length) return static_cast<double>(length_argument(word, name));
     if (type == QueryWord::Type::number) return static_cast<double>(number_argument(word, name));
     return parse_double(word).value_or(0.0);
@@ -46,7 +46,7 @@ std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& 
         Argument& argument = arguments.emplace_back(Argument{name, std::move(words), {}, range});
         for (std::string& word : argument.words) {
             word = typed(word);
-            argument.values.push_back(value_of(type, word, name));
+            argument.values.push_back(value_of_word(type, word, name));
         }
     };
     auto next = given.words.begin();
@@ -84,7 +84,7 @@ const Argument* invalid_one(const std::vector<Argument>& arguments) {
     return is_one ? &*std::find_if(arguments.begin(), arguments.end(), may_be_short) : nullptr;
 }
 
-double size_of(const Argument& argument) {
+double size_of_word(const Argument& argument) {
     double size = 0.0;
     for (const double value : argument.values) size = std::max(size, std::fabs(value));
     return size;
@@ -93,8 +93,8 @@ double size_of(const Argument& argument) {
 /// Returns the argument that reaches farthest from the origin.
 const Argument* farthest_one(const std::vector<Argument>& arguments) {
     const auto farthest = std::max_element(arguments.begin(), arguments.end(), [](const auto& a, const auto& b) {
-        const bool counts = std::isfinite(size_of(b));  // an infinite one is valid where it stands
-        return counts && (!std::isfinite(size_of(a)) || size_of(a) < size_of(b));
+        const bool counts = std::isfinite(size_of_word(b));  // an infinite one is valid where it stands
+        return counts && (!std::isfinite(size_of_word(a)) || size_of_word(a) < size_of_word(b));
     });
     return farthest == arguments.end() ? nullptr : &*farthest;
 }

@@ -47,14 +47,14 @@ Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacemen
     return hit_answer(call, sweep(call.blob(), shape, displacement, sweep_options<SweepOptions>(call)));
 }
 
-Answer sphere_answer(QueryCall& call) {
+Answer sphere_sweep_answer(QueryCall& call) {
     Sphere sphere;
     sphere.center = call.next_vector();
     sphere.radius = call.next_number();
     return sweep_answer(call, sphere, call.next_vector());
 }
 
-Answer capsule_answer(QueryCall& call) {
+Answer capsule_sweep_answer(QueryCall& call) {
     Capsule capsule;
     capsule.from = call.next_vector();
     capsule.to = call.next_vector();
@@ -62,7 +62,7 @@ Answer capsule_answer(QueryCall& call) {
     return sweep_answer(call, capsule, call.next_vector());
 }
 
-Answer box_answer(QueryCall& call) {
+Answer box_sweep_answer(QueryCall& call) {
     Box box;
     box.min = call.next_vector();
     box.max = call.next_vector();
@@ -94,7 +94,7 @@ QueryKinds sweep_kinds() {
          "What a moving sphere touches first",
          {point_word("center"), length_word("radius", Range::finite_size), point_word("displacement")},
          options,
-         sphere_answer,
+         sphere_sweep_answer,
          {},
          in_scene},
         {family,
@@ -102,7 +102,7 @@ QueryKinds sweep_kinds() {
          "What a moving capsule touches first",
          {point_word("from"), point_word("to"), length_word("radius", Range::finite_size), point_word("displacement")},
          options,
-         capsule_answer,
+         capsule_sweep_answer,
          {},
          in_scene},
         {family,
@@ -110,7 +110,7 @@ QueryKinds sweep_kinds() {
          "What a moving axis-aligned box touches first",
          {point_word("min"), point_word("max"), point_word("displacement")},
          options,
-         box_answer,
+         box_sweep_answer,
          {},
          in_scene},
         {family,

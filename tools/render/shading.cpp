@@ -8,7 +8,7 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr Colour surface{0.62f, 0.60f, 0.56f};
+constexpr Colour surface_colour{0.62f, 0.60f, 0.56f};
 constexpr Colour sky{0.30f, 0.34f, 0.40f};
 constexpr Colour ground{0.16f, 0.14f, 0.12f};
 constexpr Colour main_colour{1.00f, 0.96f, 0.88f};
@@ -51,7 +51,7 @@ Colour Shading::colour(const Ray& ray, float height) const {
     light = light + std::max(0.0f, dot(normal, side_light_)) * side_colour;
     const float facing = dot(normal, main_light_);
     if (facing > 0.0f && !in_shadow(ray.origin + hit.t * ray.direction, normal)) light = light + facing * main_colour;
-    return filtered(light, surface);
+    return filtered(light, surface_colour);
 }
 
 Colour heat_colour(float heat) {

@@ -17,10 +17,7 @@ Json json_number(float value) {
 
 Json json_point(Vec3 value) { return Json::array({json_number(value.x), json_number(value.y), json_number(value.z)}); }
 
-std::string json_text(const Json& document) {
-    // File and mesh names may hold bytes that are no UTF-8; they are replaced rather than refused.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+std::string json_text(const Json& document) { return document.dump() + '\n'; }
 
 void print_json(const Json& document) {
     std::cout << json_text(document);

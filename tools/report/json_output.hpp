@@ -3,13 +3,11 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include <espalier/types.hpp>
 
-namespace espalier::tools {
+#include "json.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace espalier::tools {
 
 /// Raised when a key is taken away or changes its meaning; keys may be added without.
 inline constexpr int json_schema = 1;

@@ -13,7 +13,7 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr std::size_t most_listed = 16;
+constexpr std::size_t most_meshes_listed = 16;
 
 const char* words_for(std::uint64_t count, const char* one, const char* several) { return count == 1 ? one : several; }
 
@@ -36,7 +36,7 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
     std::size_t listed = 0;
     for (const SceneMesh& mesh : baked.meshes) {
         if (mesh.instances == 0) continue;
-        if (listed++ == most_listed) {
+        if (listed++ == most_meshes_listed) {
             console.say(text("...; --json lists all of the ", report.meshes, " meshes"));
             break;
         }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/placement.hpp"
 #include "variants.hpp"
 
 namespace espalier::tools {
@@ -18,8 +19,6 @@ using Point = std::array<double, 3>;
 
 /// Edges of two places are one if their middles are in one cell of a grid: of this share of the scene.
 constexpr double cell_share = 0x1p-20;
-
-bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 /// Returns the middles of the edges with one triangle that lie in a side of the mesh's box.
 std::vector<Point> border_of(const ImportedMesh& mesh) {

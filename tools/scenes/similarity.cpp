@@ -14,7 +14,7 @@ using Turn = std::array<double, 4>;
 
 /// The largest error of a Transform that rounding explains: that of a few products of float32 matrices, as a share of
 /// the lengths that it moves.
-constexpr double largest_rounding = 0x1p-20;
+constexpr double largest_turning_error = 0x1p-20;
 /// Components of rotations are multiples of it: less than float32 resolves at 1. Quarter turns become exact.
 constexpr double turn_unit = 0x1p-30;
 
@@ -52,7 +52,7 @@ Turn refined(const Turn& near, const Matrix& linear, double scale) {
     return {a + w * x + b * z - c * y, b + w * y + c * x - a * z, c + w * z + a * y - b * x, w - a * x - b * y - c * z};
 }
 
-Quaternion rounded(const Turn& turn) {
+Quaternion in_floats(const Turn& turn) {
     double greatest = 0.0;
     for (const double part : turn) greatest = std::max(greatest, std::abs(part));
     const auto part = [&](std::size_t i) {
@@ -62,7 +62,7 @@ Quaternion rounded(const Turn& turn) {
     return {part(0), part(1), part(2), part(3)};
 }
 
-Vec3 rounded(const Numbers& v) {
+Vec3 in_floats(const Numbers& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
@@ -92,7 +92,7 @@ FittedTransform fit_translation(const std::array<double, 3>& offset) {
     Numbers kept = offset;
     for (double& coordinate : kept)
         if (std::abs(coordinate) <= turning_noise * longest) coordinate = 0.0;
-    fitted.transform.translation = rounded(kept);
+    fitted.transform.translation = in_floats(kept);
     const Numbers moved = numbers_of(fitted.transform.translation);
     fitted.error = length({offset[0] - moved[0], offset[1] - moved[1], offset[2] - moved[2]});
     return fitted;
@@ -110,7 +110,7 @@ std::optional<FittedTransform> fit_transform(const Placement& placement, const P
     FittedTransform fitted = fit_translation(placement.offset);
     const Quaternion& q = near->rotation;
     fitted.transform.rotation =
-        rounded(refined({double(q.x), double(q.y), double(q.z), double(q.w)}, placement.linear, scale));
+        in_floats(refined({double(q.x), double(q.y), double(q.z), double(q.w)}, placement.linear, scale));
     fitted.transform.scale = static_cast<float>(scale);
     if (box.low[0] > box.high[0]) return fitted;
 
@@ -129,7 +129,7 @@ std::optional<FittedTransform> fit_transform(const Placement& placement, const P
         turning_error = std::max(turning_error, length(linear_off));
         fitted.error = std::max(fitted.error, length(off));
     });
-    const bool is_rounding = turning_error <= largest_rounding * reach && std::isfinite(fitted.error);
+    const bool is_rounding = turning_error <= largest_turning_error * reach && std::isfinite(fitted.error);
     return is_rounding ? std::optional(fitted) : std::nullopt;
 }
 

@@ -19,7 +19,7 @@ bool is_once(std::string_view section) {
 }
 
 /// Of a mesh with that many bytes of its own. On average half of the alignment is padding.
-double bytes_of(double mesh, double instances) {
+double bytes_of_variant(double mesh, double instances) {
     constexpr double once =
         static_cast<double>(format::scene::alignment) / 2 + static_cast<double>(format::scene::part_size_bytes);
     constexpr double each = static_cast<double>(format::scene::instance_bytes) + format::packed_node::bytes / 4.0;
@@ -46,10 +46,12 @@ double bytes_as_part(std::span<const std::byte> bytes, const Blob& blob) {
     return sum;
 }
 
-double bytes_of_merging() { return bytes_of(static_cast<double>(format::header::bytes + format::guard_bytes), 1.0); }
+double bytes_of_merging() {
+    return bytes_of_variant(static_cast<double>(format::header::bytes + format::guard_bytes), 1.0);
+}
 
 double bytes_as_instances(const Blob& blob, std::uint64_t instances) {
-    return bytes_of(static_cast<double>(blob.size()), static_cast<double>(instances));
+    return bytes_of_variant(static_cast<double>(blob.size()), static_cast<double>(instances));
 }
 
 }  // namespace espalier::tools

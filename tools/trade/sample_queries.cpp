@@ -59,7 +59,7 @@ struct SurfaceTriangle {
     double area_before;  ///< of all triangles before this one
 };
 
-struct Surface {
+struct SampledSurface {
     std::vector<SurfaceTriangle> triangles;
     double area = 0.0;
     Point low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -97,8 +97,8 @@ struct Surface {
     }
 };
 
-Surface surface_of(const Imported& source) {
-    Surface surface;
+SampledSurface surface_of(const Imported& source) {
+    SampledSurface surface;
     for (const ImportedMesh& mesh : source.meshes) {
         for (const TriangleVertices& triangle : mesh.triangles) {
             std::array<Point, 3> corners;
@@ -118,7 +118,7 @@ Surface surface_of(const Imported& source) {
 
 SampleQueries make_sample_queries(const Imported& source, std::size_t count) {
     SampleQueries queries;
-    const Surface surface = surface_of(source);
+    const SampledSurface surface = surface_of(source);
     if (surface.triangles.empty()) return queries;
     Point center, sides;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "base/numbers.hpp"
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -16,17 +16,8 @@ std::string number(double value) {
     return {buffer.data(), end.ptr};
 }
 
-bool is_utf8(const std::string& words) {
-    try {
-        static_cast<void>(Json(words).dump());
-        return true;
-    } catch (const Json::type_error&) {
-        return false;
-    }
-}
-
 /// Names come out of files: whatever XML cannot hold is replaced.
-std::string escaped(std::string_view words) {
+std::string escaped_for_xml(std::string_view words) {
     const std::string clean = printable(words);
     const bool keeps_bytes = is_utf8(clean);
     std::string result;
@@ -118,7 +109,7 @@ void Svg::words(Place at, std::string_view written, const TextStyle& style) {
         body_ +=
             attribute("transform", text("rotate(", number(style.turned), ' ', number(at.x), ' ', number(at.y), ')'));
     }
-    body_ += text('>', escaped(written), "</text>\n");
+    body_ += text('>', escaped_for_xml(written), "</text>\n");
 }
 
 std::string Svg::str() const { return body_ + "</svg>\n"; }

@@ -52,16 +52,15 @@ Json trade_json(const std::vector<TradePoint>& points) {
 
 std::string trade_csv(const std::string& mesh, const std::vector<TradePoint>& points) {
     std::string lines;
-    for (const Json& row : trade_json(points)) {
+    const Json rows = trade_json(points);
+    for (const Json& row : rows.elements()) {
         if (lines.empty()) {
             lines = "mesh";
-            for (const auto& [key, value] : row.items()) lines += ',' + key;
+            for (const auto& [key, value] : row.members()) lines += ',' + key;
             lines += '\n';
         }
         lines += csv_text(mesh);
-        for (const auto& [key, value] : row.items()) {
-            lines += ',' + (value.is_string() ? value.get<std::string>() : value.dump());
-        }
+        for (const auto& [key, value] : row.members()) lines += ',' + value.plain();
         lines += '\n';
     }
     return lines;

@@ -11,21 +11,21 @@ namespace {
 // All in lower case. assimp has no other way to state that it left something out.
 
 /// A warning with one of these is about a loss; an error needs none.
-constexpr std::string_view losses[] = {
+constexpr std::string_view loss_words[] = {
     "ignor",        "skip",         "unable",          "failed",         "cannot",           "unsupported",
     "overflow",     "missing",      "not found",       "invalid",        "unresolved",       "not supported",
     "zero indices", "vertex index", "face index",      "vertex setup",   "vertex reference", "face record",
     "number of",    "face count",   "vertex count",    "unexpected eof", "unexpected end",   "indices per face",
     "incomplete",   "mesh group",   "may have either", "openings",       "unknown polygon",  "not enough",
 };
-/// These do not change where triangles are, unless a word of `geometry` stands beside them.
-constexpr std::string_view looks[] = {"anim",     "binormal", "bone",     "camera", "color",
-                                      "lamp",     "light",    "material", "normal", "shad",
-                                      "skeleton", "tangent",  "texture",  "uv",     "weight"};
-constexpr std::string_view geometry[] = {"external file", "face",   "geometr", "instanced node", "mesh", "polygon",
-                                         "primitive",     "triang", "vert"};
+/// These do not change where triangles are, unless a word of `geometry_words` stands beside them.
+constexpr std::string_view look_words[] = {"anim",     "binormal", "bone",     "camera", "color",
+                                           "lamp",     "light",    "material", "normal", "shad",
+                                           "skeleton", "tangent",  "texture",  "uv",     "weight"};
+constexpr std::string_view geometry_words[] = {
+    "external file", "face", "geometr", "instanced node", "mesh", "polygon", "primitive", "triang", "vert"};
 /// Phrases of reports without a loss, though with the words above.
-constexpr std::string_view harmless[] = {
+constexpr std::string_view harmless_words[] = {
     // looks of vertices and faces
     "no material assigned",
     "face material list",
@@ -71,9 +71,9 @@ bool contains_any(std::string_view line, const std::string_view (&words)[count])
 bool reports_lost_geometry(std::string_view line) {
     std::string lower(line);
     for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    if (!lower.starts_with("error") && !contains_any(lower, losses)) return false;
-    if (contains_any(lower, harmless)) return false;
-    return contains_any(lower, geometry) || !contains_any(lower, looks);
+    if (!lower.starts_with("error") && !contains_any(lower, loss_words)) return false;
+    if (contains_any(lower, harmless_words)) return false;
+    return contains_any(lower, geometry_words) || !contains_any(lower, look_words);
 }
 
 }  // namespace espalier::tools

@@ -8,14 +8,14 @@ namespace {
 
 constexpr std::string_view spaces = " \t\r\n";
 
-bool is_space(char letter) { return spaces.find(letter) != std::string_view::npos; }
+bool is_xml_space(char letter) { return spaces.find(letter) != std::string_view::npos; }
 
 }  // namespace
 
 std::string_view tag_attribute(std::string_view tag, std::string_view name) {
     for (std::size_t at = tag.find(name, 1); at != std::string_view::npos; at = tag.find(name, at + 1)) {
         const std::size_t equals = tag.find_first_not_of(spaces, at + name.size());
-        if (!is_space(tag[at - 1]) || equals == std::string_view::npos || tag[equals] != '=') continue;
+        if (!is_xml_space(tag[at - 1]) || equals == std::string_view::npos || tag[equals] != '=') continue;
         const std::size_t quote = tag.find_first_not_of(spaces, equals + 1);
         if (quote == std::string_view::npos) break;
         const std::size_t end = tag.find(tag[quote], quote + 1);

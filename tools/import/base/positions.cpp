@@ -5,14 +5,9 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
+#include "base/placement.hpp"
 
 namespace espalier::tools {
-
-namespace {
-
-bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
-
-}  // namespace
 
 std::vector<Vec3> positions_in_a_row(const Imported& imported) {
     std::vector<Vec3> row;

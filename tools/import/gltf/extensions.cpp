@@ -16,14 +16,14 @@ constexpr std::array<std::string_view, 4> read_here = {"EXT_mesh_gpu_instancing"
 
 /// Materials, pictures, lights, animations and data about the file. A name that ends with '_' stands for all that
 /// start so.
-constexpr std::array<std::string_view, 20> harmless = {
+constexpr std::array<std::string_view, 20> harmless_extensions = {
     "ADOBE_materials_",  "AGI_articulations", "EXT_instance_features", "EXT_lights_",         "EXT_materials_",
     "EXT_mesh_features", "EXT_mesh_manifold", "EXT_structural_",       "EXT_texture_",        "FB_ngon_encoding",
     "KHR_animation_",    "KHR_lights_",       "KHR_materials_",        "KHR_technique_webgl", "KHR_techniques_webgl",
     "KHR_texture_",      "KHR_xmp_",          "MSFT_packing_",         "MSFT_texture_",       "KHR_xmp"};
 
 bool is_harmless(std::string_view name) {
-    return std::any_of(harmless.begin(), harmless.end(), [name](std::string_view known) {
+    return std::any_of(harmless_extensions.begin(), harmless_extensions.end(), [name](std::string_view known) {
         return known.ends_with('_') ? name.starts_with(known) : name == known;
     });
 }

@@ -41,7 +41,7 @@ public:
     GltfReader(const GltfContainer& container, const ImportOptions& options, ImportedFile& file, Imported& imported)
         : options_(options),
           file_(file),
-          root_(container.json, text("'", printable(file.path), "'")),
+          root_(*container.json, text("'", printable(file.path), "'")),
           buffers_(file.path, container, file.opened),
           views_(root_, buffers_),
           accessors_(root_, views_),

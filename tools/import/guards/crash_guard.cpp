@@ -12,7 +12,7 @@ LastWords crash_words;
 
 void end_with_crash_words(int) { end_with(crash_words); }
 
-auto handler_that_names(const std::string& path, const ImportOptions& options) {
+auto crash_handler_that_names(const std::string& path, const ImportOptions& options) {
     crash_words = last_words({ExitCode::invalid_input,
                               text("the importer crashed while it read '", printable(path),
                                    "'. The file is likely broken; export it again, or in another format."),
@@ -24,6 +24,6 @@ auto handler_that_names(const std::string& path, const ImportOptions& options) {
 }  // namespace
 
 CrashGuard::CrashGuard(const std::string& path, const ImportOptions& options)
-    : signals_(handler_that_names(path, options), std::size_t{1} << 16) {}
+    : signals_(crash_handler_that_names(path, options), std::size_t{1} << 16) {}
 
 }  // namespace espalier::tools

@@ -28,7 +28,7 @@ void end_with_time_words() { end_with(time_words); }
     return memory;
 }
 
-auto handler_that_names(const std::string& path, const ImportOptions& options) {
+auto time_handler_that_names(const std::string& path, const ImportOptions& options) {
     time_words =
         last_words({ExitCode::invalid_input,
                     text("'", printable(path), "': reading it took more than ", rounded(options.limits.seconds),
@@ -61,7 +61,7 @@ LimitGuard::LimitGuard(const std::string& path, const ImportOptions& options)
     : path_(path),
       limits_(options.limits),
       memory_(limits_.memory),
-      time_(limits_.seconds, handler_that_names(path, options)) {
+      time_(limits_.seconds, time_handler_that_names(path, options)) {
     require_set(memory_.error(), path, "import_memory", "--import-memory",
                 "For files that you trust, --import-memory none reads without it.");
     require_set(time_.error(), path, "import_seconds", "--import-seconds", "End other programs, and try again.");

@@ -20,11 +20,11 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_number = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t lines_per_progress = 1 << 16;
 
 /// Statements that change no triangle.
-constexpr std::string_view harmless[] = {
+constexpr std::string_view harmless_statements[] = {
     "vt",   "vn",       "vp",       "s",     "mg",    "usemap", "maplib", "shadow_obj", "trace_obj",
     "lod",  "d_interp", "c_interp", "bevel", "ctech", "stech",  "cstype", "deg",        "bmat",
     "step", "parm",     "trim",     "hole",  "scrv",  "sp",     "end",    "con",        "usemat",
@@ -135,10 +135,10 @@ private:
         } else if (keyword == "o") {
             object_ = words.rest();
             group_.clear();
-            mesh_ = no_vertex;
+            mesh_ = no_number;
         } else if (keyword == "g") {
             group_ = words.rest();
-            mesh_ = no_vertex;
+            mesh_ = no_number;
         } else if (keyword == "usemtl") {
             material_ = words.rest().empty() ? 0 : materials_.number_of(words.rest());
         } else if (keyword == "mtllib") {
@@ -148,7 +148,7 @@ private:
         } else if (keyword == "call" || keyword == "csh") {
             refuse(text("statement '", keyword,
                         "' runs another file or a command, which is not supported. Export the geometry itself."));
-        } else if (!contains(harmless, keyword)) {
+        } else if (!contains(harmless_statements, keyword)) {
             if (unknown_.count == 0) unknown_word_ = printable(keyword.substr(0, 40));
             unknown_.add(line_);
         }
@@ -165,7 +165,7 @@ private:
         }
         if (count < 3) refuse(text("a vertex has ", count, " coordinates, not 3. Is the file whole?"));
         if (count == 4 && numbers[3] != 1.0f) weights_.add(line_);
-        if (positions_.size() >= no_vertex) refuse("the file has more than 4294967295 vertices. Split it.");
+        if (positions_.size() >= no_number) refuse("the file has more than 4294967295 vertices. Split it.");
         positions_.push_back({numbers[0], numbers[1], numbers[2]});
     }
 
@@ -190,8 +190,8 @@ private:
             const std::int64_t vertex = *number > 0 ? *number - 1
                                         : *number < 0 && *number >= -static_cast<std::int64_t>(positions_.size())
                                             ? static_cast<std::int64_t>(positions_.size()) + *number
-                                            : no_vertex;
-            corners.push_back(static_cast<std::uint32_t>(std::min<std::int64_t>(vertex, no_vertex)));
+                                            : no_number;
+            corners.push_back(static_cast<std::uint32_t>(std::min<std::int64_t>(vertex, no_number)));
         }
         return count;
     }
@@ -204,9 +204,9 @@ private:
             ++file_.record().points_and_lines;
             return;
         }
-        if (mesh_ == no_vertex) mesh_ = mesh_number();
+        if (mesh_ == no_number) mesh_ = mesh_number();
         faces_.push_back(
-            {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_vertex)), count});
+            {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_number)), count});
     }
 
     /// Of the current object and group, which gets the next number with its first face.
@@ -234,7 +234,7 @@ private:
             order[next[faces_[face].mesh]++] = {face, corner};
             corner += faces_[face].corners;
         }
-        owners_.assign(positions_.size(), no_vertex);
+        owners_.assign(positions_.size(), no_number);
         locals_.resize(positions_.size());
         for (std::uint32_t mesh = 0; mesh < mesh_names_.size(); ++mesh) {
             ObjMesh target{mesh, {}, {}, {}};
@@ -310,7 +310,7 @@ private:
             if (vertex < owners_.size()) owners_[vertex] = 0;
         }
         file_.record().points_and_lines +=
-            static_cast<std::uint64_t>(std::count(owners_.begin(), owners_.end(), no_vertex));
+            static_cast<std::uint64_t>(std::count(owners_.begin(), owners_.end(), no_number));
     }
 
     void warn() {
@@ -354,7 +354,7 @@ private:
     std::vector<std::uint32_t> loose_;    // of points and lines
     std::string object_;
     std::string group_;
-    std::uint32_t mesh_ = no_vertex;  // none for the names yet
+    std::uint32_t mesh_ = no_number;  // none for the names yet
     std::uint32_t material_ = 0;
     std::map<std::pair<std::string, std::string>, std::uint32_t> mesh_numbers_;
     std::vector<std::string> mesh_names_;

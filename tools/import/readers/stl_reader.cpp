@@ -19,7 +19,7 @@ namespace espalier::tools {
 namespace {
 
 // Binary: 80 bytes of any content, the count, and for each triangle a normal, three corners and 16 bits.
-constexpr std::size_t header_bytes = 84;
+constexpr std::size_t stl_header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;
 constexpr std::size_t normal_bytes = 12;
 
@@ -41,14 +41,14 @@ void add_solid(UnitlessFile& file, const std::string& name, std::vector<Vec3> co
 
 void read_binary(std::string_view bytes, UnitlessFile& file) {
     const std::string path = printable(file.path());
-    if (bytes.size() < header_bytes) {
+    if (bytes.size() < stl_header_bytes) {
         throw CommandError(ExitCode::invalid_input,
                            text("'", path, "' is no STL: it does not begin with 'solid', and with ", bytes.size(),
                                 " bytes it is too short for the binary form. Is the file whole?"),
                            {.file = file.path()});
     }
     const std::uint64_t count = little_endian<std::uint32_t>(bytes.data() + 80);
-    const std::size_t stored = (bytes.size() - header_bytes) / triangle_bytes;
+    const std::size_t stored = (bytes.size() - stl_header_bytes) / triangle_bytes;
     if (count > stored) {
         throw CommandError(ExitCode::invalid_input,
                            text("'", path, "' is no whole binary STL: it states ", counted(count, "triangle"),
@@ -60,13 +60,13 @@ void read_binary(std::string_view bytes, UnitlessFile& file) {
     std::vector<Vec3> corners;
     corners.reserve(3 * count);
     for (std::size_t triangle = 0; triangle < count; ++triangle) {
-        const char* corner = bytes.data() + header_bytes + triangle * triangle_bytes + normal_bytes;
+        const char* corner = bytes.data() + stl_header_bytes + triangle * triangle_bytes + normal_bytes;
         for (int i = 0; i < 3; ++i, corner += 12) {
             corners.push_back(
                 {little_endian<float>(corner), little_endian<float>(corner + 4), little_endian<float>(corner + 8)});
         }
     }
-    const std::size_t unread = bytes.size() - header_bytes - count * triangle_bytes;
+    const std::size_t unread = bytes.size() - stl_header_bytes - count * triangle_bytes;
     if (unread > 0) {
         file.warn("trailing_bytes", text(": ", counted(unread, "byte"), " after the ", counted(count, "triangle"),
                                          " that the file states were not read."));
@@ -183,8 +183,8 @@ private:
 
 /// Its size is that of the triangles that it states. Binary files may begin with "solid" too.
 bool is_exactly_binary(std::string_view bytes) {
-    return bytes.size() >= header_bytes &&
-           bytes.size() - header_bytes ==
+    return bytes.size() >= stl_header_bytes &&
+           bytes.size() - stl_header_bytes ==
                triangle_bytes * std::uint64_t{little_endian<std::uint32_t>(bytes.data() + 80)};
 }
 

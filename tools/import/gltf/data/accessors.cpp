@@ -41,7 +41,7 @@ std::size_t components_of(std::string_view type) {
 }
 
 /// Bits of the types that a use allows: float, normalised integers of 8 and 16 bits, others of these, of 32 bits.
-constexpr unsigned floats = 1, normalised_integers = 2, integers = 4, indices = 8;
+constexpr unsigned float_types = 1, normalised_types = 2, integer_types = 4, index_types = 8;
 
 struct Allowed {
     std::size_t components;
@@ -49,20 +49,21 @@ struct Allowed {
 };
 
 Allowed allowed_for(GltfUse use) {
-    if (use == GltfUse::position || use == GltfUse::displacement) return {3, floats | normalised_integers | integers};
-    if (use == GltfUse::index) return {1, indices};
-    if (use == GltfUse::joints) return {4, indices};
-    if (use == GltfUse::weights || use == GltfUse::rotation) return {4, floats | normalised_integers};
-    if (use == GltfUse::matrix) return {16, floats};
-    return {3, floats | normalised_integers | integers};
+    if (use == GltfUse::position || use == GltfUse::displacement)
+        return {3, float_types | normalised_types | integer_types};
+    if (use == GltfUse::index) return {1, index_types};
+    if (use == GltfUse::joints) return {4, index_types};
+    if (use == GltfUse::weights || use == GltfUse::rotation) return {4, float_types | normalised_types};
+    if (use == GltfUse::matrix) return {16, float_types};
+    return {3, float_types | normalised_types | integer_types};
 }
 
 bool allows(unsigned types, GltfComponent component, bool normalised) {
-    if (component == GltfComponent::float_32) return (types & floats) != 0;
+    if (component == GltfComponent::float_32) return (types & float_types) != 0;
     const bool is_signed = component == GltfComponent::signed_8 || component == GltfComponent::signed_16;
-    if ((types & indices) != 0) return !is_signed && !normalised;
+    if ((types & index_types) != 0) return !is_signed && !normalised;
     if (component == GltfComponent::unsigned_32) return false;
-    return (types & (normalised ? normalised_integers : integers)) != 0;
+    return (types & (normalised ? normalised_types : integer_types)) != 0;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace espalier::tools {
 
 namespace {
 
-int hexadecimal(char digit) {
+int value_of_digit(char digit) {
     if (digit >= '0' && digit <= '9') return digit - '0';
     if (digit >= 'a' && digit <= 'f') return digit - 'a' + 10;
     return digit >= 'A' && digit <= 'F' ? digit - 'A' + 10 : -1;
@@ -23,8 +23,8 @@ int hexadecimal(char digit) {
 std::string without_percents(const std::string& uri) {
     std::string result;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexadecimal(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hexadecimal(uri[i + 2]) : -1;
+        const int high = uri[i] == '%' && i + 2 < uri.size() ? value_of_digit(uri[i + 1]) : -1;
+        const int low = high >= 0 ? value_of_digit(uri[i + 2]) : -1;
         if (low < 0) {
             result += uri[i];
         } else {
@@ -41,7 +41,7 @@ GltfBuffers::GltfBuffers(const std::string& path, const GltfContainer& container
     : path_(path),
       container_(container),
       opened_(opened),
-      root_(container.json, text("'", printable(path), "'")),
+      root_(*container.json, text("'", printable(path), "'")),
       buffers_(root_.size_of("buffers")) {}
 
 std::span<const std::byte> GltfBuffers::bytes(std::size_t number) {

@@ -9,7 +9,7 @@
 #include "base/exit_code.hpp"
 #include "base/file_error.hpp"
 #include "base/numbers.hpp"
-#include "json_keys.hpp"
+#include "json.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
@@ -17,7 +17,7 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr std::size_t header_bytes = 12;
+constexpr std::size_t glb_header_bytes = 12;
 constexpr std::size_t chunk_header_bytes = 8;
 constexpr std::uint32_t json_chunk = 0x4e4f534a;
 constexpr std::uint32_t binary_chunk = 0x004e4942;
@@ -78,8 +78,9 @@ Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
                         " that its header states. It is cut off; copy or export it again."));
     }
     Chunks chunks;
-    if (length < header_bytes) fail(path, text("its header states a length of ", length, " bytes. Export it again."));
-    std::span<const std::byte> rest = file.first(length).subspan(header_bytes);
+    if (length < glb_header_bytes)
+        fail(path, text("its header states a length of ", length, " bytes. Export it again."));
+    std::span<const std::byte> rest = file.first(length).subspan(glb_header_bytes);
     for (bool first = true; rest.size() >= chunk_header_bytes; first = false) {
         const std::uint32_t bytes = word_at(rest, 0);
         const std::uint32_t type = word_at(rest, 4);
@@ -104,8 +105,7 @@ std::string quoted(std::string words) {
 }
 
 /// The parser's reason without its own number.
-std::string reason_of(const std::exception& error) {
-    std::string reason = error.what();
+std::string without_number(std::string reason) {
     if (const std::size_t end = reason.find("] "); reason.starts_with('[') && end != std::string::npos) {
         reason.erase(0, end + 2);
     }
@@ -118,17 +118,6 @@ void refuse_repeated_keys(const std::string& path, std::string_view json) {
     const std::string object = repeated->object.empty() ? "" : text(", at ", quoted(repeated->object));
     fail(path, text("its JSON has the key \"", quoted(repeated->key), "\" twice in one object", object,
                     ", and only one of the two can count. Export it again."));
-}
-
-std::string version_of(const nlohmann::json& json, const char* key) {
-    if (!json.is_object() || !json.contains("asset") || !json["asset"].is_object()) return {};
-    const nlohmann::json& asset = json["asset"];
-    return asset.contains(key) && asset[key].is_string() ? asset[key].get<std::string>() : std::string();
-}
-
-/// glTF 1.0 names its elements where 2.0 numbers them, and need not state its version.
-bool has_lists_of_version_1(const nlohmann::json& json) {
-    return json.is_object() && json.contains("meshes") && json["meshes"].is_object();
 }
 
 }  // namespace
@@ -146,7 +135,7 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     std::span<const std::byte> json = container.file;
     container.format = "glTF 2.0";
     if (content == Content::binary) {
-        if (json.size() < header_bytes) fail(path, "it is cut off; copy or export it again.");
+        if (json.size() < glb_header_bytes) fail(path, "it is cut off; copy or export it again.");
         const std::uint32_t version = word_at(json, 4);
         if (version != 2) refuse_version(path, version == 1 ? "1.0" : text(version));
         const Chunks chunks = chunks_of(path, container.file);
@@ -155,16 +144,17 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
         container.trailing_bytes = chunks.trailing_bytes;
         container.format = "glTF 2.0 binary";
     }
-    try {
-        container.json = nlohmann::json::parse(characters(json));
-    } catch (const nlohmann::json::exception& error) {
+    ParsedJson parsed = parse_json(characters(json));
+    if (parsed.value == nullptr) {
         if (!named_so && content == Content::json) return std::nullopt;
-        fail(path, text("its JSON is broken: ", reason_of(error), ". Export it again."));
+        fail(path, text("its JSON is broken: ", without_number(std::move(parsed.problem)), ". Export it again."));
     }
-    const std::string version = version_of(container.json, "version");
-    const std::string least = version_of(container.json, "minVersion");
+    container.json = std::move(parsed.value);
+    const std::string version = text_in_object(*container.json, "asset", "version");
+    const std::string least = text_in_object(*container.json, "asset", "minVersion");
     if (version.empty() && !named_so && content == Content::json) return std::nullopt;
-    if (version.empty() && has_lists_of_version_1(container.json)) refuse_version(path, "1.0");
+    // glTF 1.0 names its elements where 2.0 numbers them, and need not state its version.
+    if (version.empty() && has_object(*container.json, "meshes")) refuse_version(path, "1.0");
     if (version.empty()) fail(path, "its JSON has no asset.version, which glTF requires. Export it again.");
     if (!version.starts_with("2.")) refuse_version(path, version);
     if (!least.empty() && least != "2.0") refuse_version(path, least);

@@ -2,18 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace espalier::tools {
 
 struct GltfContainer {
     std::string format;  ///< "glTF 2.0" or "glTF 2.0 binary"
-    nlohmann::json json;
+    std::shared_ptr<const nlohmann::json> json;
     std::vector<std::byte> file;        ///< what `binary` points into; empty for .gltf
     std::span<const std::byte> binary;  ///< the binary chunk of a .glb
     std::size_t trailing_bytes = 0;     ///< behind the last chunk of a .glb, or the length that its header states

@@ -1,7 +1,12 @@
 #include "json.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <deque>
+#include <set>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
 
@@ -18,11 +23,100 @@ std::optional<std::uint64_t> whole_number(const nlohmann::json& json) {
     return static_cast<std::uint64_t>(value);
 }
 
+/// Keeps the keys of the objects that are open. The parser stops when a function returns false.
+class KeyReader final : public nlohmann::json_sax<nlohmann::json> {
+public:
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t&) override { return next(); }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return begin(); }
+    bool end_object() override { return end(); }
+    bool start_array(std::size_t) override { return begin(); }
+    bool end_array() override { return end(); }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+    bool key(string_t& name) override {
+        const auto [place, is_new] = open_.back().keys.insert(name);
+        if (!is_new) {
+            repeated_ = {name, path()};
+            return false;
+        }
+        open_.back().key = &*place;
+        return true;
+    }
+
+    [[nodiscard]] const std::optional<RepeatedKey>& repeated() const { return repeated_; }
+
+private:
+    /// An object, whose last key is `key`, or a list, of which `element` values are read.
+    struct Open {
+        std::set<std::string> keys = {};
+        const std::string* key = nullptr;
+        std::uint64_t element = 0;
+    };
+
+    bool next() {
+        if (!open_.empty()) ++open_.back().element;
+        return true;
+    }
+    bool begin() {
+        open_.emplace_back();
+        return true;
+    }
+    bool end() {
+        open_.pop_back();
+        return next();
+    }
+
+    /// Of the innermost object.
+    [[nodiscard]] std::string path() const {
+        std::string result;
+        for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+            const Open& open = open_[i];
+            result += open.key == nullptr ? text('[', open.element, ']') : text(i == 0 ? "" : ".", *open.key);
+        }
+        return result;
+    }
+
+    std::deque<Open> open_;  // which keeps the places of keys
+    std::optional<RepeatedKey> repeated_;
+};
+
 }  // namespace
+
+ParsedJson parse_json(std::string_view json) {
+    try {
+        return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(json)), {}};
+    } catch (const nlohmann::json::exception& error) {
+        return {nullptr, error.what()};
+    }
+}
+
+std::optional<RepeatedKey> repeated_key(std::string_view json) {
+    KeyReader reader;
+    nlohmann::json::sax_parse(json, &reader);
+    return reader.repeated();
+}
+
+bool has_object(const nlohmann::json& value, const char* object) {
+    return value.is_object() && value.contains(object) && value[object].is_object();
+}
+
+std::string text_in_object(const nlohmann::json& value, const char* object, const char* key) {
+    if (!has_object(value, object)) return {};
+    const nlohmann::json& members = value[object];
+    return members.contains(key) && members[key].is_string() ? members[key].get<std::string>() : std::string();
+}
 
 GltfObject::GltfObject(const nlohmann::json& json, std::string words) : json_(&json), words_(std::move(words)) {
     if (!json.is_object()) fail("it is no object");
 }
+
+bool GltfObject::has(const char* key) const { return json_->contains(key); }
 
 std::optional<std::uint64_t> GltfObject::whole(const char* key) const {
     if (!has(key)) return std::nullopt;

@@ -1,18 +1,40 @@
 // The JSON of a glTF file, read with checks: a member of another type than the specification's is an error by name.
+// The library that parses it takes seconds to compile: only json.cpp includes it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "base/exit_code.hpp"
 
 namespace espalier::tools {
+
+/// The value that a JSON text is, or why it is none.
+struct ParsedJson {
+    std::shared_ptr<const nlohmann::json> value;
+    std::string problem;
+};
+ParsedJson parse_json(std::string_view json);
+
+/// A key that an object has twice, of which readers differ in which one counts. The object is named by its path,
+/// "meshes[0].primitives[1]", which is empty for the outermost one.
+struct RepeatedKey {
+    std::string key;
+    std::string object;
+};
+/// Returns the first repeated key of a JSON text, and nothing for one without, or for broken JSON.
+std::optional<RepeatedKey> repeated_key(std::string_view json);
+
+/// Return whether a value has this object, and the text in it, which is empty where it has none.
+bool has_object(const nlohmann::json& value, const char* object);
+std::string text_in_object(const nlohmann::json& value, const char* object, const char* key);
 
 /// An object of the file, and the words that name it in messages: "'level.glb', mesh 3 (walls)". The JSON outlives it.
 class GltfObject {
@@ -20,7 +42,7 @@ public:
     GltfObject(const nlohmann::json& json, std::string words);
 
     [[nodiscard]] const std::string& words() const { return words_; }
-    [[nodiscard]] bool has(const char* key) const { return json_->contains(key); }
+    [[nodiscard]] bool has(const char* key) const;
 
     /// Returns the member, or nothing when it is absent. Throws CommandError when it is no whole number from 0 on.
     [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
@@ -36,7 +58,7 @@ public:
     [[nodiscard]] std::optional<std::array<double, Count>> numbers(const char* key) const {
         if (!has(key)) return std::nullopt;
         std::array<double, Count> result{};
-        if (list(key).size() != Count) fail_at(key, "has not " + std::to_string(Count) + " numbers");
+        if (size_of(key) != Count) fail_at(key, "has not " + std::to_string(Count) + " numbers");
         for (std::size_t i = 0; i < Count; ++i) result[i] = number_in(key, i);
         return result;
     }
