@@ -4,7 +4,7 @@ demo() {
     local scene=build/demo/city.esps scene_picture=build/demo/city.png
     install_missing "${build_packages[@]}" "${tool_packages[@]}"
     check_cmake
-    build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF
+    build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF -DESPALIER_UNITY=ON
     "$cmake/tools/demo/espalier_demo_mesh" "$mesh"
     "$cmake/tools/espalier" bake "$mesh" -o "$blob" --tolerance 0.0005 --quiet
     "$cmake/tools/espalier" verify "$blob" --deep >/dev/null

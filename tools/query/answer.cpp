@@ -135,6 +135,11 @@ Answer& Answer::yes_or_no(const char* key, bool yes, const char* words_for_yes, 
     return *this;
 }
 
+bool Answer::is_full(const QueryCall& call) {
+    is_full_ = call.options().limit && list.size() == *call.options().limit;
+    return is_full_;
+}
+
 Answer& Answer::work(const QueryCounters& counters) {
     record.add_count("nodes_visited", counters.nodes).add_count("leaves_visited", counters.leaves);
     return *this;
@@ -142,6 +147,7 @@ Answer& Answer::work(const QueryCounters& counters) {
 
 Answer& Answer::counted_list(const char* name, const char* singular, const std::uint32_t* next) {
     list_name = name;
+    if (is_full_) status = QueryStatus::output_full;
     std::string words = list.size() == 1 ? text("1 ", singular) : text(list.size(), ' ', name);
     if (status == QueryStatus::output_full) {
         words += next == nullptr ? ", and there are more" : text(", and there are more: --from ", *next, " goes on");

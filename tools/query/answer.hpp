@@ -70,10 +70,15 @@ struct Answer {
 
     /// A key that is true or false, and the words for it.
     Answer& yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no);
+    /// Whether the list is as long as --limit allows; then counted_list reports that there are more.
+    bool is_full(const QueryCall& call);
     /// What a walk visited.
     Answer& work(const QueryCounters& counters);
     /// Ends a list: how many there are of what; with output_full that there are more, and from where on if it is known.
     Answer& counted_list(const char* name, const char* singular, const std::uint32_t* next = nullptr);
+
+private:
+    bool is_full_ = false;
 };
 
 Json json_box(const Box& box);

@@ -58,7 +58,7 @@ Answer lattice_answer(QueryCall& call) {
 }
 
 Answer steps_answer(QueryCall& call) {
-    const Result<LatticePoint> nearest = to_lattice(call.blob().lattice(), call.next_vector());
+    const Result<LatticePoint> nearest = to_lattice(call.blob().lattice(), call.next<Vec3>());
     Answer answer(call, nearest.status);
     answer.record.title(text("steps ", nearest->x, ' ', nearest->y, ' ', nearest->z));
     answer.record.add_silently("steps", Json::array({nearest->x, nearest->y, nearest->z}));
@@ -94,7 +94,7 @@ Feature feature_named(const std::string& name) {
 Answer contact_answer(QueryCall& call) {
     const TriangleId triangle = call.next_triangle();
     const Feature feature = feature_named(call.next_name());
-    const Vec3 normal = call.next_vector();
+    const Vec3 normal = call.next<Vec3>();
     Answer answer(call);
     if (!call.blob().has_edge_flags()) {
         throw CommandError(ExitCode::unsupported, text("'", printable(call.options().blob),
@@ -157,40 +157,20 @@ Answer tree_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds blob_kinds() {
-    constexpr const char* family = "What the blob holds";
+    constexpr QueryFamily family{"What the blob holds"};
     return {
-        {family, "bounds", "The bounds of the whole asset, those that it carries", {}, 0, bounds_answer, {}, 0},
-        {family,
-         "lattice",
-         "Where the lattice begins, its step, and how many steps the asset is long",
-         {},
-         0,
-         lattice_answer},
-        {family,
-         "to-lattice",
-         "The lattice point nearest to a point of the blob's space, in whole steps",
-         {point_word("point")},
-         0,
-         steps_answer},
-        {family,
-         "show",
-         "One triangle: its corners, its source, how the surface bends at its edges",
-         {index_word("triangle")},
-         0,
-         show_answer},
-        {family,
-         "fix-internal-edge-normal",
-         "The normal to use for a contact: on an internal edge that of the triangle",
-         {index_word("triangle"), name_word("feature"), vector_word("normal")},
-         0,
-         contact_answer},
-        {family, "triangles", "All triangles with their corners", {}, option_limit | option_from, triangles_answer},
-        {family,
-         "tree",
-         "The nodes of the tree with the boxes of their children, parents first",
-         {},
-         option_depth,
-         tree_answer},
+        family("bounds", "The bounds of the whole asset, those that it carries", {}, 0, bounds_answer, 0),
+        family("lattice", "Where the lattice begins, its step, and how many steps the asset is long", {}, 0,
+               lattice_answer),
+        family("to-lattice", "The lattice point nearest to a point of the blob's space, in whole steps",
+               {point_word("point")}, 0, steps_answer),
+        family("show", "One triangle: its corners, its source, how the surface bends at its edges",
+               {index_word("triangle")}, 0, show_answer),
+        family("fix-internal-edge-normal", "The normal to use for a contact: on an internal edge that of the triangle",
+               {index_word("triangle"), name_word("feature"), vector_word("normal")}, 0, contact_answer),
+        family("triangles", "All triangles with their corners", {}, option_limit | option_from, triangles_answer),
+        family("tree", "The nodes of the tree with the boxes of their children, parents first", {}, option_depth,
+               tree_answer),
     };
 }
 

@@ -136,23 +136,64 @@ void QueryCall::read_word(const std::string& input, const QueryWord& word) {
 
 float QueryCall::next_number() { return numbers_.at(number_++); }
 
-Vec3 QueryCall::next_vector() {
-    Vec3 result;
-    result.x = next_number();
-    result.y = next_number();
-    result.z = next_number();
+template <>
+Vec3 QueryCall::next() {
+    const float x = next_number(), y = next_number(), z = next_number();
+    return {x, y, z};
+}
+
+template <>
+LatticePoint QueryCall::next() {
+    LatticePoint result;
+    for (std::int32_t* coordinate : {&result.x, &result.y, &result.z}) *coordinate = steps_.at(step_++);
     return result;
+}
+
+template <>
+Sphere QueryCall::next() {
+    const auto center = next<Vec3>();
+    return {center, next_number()};
+}
+
+template <>
+Capsule QueryCall::next() {
+    const auto from = next<Vec3>(), to = next<Vec3>();
+    return {from, to, next_number()};
+}
+
+template <>
+Box QueryCall::next() {
+    const auto min = next<Vec3>();
+    return {min, next<Vec3>()};
+}
+
+template <>
+LatticeBox QueryCall::next() {
+    const auto min = next<LatticePoint>();
+    return {min, next<LatticePoint>()};
+}
+
+template <>
+OrientedBox QueryCall::next() {
+    OrientedBox box;
+    box.center = next<Vec3>();
+    for (Vec3& half_axis : box.half_axes) half_axis = next<Vec3>();
+    return box;
+}
+
+template <>
+Cone QueryCall::next() {
+    const auto apex = next<Vec3>(), axis = next<Vec3>();
+    return {apex, axis, next_number()};
+}
+
+template <>
+Triangle QueryCall::next() {
+    const auto a = next<Vec3>(), b = next<Vec3>();
+    return {a, b, next<Vec3>()};
 }
 
 std::uint32_t QueryCall::next_index() { return indices_.at(index_++); }
-
-LatticePoint QueryCall::next_steps() {
-    LatticePoint result;
-    result.x = steps_.at(step_++);
-    result.y = steps_.at(step_++);
-    result.z = steps_.at(step_++);
-    return result;
-}
 
 TriangleId QueryCall::next_triangle() {
     const TriangleId triangle{next_index()};

@@ -22,7 +22,7 @@ float length_argument(const std::string& input, std::string_view name);
 /// The same without units.
 float number_argument(const std::string& input, std::string_view name);
 
-/// Returns a word as it was typed: main.cpp marks negative numbers by a space.
+/// Returns a word as it was typed: verb.cpp marks negative numbers by a space.
 std::string typed(const std::string& word);
 
 class QueryCall {
@@ -40,10 +40,11 @@ public:
     [[nodiscard]] const QueryArguments& options() const { return arguments_; }
 
     // The words, one after another, in the order of the kind's table. Numbers, indices and names each have their own.
-    Vec3 next_vector();
+    /// A Vec3, a LatticePoint, or a shape of them: its members in their order.
+    template <class Value>
+    Value next();
     float next_number();
     std::uint32_t next_index();
-    LatticePoint next_steps();
     const std::string& next_name();
     [[nodiscard]] bool has_numbers() const { return number_ < numbers_.size(); }
     /// As next_index, and of the blob. Throws CommandError (usage) when the blob has no such triangle.
@@ -67,5 +68,24 @@ private:
     std::size_t step_ = 0;
     std::size_t name_ = 0;
 };
+
+template <>
+Vec3 QueryCall::next();
+template <>
+LatticePoint QueryCall::next();
+template <>
+Sphere QueryCall::next();
+template <>
+Capsule QueryCall::next();
+template <>
+Box QueryCall::next();
+template <>
+LatticeBox QueryCall::next();
+template <>
+OrientedBox QueryCall::next();
+template <>
+Cone QueryCall::next();
+template <>
+Triangle QueryCall::next();
 
 }  // namespace espalier::tools

@@ -33,31 +33,15 @@ Answer contacts_answer(QueryCall& call, const Shape& shape, float margin) {
     return answer.counted_list("touches", "touch");
 }
 
-Answer contacts_sphere_answer(QueryCall& call) {
-    Sphere sphere;
-    sphere.center = call.next_vector();
-    sphere.radius = call.next_number();
-    return contacts_answer(call, sphere, call.next_number());
-}
-
-Answer contacts_capsule_answer(QueryCall& call) {
-    Capsule capsule;
-    capsule.from = call.next_vector();
-    capsule.to = call.next_vector();
-    capsule.radius = call.next_number();
-    return contacts_answer(call, capsule, call.next_number());
-}
-
-Answer contacts_oriented_box_answer(QueryCall& call) {
-    OrientedBox box;
-    box.center = call.next_vector();
-    for (Vec3& half : box.half_axes) half = call.next_vector();
-    return contacts_answer(call, box, call.next_number());
+template <class Shape>
+Answer shape_contacts_answer(QueryCall& call) {
+    const auto shape = call.next<Shape>();
+    return contacts_answer(call, shape, call.next_number());
 }
 
 Answer contacts_hull_answer(QueryCall& call) {
     std::vector<Vec3> vertices;
-    while (call.has_numbers()) vertices.push_back(call.next_vector());
+    while (call.has_numbers()) vertices.push_back(call.next<Vec3>());
     const float margin = length_argument(call.options().max_distance, "--max-distance");
     return contacts_answer(call, ConvexHull{vertices}, std::isinf(margin) ? 0.0f : margin);
 }
@@ -65,35 +49,25 @@ Answer contacts_hull_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds contact_kinds() {
-    constexpr const char* family = "Contacts: places, directions and depths, within a margin";
+    constexpr QueryFamily family{"Contacts: places, directions and depths, within a margin"};
     return {
-        {family,
-         "contacts-sphere",
-         "Where a sphere touches the surface or is near it",
-         {point_word("center"), length_word("radius", Range::finite_size), length_word("margin", Range::finite_size)},
-         option_few,
-         contacts_sphere_answer},
-        {family,
-         "contacts-capsule",
-         "Where a capsule touches the surface or is near it",
-         {point_word("from"), point_word("to"), length_word("radius", Range::finite_size),
-          length_word("margin", Range::finite_size)},
-         option_few,
-         contacts_capsule_answer},
-        {family,
-         "contacts-oriented-box",
-         "Where a box of any orientation touches the surface or is near it",
-         {point_word("center"), point_word("half_axis_a"), point_word("half_axis_b"), point_word("half_axis_c"),
-          length_word("margin", Range::finite_size)},
-         option_few,
-         contacts_oriented_box_answer},
-        {family,
-         "contacts-hull",
-         "Where a convex hull of vertices touches the surface, or is within --max-distance of it (0 if not given)",
-         {point_word("vertex")},
-         option_few | option_max_distance,
-         contacts_hull_answer,
-         {Repeats::Which::all, max_hull_vertices}},
+        family("contacts-sphere", "Where a sphere touches the surface or is near it",
+               {point_word("center"), length_word("radius", Range::finite_size),
+                length_word("margin", Range::finite_size)},
+               option_few, shape_contacts_answer<Sphere>),
+        family("contacts-capsule", "Where a capsule touches the surface or is near it",
+               {point_word("from"), point_word("to"), length_word("radius", Range::finite_size),
+                length_word("margin", Range::finite_size)},
+               option_few, shape_contacts_answer<Capsule>),
+        family("contacts-oriented-box", "Where a box of any orientation touches the surface or is near it",
+               {point_word("center"), point_word("half_axis_a"), point_word("half_axis_b"), point_word("half_axis_c"),
+                length_word("margin", Range::finite_size)},
+               option_few, shape_contacts_answer<OrientedBox>),
+        family(
+            "contacts-hull",
+            "Where a convex hull of vertices touches the surface, or is within --max-distance of it (0 if not given)",
+            {point_word("vertex")}, option_few | option_max_distance, contacts_hull_answer, {},
+            {Repeats::Which::all, max_hull_vertices}),
     };
 }
 

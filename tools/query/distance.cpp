@@ -66,7 +66,7 @@ Answer distance_bounds_answer(const QueryCall& call, Vec3 point, float limit) {
 }
 
 Answer closest_point_answer(QueryCall& call) {
-    const Vec3 point = call.next_vector();
+    const Vec3 point = call.next<Vec3>();
     if (const BakedScene* scene = call.scene()) return nearest_in_scene(call, *scene, point);
     const float limit = max_distance(call);
     if (!call.options().accuracy.empty()) return distance_bounds_answer(call, point, limit);
@@ -83,28 +83,26 @@ Answer closest_point_answer(QueryCall& call) {
 
 Answer closest_point_segment_answer(QueryCall& call) {
     Segment segment;
-    segment.from = call.next_vector();
-    segment.to = call.next_vector();
+    segment.from = call.next<Vec3>();
+    segment.to = call.next<Vec3>();
     return nearest_answer(call, closest_point(call.blob(), segment, max_distance(call)), true);
 }
 
 Answer closest_point_box_answer(QueryCall& call) {
-    Box box;
-    box.min = call.next_vector();
-    box.max = call.next_vector();
+    const auto box = call.next<Box>();
     return nearest_answer(call, closest_point(call.blob(), box, max_distance(call)), true);
 }
 
 Answer contains_answer(QueryCall& call) {
     Answer answer(call);
-    const YesNo inside = contains(call.blob(), call.next_vector());
+    const YesNo inside = contains(call.blob(), call.next<Vec3>());
     if (is_refused(inside.status())) answer.status = inside.status();
     else answer.yes_or_no("inside", inside.yes(), "inside", "outside");
     return answer;
 }
 
 Answer winding_number_answer(QueryCall& call) {
-    const Vec3 point = call.next_vector();
+    const Vec3 point = call.next<Vec3>();
     const std::uint32_t directions = call.next_index();
     if (directions < 2 || directions > max_winding_directions)
         throw CommandError(ExitCode::usage,
@@ -117,7 +115,7 @@ Answer winding_number_answer(QueryCall& call) {
 }
 
 Answer signed_distance_answer(QueryCall& call) {
-    const ClosestPoint nearest = signed_distance(call.blob(), call.next_vector(), max_distance(call));
+    const ClosestPoint nearest = signed_distance(call.blob(), call.next<Vec3>(), max_distance(call));
     Answer answer = nearest_answer(call, nearest);
     if (nearest.status == QueryStatus::not_found) answer.record.add("distance", nearest.distance);
     return answer;
@@ -126,46 +124,22 @@ Answer signed_distance_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds distance_kinds() {
-    constexpr const char* family = "Distances";
+    constexpr QueryFamily family{"Distances"};
     return {
-        {family,
-         "closest-point",
-         "The point of the surface that is closest to a point",
-         {point_word("point")},
-         option_max_distance | option_first | option_accuracy,
-         closest_point_answer,
-         {},
-         option_max_distance | option_mask},
-        {family,
-         "closest-point-segment",
-         "The closest pair of points of a segment and the surface",
-         {point_word("from"), point_word("to")},
-         option_max_distance,
-         closest_point_segment_answer},
-        {family,
-         "closest-point-box",
-         "The closest pair of points of an axis-aligned box and the surface",
-         {point_word("min"), point_word("max")},
-         option_max_distance,
-         closest_point_box_answer},
-        {family,
-         "contains",
-         "Whether a point is inside of a closed surface",
-         {point_word("point")},
-         0,
-         contains_answer},
-        {family,
-         "winding-number",
-         "About how often a surface, open or not, winds around a point: inside above 0.5; 64 directions are usual",
-         {point_word("point"), index_word("directions")},
-         0,
-         winding_number_answer},
-        {family,
-         "signed-distance",
-         "The distance of a point to a closed surface, negative inside",
-         {point_word("point")},
-         option_max_distance,
-         signed_distance_answer},
+        family("closest-point", "The point of the surface that is closest to a point", {point_word("point")},
+               option_max_distance | option_first | option_accuracy, closest_point_answer,
+               option_max_distance | option_mask),
+        family("closest-point-segment", "The closest pair of points of a segment and the surface",
+               {point_word("from"), point_word("to")}, option_max_distance, closest_point_segment_answer),
+        family("closest-point-box", "The closest pair of points of an axis-aligned box and the surface",
+               {point_word("min"), point_word("max")}, option_max_distance, closest_point_box_answer),
+        family("contains", "Whether a point is inside of a closed surface", {point_word("point")}, 0, contains_answer),
+        family(
+            "winding-number",
+            "About how often a surface, open or not, winds around a point: inside above 0.5; 64 directions are usual",
+            {point_word("point"), index_word("directions")}, 0, winding_number_answer),
+        family("signed-distance", "The distance of a point to a closed surface, negative inside", {point_word("point")},
+               option_max_distance, signed_distance_answer),
     };
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "answer.hpp"
@@ -71,9 +72,24 @@ struct QueryKind {
     std::vector<QueryWord> words;
     unsigned options;
     Answer (*run)(QueryCall& call);
-    Repeats repeats = {};
-    std::optional<unsigned> scene_options = std::nullopt;  ///< those that scenes take; nothing if they do not answer
-    bool is_of_scenes_only = false;
+    Repeats repeats;
+    std::optional<unsigned> scene_options;  ///< those that scenes take; nothing if they do not answer
+    bool is_of_scenes_only;
+};
+
+/// Kinds under one heading of the help.
+struct QueryFamily {
+    const char* heading;
+
+    QueryKind operator()(const char* name, const char* help, std::vector<QueryWord> words, unsigned options,
+                         Answer (*run)(QueryCall& call), std::optional<unsigned> scene_options = {},
+                         Repeats repeats = {}) const {
+        return {heading, name, help, std::move(words), options, run, repeats, scene_options, false};
+    }
+    [[nodiscard]] QueryKind of_scenes(const char* name, const char* help, std::vector<QueryWord> words,
+                                      unsigned options, Answer (*run)(QueryCall& call)) const {
+        return {heading, name, help, std::move(words), 0, run, {}, options, true};
+    }
 };
 
 /// Words as help and messages show them: "centre x y z, radius; once or more".

@@ -44,15 +44,12 @@ Answer overlap_in_scene(const QueryCall& call, const BakedScene& scene, const Sh
         return Answer(call, refusal_of(any)).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
     }
     Answer answer(call);
-    bool is_full = false;
     const auto visit = [&](InstanceId instance, TriangleId triangle) {
-        is_full = call.options().limit && answer.list.size() == *call.options().limit;
-        if (is_full) return Visit::stop;
+        if (answer.is_full(call)) return Visit::stop;
         answer.list.emplace_back(call.options().json).triangle(scene, instance, triangle);
         return Visit::next;
     };
     answer.status = for_each_overlap(scene, shape, visit, call.mask());
-    if (is_full) answer.status = QueryStatus::output_full;
     return answer.counted_list("triangles", "triangle");
 }
 
@@ -74,63 +71,16 @@ Answer overlap(const QueryCall& call, const Shape& shape) {
     return call.options().any ? any_overlap(call, shape) : list_overlaps(call, shape);
 }
 
-Answer sphere_answer(QueryCall& call) {
-    Sphere sphere;
-    sphere.center = call.next_vector();
-    sphere.radius = call.next_number();
-    return overlap(call, sphere);
-}
-
-Answer capsule_answer(QueryCall& call) {
-    Capsule capsule;
-    capsule.from = call.next_vector();
-    capsule.to = call.next_vector();
-    capsule.radius = call.next_number();
-    return overlap(call, capsule);
-}
-
-Answer box_answer(QueryCall& call) {
-    Box box;
-    box.min = call.next_vector();
-    box.max = call.next_vector();
-    return overlap(call, box);
-}
-
-Answer lattice_box_answer(QueryCall& call) {
-    LatticeBox box;
-    box.min = call.next_steps();
-    box.max = call.next_steps();
-    return overlap(call, box);
-}
-
-Answer oriented_box_answer(QueryCall& call) {
-    OrientedBox box;
-    box.center = call.next_vector();
-    for (Vec3& half_axis : box.half_axes) half_axis = call.next_vector();
-    return overlap(call, box);
-}
-
-Answer cone_answer(QueryCall& call) {
-    Cone cone;
-    cone.apex = call.next_vector();
-    cone.axis = call.next_vector();
-    cone.radius = call.next_number();
-    return overlap(call, cone);
-}
-
-Answer triangle_answer(QueryCall& call) {
-    Triangle corners;
-    corners.a = call.next_vector();
-    corners.b = call.next_vector();
-    corners.c = call.next_vector();
-    return overlap(call, corners);
+template <class Shape>
+Answer overlap_answer(QueryCall& call) {
+    return overlap(call, call.next<Shape>());
 }
 
 Answer convex_volume_answer(QueryCall& call) {
     std::vector<Plane> planes;
     while (call.has_numbers()) {
         Plane& plane = planes.emplace_back();
-        plane.normal = call.next_vector();
+        plane.normal = call.next<Vec3>();
         plane.offset = call.next_number();
     }
     return overlap(call, ConvexVolume{planes});
@@ -139,72 +89,32 @@ Answer convex_volume_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds overlap_kinds() {
-    constexpr const char* family = "Volumes that overlap triangles";
+    constexpr QueryFamily family{"Volumes that overlap triangles"};
     constexpr unsigned options = option_any | option_limit | option_from;
     constexpr unsigned more_options = options | option_accuracy;
     constexpr unsigned scene_options = option_any | option_limit | option_mask;
     return {
-        {family,
-         "sphere",
-         "Which triangles a sphere touches",
-         {point_word("center"), length_word("radius", Range::size)},
-         more_options,
-         sphere_answer,
-         {},
-         scene_options},
-        {family,
-         "capsule",
-         "Which triangles are within a radius of a segment",
-         {point_word("from"), point_word("to"), length_word("radius", Range::size)},
-         options,
-         capsule_answer,
-         {},
-         scene_options},
-        {family,
-         "box",
-         "Which triangles an axis-aligned box touches",
-         {point_word("min", Range::number), point_word("max", Range::number)},
-         more_options,
-         box_answer,
-         {},
-         scene_options},
-        {family,
-         "lattice-box",
-         "Which triangles a box touches that is given in whole lattice steps",
-         {steps_word("min"), steps_word("max")},
-         options,
-         lattice_box_answer},
-        {family,
-         "oriented-box",
-         "Which triangles a box of any orientation touches; half axes lead from center to faces",
-         {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis")},
-         options,
-         oriented_box_answer,
-         {},
-         scene_options},
-        {family,
-         "cone",
-         "Which triangles a cone touches; the axis leads from the apex to the middle of the base",
-         {point_word("apex"), point_word("axis", Range::direction), length_word("radius", Range::finite_size)},
-         options,
-         cone_answer,
-         {},
-         scene_options},
-        {family,
-         "triangle",
-         "Which triangles a triangle touches",
-         {point_word("a"), point_word("b"), point_word("c")},
-         options,
-         triangle_answer,
-         {},
-         scene_options},
-        {family,
-         "convex-volume",
-         "Which triangles reach into all half-spaces dot(normal, x) <= offset",
-         {vector_word("normal"), length_word("offset", Range::number)},
-         options,
-         convex_volume_answer,
-         {Repeats::Which::all, max_planes}},
+        family("sphere", "Which triangles a sphere touches", {point_word("center"), length_word("radius", Range::size)},
+               more_options, overlap_answer<Sphere>, scene_options),
+        family("capsule", "Which triangles are within a radius of a segment",
+               {point_word("from"), point_word("to"), length_word("radius", Range::size)}, options,
+               overlap_answer<Capsule>, scene_options),
+        family("box", "Which triangles an axis-aligned box touches",
+               {point_word("min", Range::number), point_word("max", Range::number)}, more_options, overlap_answer<Box>,
+               scene_options),
+        family("lattice-box", "Which triangles a box touches that is given in whole lattice steps",
+               {steps_word("min"), steps_word("max")}, options, overlap_answer<LatticeBox>),
+        family("oriented-box", "Which triangles a box of any orientation touches; half axes lead from center to faces",
+               {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis")},
+               options, overlap_answer<OrientedBox>, scene_options),
+        family("cone", "Which triangles a cone touches; the axis leads from the apex to the middle of the base",
+               {point_word("apex"), point_word("axis", Range::direction), length_word("radius", Range::finite_size)},
+               options, overlap_answer<Cone>, scene_options),
+        family("triangle", "Which triangles a triangle touches", {point_word("a"), point_word("b"), point_word("c")},
+               options, overlap_answer<Triangle>, scene_options),
+        family("convex-volume", "Which triangles reach into all half-spaces dot(normal, x) <= offset",
+               {vector_word("normal"), length_word("offset", Range::number)}, options, convex_volume_answer, {},
+               {Repeats::Which::all, max_planes}),
     };
 }
 

@@ -58,16 +58,13 @@ Answer first_contact_answer(QueryCall& call) {
 Answer pair_contacts_answer(QueryCall& call) {
     const Other other(call);
     Answer answer(call);
-    bool is_full = false;
     const auto visit = [&](const PairContact& pair) {
-        is_full = call.options().limit && answer.list.size() == *call.options().limit;
-        if (is_full) return Visit::stop;
+        if (answer.is_full(call)) return Visit::stop;
         Record& record = answer.list.emplace_back(call.options().json).title("contact");
         add_pair(record, call, other, pair.a, pair.b);
         return Visit::next;
     };
     answer.status = for_each_contact(call.blob(), other.placed(), visit, other.limit);
-    if (is_full) answer.status = QueryStatus::output_full;
     return answer.counted_list("contacts", "contact");
 }
 
@@ -75,10 +72,8 @@ Answer pair_contacts_answer(QueryCall& call) {
 Answer touches_answer(QueryCall& call) {
     const Other other(call);
     Answer answer(call);
-    bool is_full = false;
     const auto visit = [&](const PairTouch& touch) {
-        is_full = call.options().limit && answer.list.size() == *call.options().limit;
-        if (is_full) return Visit::stop;
+        if (answer.is_full(call)) return Visit::stop;
         Record& record = answer.list.emplace_back(call.options().json).title("touch");
         add_pair(record, call, other, touch.a, touch.b);
         record.add("depth", touch.depth).add("normal", touch.normal);
@@ -86,7 +81,6 @@ Answer touches_answer(QueryCall& call) {
         return Visit::next;
     };
     answer.status = for_each_touch(call.blob(), other.placed(), visit, other.limit);
-    if (is_full) answer.status = QueryStatus::output_full;
     return answer.counted_list("places", "place");
 }
 
@@ -116,40 +110,21 @@ Answer within_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds pair_kinds() {
-    constexpr const char* family = "Two blobs; the other one is placed in the first one's space";
+    constexpr QueryFamily family{"Two blobs; the other one is placed in the first one's space"};
     constexpr unsigned placed = option_placement | option_work_limit;
     return {
-        {family, "overlaps", "Whether the surfaces touch", {name_word("OTHER")}, placed, overlaps_answer},
-        {family,
-         "first-contact",
-         "A pair of triangles that touch, the first that is found",
-         {name_word("OTHER")},
-         placed,
-         first_contact_answer},
-        {family,
-         "contacts",
-         "All pairs of triangles that touch, in the order of the trees",
-         {name_word("OTHER")},
-         placed | option_limit,
-         pair_contacts_answer},
-        {family,
-         "touches",
-         "Where each pair of triangles touches: common points, depth and the direction in which OTHER leaves",
-         {name_word("OTHER")},
-         placed | option_limit,
-         touches_answer},
-        {family,
-         "distance",
-         "The closest pair of points",
-         {name_word("OTHER")},
-         placed | option_max_distance,
-         distance_answer},
-        {family,
-         "within-distance",
-         "Whether the surfaces are within a distance of each other",
-         {name_word("OTHER"), length_word("distance", Range::size)},
-         placed,
-         within_answer},
+        family("overlaps", "Whether the surfaces touch", {name_word("OTHER")}, placed, overlaps_answer),
+        family("first-contact", "A pair of triangles that touch, the first that is found", {name_word("OTHER")}, placed,
+               first_contact_answer),
+        family("contacts", "All pairs of triangles that touch, in the order of the trees", {name_word("OTHER")},
+               placed | option_limit, pair_contacts_answer),
+        family("touches",
+               "Where each pair of triangles touches: common points, depth and the direction in which OTHER leaves",
+               {name_word("OTHER")}, placed | option_limit, touches_answer),
+        family("distance", "The closest pair of points", {name_word("OTHER")}, placed | option_max_distance,
+               distance_answer),
+        family("within-distance", "Whether the surfaces are within a distance of each other",
+               {name_word("OTHER"), length_word("distance", Range::size)}, placed, within_answer),
     };
 }
 

@@ -104,22 +104,22 @@ Answer cast(const QueryCall& call, Ray ray) {
 
 Answer ray_answer(QueryCall& call) {
     Ray ray;
-    ray.origin = call.next_vector();
-    ray.direction = call.next_vector();
+    ray.origin = call.next<Vec3>();
+    ray.direction = call.next<Vec3>();
     ray.t_min = number_argument(call.options().t_min, "--t-min");
     ray.t_max = number_argument(call.options().t_max, "--t-max");
     return cast(call, ray);
 }
 
 Answer segment_answer(QueryCall& call) {
-    const Vec3 from = call.next_vector();
-    return cast(call, Ray::between(from, call.next_vector()));
+    const Vec3 from = call.next<Vec3>();
+    return cast(call, Ray::between(from, call.next<Vec3>()));
 }
 
 Answer lattice_segment_answer(QueryCall& call) {
     LatticeSegment segment;
-    segment.from = call.next_steps();
-    segment.to = call.next_steps();
+    segment.from = call.next<LatticePoint>();
+    segment.to = call.next<LatticePoint>();
     if (call.options().any) return is_occluded(call, occluded(call.blob(), segment));
     const LatticeHit hit = raycast(call.blob(), segment);
     Answer answer(call, complete(hit.status));
@@ -134,32 +134,17 @@ Answer lattice_segment_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds ray_kinds() {
+    constexpr QueryFamily family{"Rays"};
     constexpr unsigned options =
         option_culling | option_any | option_all | option_crossings | option_first | option_accuracy;
     constexpr unsigned scene_options = option_culling | option_any | option_all | option_mask;
     return {
-        {"Rays",
-         "ray",
-         "What a ray hits first; t counts in the direction's length",
-         {point_word("origin"), vector_word("direction")},
-         options | option_t_range,
-         ray_answer,
-         {},
-         scene_options},
-        {"Rays",
-         "segment",
-         "What the way from one point to another hits first; t runs from 0 to 1",
-         {point_word("from"), point_word("to", Range::apart)},
-         options,
-         segment_answer,
-         {},
-         scene_options},
-        {"Rays",
-         "lattice-segment",
-         "The same between lattice points, given in whole steps; exact, and t is rounded down",
-         {steps_word("from"), steps_word("to", Range::apart)},
-         option_any,
-         lattice_segment_answer},
+        family("ray", "What a ray hits first; t counts in the direction's length",
+               {point_word("origin"), vector_word("direction")}, options | option_t_range, ray_answer, scene_options),
+        family("segment", "What the way from one point to another hits first; t runs from 0 to 1",
+               {point_word("from"), point_word("to", Range::apart)}, options, segment_answer, scene_options),
+        family("lattice-segment", "The same between lattice points, given in whole steps; exact, and t is rounded down",
+               {steps_word("from"), steps_word("to", Range::apart)}, option_any, lattice_segment_answer),
     };
 }
 

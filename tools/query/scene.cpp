@@ -52,44 +52,28 @@ Answer instance_answer(QueryCall& call) {
 }
 
 Answer candidates_answer(QueryCall& call) {
-    Box box;
-    box.min = call.next_vector();
-    box.max = call.next_vector();
+    const auto box = call.next<Box>();
     Answer answer(call);
-    bool is_full = false;
     const auto visit = [&](InstanceId instance) {
-        is_full = call.options().limit && answer.list.size() == *call.options().limit;
-        if (is_full) return Visit::stop;
+        if (answer.is_full(call)) return Visit::stop;
         answer.list.emplace_back(call.options().json).instance(*call.scene(), instance);
         return Visit::next;
     };
     answer.status = for_each_candidate(*call.scene(), box, visit, call.mask());
-    if (is_full) answer.status = QueryStatus::output_full;
     return answer.counted_list("instances", "instance");
 }
 
 }  // namespace
 
 QueryKinds scene_kinds() {
+    constexpr QueryFamily family{scene_family};
     return {
-        {scene_family,
-         "instance",
-         "One instance, as 3, or 3.5 for one in a tile: its mesh, its place and its numbers",
-         {name_word("instance")},
-         0,
-         instance_answer,
-         {},
-         0,
-         true},
-        {scene_family,
-         "candidates",
-         "The instances whose boxes in the tree touch an axis-aligned box",
-         {point_word("min", Range::number), point_word("max", Range::number)},
-         0,
-         candidates_answer,
-         {},
-         option_limit | option_mask,
-         true},
+        family.of_scenes("instance",
+                         "One instance, as 3, or 3.5 for one in a tile: its mesh, its place and its numbers",
+                         {name_word("instance")}, 0, instance_answer),
+        family.of_scenes("candidates", "The instances whose boxes in the tree touch an axis-aligned box",
+                         {point_word("min", Range::number), point_word("max", Range::number)},
+                         option_limit | option_mask, candidates_answer),
     };
 }
 

@@ -103,16 +103,10 @@ Answer pairs_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds scene_pair_kinds() {
+    constexpr QueryFamily family{scene_family};
     return {
-        {scene_family,
-         "pairs",
-         "The pairs of instances whose surfaces touch; a tile is one instance",
-         {},
-         0,
-         pairs_answer,
-         {},
-         option_limit | option_from | option_mask | option_work_limit,
-         true},
+        family.of_scenes("pairs", "The pairs of instances whose surfaces touch; a tile is one instance", {},
+                         option_limit | option_from | option_mask | option_work_limit, pairs_answer),
     };
 }
 

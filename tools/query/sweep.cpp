@@ -47,89 +47,43 @@ Answer sweep_answer(QueryCall& call, const Shape& shape, const Vec3& displacemen
     return hit_answer(call, sweep(call.blob(), shape, displacement, sweep_options<SweepOptions>(call)));
 }
 
-Answer sphere_sweep_answer(QueryCall& call) {
-    Sphere sphere;
-    sphere.center = call.next_vector();
-    sphere.radius = call.next_number();
-    return sweep_answer(call, sphere, call.next_vector());
-}
-
-Answer capsule_sweep_answer(QueryCall& call) {
-    Capsule capsule;
-    capsule.from = call.next_vector();
-    capsule.to = call.next_vector();
-    capsule.radius = call.next_number();
-    return sweep_answer(call, capsule, call.next_vector());
-}
-
-Answer box_sweep_answer(QueryCall& call) {
-    Box box;
-    box.min = call.next_vector();
-    box.max = call.next_vector();
-    return sweep_answer(call, box, call.next_vector());
-}
-
-Answer oriented_box_sweep_answer(QueryCall& call) {
-    OrientedBox box;
-    box.center = call.next_vector();
-    for (Vec3& half_axis : box.half_axes) half_axis = call.next_vector();
-    return sweep_answer(call, box, call.next_vector());
+template <class Shape>
+Answer shape_sweep_answer(QueryCall& call) {
+    const auto shape = call.next<Shape>();
+    return sweep_answer(call, shape, call.next<Vec3>());
 }
 
 Answer hull_answer(QueryCall& call) {
-    const Vec3 displacement = call.next_vector();
+    const Vec3 displacement = call.next<Vec3>();
     std::vector<Vec3> vertices;
-    while (call.has_numbers()) vertices.push_back(call.next_vector());
+    while (call.has_numbers()) vertices.push_back(call.next<Vec3>());
     return sweep_answer(call, ConvexHull{vertices}, displacement);
 }
 
 }  // namespace
 
 QueryKinds sweep_kinds() {
-    constexpr const char* family = "Sweeps; t is the part of the displacement until contact";
+    constexpr QueryFamily family{"Sweeps; t is the part of the displacement until contact"};
     constexpr unsigned options = option_culling | option_sweep, in_scene = options | option_mask;
     return {
-        {family,
-         "sweep-sphere",
-         "What a moving sphere touches first",
-         {point_word("center"), length_word("radius", Range::finite_size), point_word("displacement")},
-         options,
-         sphere_sweep_answer,
-         {},
-         in_scene},
-        {family,
-         "sweep-capsule",
-         "What a moving capsule touches first",
-         {point_word("from"), point_word("to"), length_word("radius", Range::finite_size), point_word("displacement")},
-         options,
-         capsule_sweep_answer,
-         {},
-         in_scene},
-        {family,
-         "sweep-box",
-         "What a moving axis-aligned box touches first",
-         {point_word("min"), point_word("max"), point_word("displacement")},
-         options,
-         box_sweep_answer,
-         {},
-         in_scene},
-        {family,
-         "sweep-oriented-box",
-         "What a moving box of any orientation touches first; half axes lead from center to faces",
-         {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
-          point_word("displacement")},
-         options,
-         oriented_box_sweep_answer,
-         {},
-         in_scene},
-        {family,
-         "sweep-hull",
-         "What a moving convex hull touches first: its displacement, then each vertex",
-         {point_word("displacement"), point_word("vertex")},
-         options,
-         hull_answer,
-         {Repeats::Which::last, max_hull_vertices},
-         in_scene},
+        family("sweep-sphere", "What a moving sphere touches first",
+               {point_word("center"), length_word("radius", Range::finite_size), point_word("displacement")}, options,
+               shape_sweep_answer<Sphere>, in_scene),
+        family("sweep-capsule", "What a moving capsule touches first",
+               {point_word("from"), point_word("to"), length_word("radius", Range::finite_size),
+                point_word("displacement")},
+               options, shape_sweep_answer<Capsule>, in_scene),
+        family("sweep-box", "What a moving axis-aligned box touches first",
+               {point_word("min"), point_word("max"), point_word("displacement")}, options, shape_sweep_answer<Box>,
+               in_scene),
+        family("sweep-oriented-box",
+               "What a moving box of any orientation touches first; half axes lead from center to faces",
+               {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
+                point_word("displacement")},
+               options, shape_sweep_answer<OrientedBox>, in_scene),
+        family("sweep-hull", "What a moving convex hull touches first: its displacement, then each vertex",
+               {point_word("displacement"), point_word("vertex")}, options, hull_answer, in_scene,
+               {Repeats::Which::last, max_hull_vertices}),
     };
 }
 
