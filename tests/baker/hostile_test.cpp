@@ -59,8 +59,8 @@ TEST_CASE("baker: any input gives a sound blob or a reason and never an internal
     Random random(2024);
     unsigned baked = 0;
     unsigned refused = 0;
-        const std::uint64_t count = std::max<std::uint64_t>(scaled(20'000), 200);
-        for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t count = std::max<std::uint64_t>(scaled(20'000), 200);
+    for (std::uint64_t i = 0; i < count; ++i) {
         CAPTURE(i);
         const Mesh first = hostile_mesh(random);
         const Mesh second = hostile_mesh(random);
@@ -88,8 +88,8 @@ TEST_CASE("baker: any input gives a sound blob or a reason and never an internal
         if (options.resolution.kind() == Resolution::Kind::tolerance && result.report.tree.triangles != 0)
             REQUIRE(result.report.lattice.max_error <= options.resolution.value());
     }
-        CHECK(baked > count / 20);
-        CHECK(refused > count / 20);
+    CHECK(baked > count / 20);
+    CHECK(refused > count / 20);
 }
 
 }  // namespace

@@ -98,9 +98,9 @@ set(includes_from_elsewhere semihosting.hpp)  # of docs/examples/firmware
 set(support support/base support/meshes support/machine support/format support/blobs support/queries support/loops support/answers support/exercise)
 list(JOIN support " " support)
 check_folder_includes(tests
-  ".:"
   "support/base:"
   "support/machine: support/base"
+  ".: support/machine"
   "support/meshes: support/base"
   "support/format: support/base"
   "support/blobs: support/base support/meshes support/format"
@@ -108,7 +108,7 @@ check_folder_includes(tests
   "support/loops: support/base support/format"
   "support/answers: support/base support/machine support/format support/blobs support/queries support/loops"
   "support/exercise: support/base support/machine support/blobs support/queries"
-  "oracle: support/base support/meshes support/format"
+  "oracle: support/base support/machine support/meshes support/format"
   "support/exact: support/base support/format support/queries oracle"
   "platform:"
   "platform/microsoft:"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "support/base/random.hpp"
 #include "support/base/sanitized.hpp"
+#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
@@ -44,7 +46,8 @@ std::size_t most_stack(const std::vector<std::reference_wrapper<const TestBlob>>
     std::size_t most = 0;
     for (const TestBlob& blob : measured) {
         QueryMaker maker(blob.decoded, 5);
-        for (int i = 0; i < 40; ++i) most = std::max(most, call(blob, maker));
+        const std::uint64_t queries = std::max<std::uint64_t>(4, scaled(40));
+        for (std::uint64_t i = 0; i < queries; ++i) most = std::max(most, call(blob, maker));
     }
     return most;
 }

@@ -169,7 +169,7 @@ TEST_CASE("builder: rays and spheres and closest points equal the loop for every
             const TriangleLoop loop(decoded);
             QueryMaker maker(decoded, 500);
             std::uint64_t hits = 0;
-                for (std::uint64_t i = 0; i < std::max<std::uint64_t>(scaled(150), 30); ++i) {
+            for (std::uint64_t i = 0; i < std::max<std::uint64_t>(scaled(150), 30); ++i) {
                 Ray ray = maker.any_ray();
                 if (maker.random().below(4) == 0) maker.restrict(ray);
                 const auto difference = ray_difference(opened.blob, loop, ray, hits);
@@ -177,7 +177,7 @@ TEST_CASE("builder: rays and spheres and closest points equal the loop for every
             }
             CHECK(hits > 0);
             std::uint64_t found = 0;
-                for (std::uint64_t i = 0; i < std::max<std::uint64_t>(scaled(40), 20); ++i) {
+            for (std::uint64_t i = 0; i < std::max<std::uint64_t>(scaled(40), 20); ++i) {
                 const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
                 REQUIRE_MESSAGE(!difference, *difference);
             }

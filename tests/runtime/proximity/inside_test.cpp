@@ -79,11 +79,11 @@ TEST_CASE("inside: contains is true where the exact winding number is not 0 and 
     std::uint64_t decided = 0;
     std::uint64_t inside_count = 0;
     std::uint64_t on_surface = 0;
-        const std::uint64_t count = std::max<std::uint64_t>(scaled_share(60), 10);
+    const std::uint64_t count = std::max<std::uint64_t>(scaled_share(60), 10);
     for (const TestBlob& blob : closed_blobs()) {
         CAPTURE(blob.name);
         Random random(1000);
-            for (std::uint64_t i = 0; i < count; ++i) {
+        for (std::uint64_t i = 0; i < count; ++i) {
             const Vec3 point = random.below(4) == 0 ? random_point(blob, random) : awkward_point(blob, random);
             CAPTURE(describe(Sphere{point, 0.0f}));
             RoundedPoint rounded{};
@@ -107,8 +107,8 @@ TEST_CASE("inside: contains is true where the exact winding number is not 0 and 
             if (!expected) ++on_surface;
         }
     }
-        CHECK(inside_count > closed_blobs().size() * count / 10);
-        CHECK(on_surface > closed_blobs().size() * count / 10);
+    CHECK(inside_count > closed_blobs().size() * count / 10);
+    CHECK(on_surface > closed_blobs().size() * count / 10);
     MESSAGE(decisions_made("inside of a closed mesh", decided));
 }
 

@@ -121,7 +121,7 @@ TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes an
 
 #if ESPALIER_X86
 TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
-        if (best_instruction_set() < detail::InstructionSet::sse42) return;
+    if (best_instruction_set() < detail::InstructionSet::sse42) return;
     const OpenedBlob landscape(make_terrain(24, 7), {.resolution = Resolution::bits(18), .profile = Profile::fast});
     check_work(landscape.blob, detail::InstructionSet::sse42,
                {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 859}},
@@ -142,7 +142,7 @@ TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
 }
 
 TEST_CASE("work: batches of alike rays walk together as far as recorded") {
-        if (best_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
+    if (best_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
     const OpenedBlob landscape(make_terrain(24, 7), {.resolution = Resolution::bits(12), .profile = Profile::fast});
     const detail::BlobData& asset = detail::data_of(landscape.blob);
     std::int32_t longest = 0;
