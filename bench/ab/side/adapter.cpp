@@ -1,9 +1,9 @@
 // Implements ../side.h over the public calls of the commit whose headers are on the include path.
 //
-// This file serves commits that have espalier/distance.hpp; out_parameters_adapter.cpp serves those before. Where a
-// later commit renames a call or a field, test for it here with `if constexpr (requires ...)`. Where the calls change
-// as a whole, put the new ones into a second file beside this one and select one of the two in CMakeLists.txt by a
-// header that only one generation has.
+// The calls themselves are in returned_values.hpp, for commits that have espalier/distance.hpp, and in
+// out_parameters.hpp, for those before. Where a later commit renames a call or a field, test for it there with `if
+// constexpr (requires ...)`. Where the calls change as a whole, put the new ones into a third file beside these, and
+// select one by a header that only one generation has.
 #include "../side.h"
 
 #include <bit>
@@ -15,7 +15,6 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
-#include <runtime/lanes/select.hpp>
 
 #if !defined(ESPALIER_SIDE_FLAGS)
 #define ESPALIER_SIDE_FLAGS ""
@@ -39,6 +38,24 @@ std::uint64_t digest_of(const Values&... values) {
 }
 
 Vec3 vector_at(const float* n) { return {n[0], n[1], n[2]}; }
+
+struct Count {
+    std::uint32_t count = 0;
+};
+std::uint64_t digest(const Count& answer) { return answer.count; }
+std::uint64_t digest(const RayHit& hit) {
+    return hit.t < std::numeric_limits<float>::infinity() ? digest_of(hit.t, hit.normal) : 0;
+}
+
+}  // namespace
+
+#if __has_include(<espalier/nearest.hpp>)
+#include "out_parameters.hpp"
+#else
+#include "returned_values.hpp"
+#endif
+
+namespace {
 
 // ---- questions: how each is made of floats ----
 
@@ -89,9 +106,9 @@ struct SweepQuestion {
 };
 
 struct PlacementQuestion {
-    using Question = Transform;
+    using Question = Placement;
     static constexpr std::size_t floats = 8;
-    static Transform make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
+    static Placement make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
 };
 
 struct NoQuestion {
@@ -99,22 +116,6 @@ struct NoQuestion {
     static constexpr std::size_t floats = 0;
     static Question make(const float*) { return {}; }
 };
-
-// ---- answers: what of each two commits must agree about ----
-
-struct Count {
-    std::uint32_t count = 0;
-};
-
-/// Each is 0 for no and for nothing found.
-std::uint64_t digest(YesNo answer) { return answer.yes() ? 1 : 0; }
-std::uint64_t digest(const Count& answer) { return answer.count; }
-std::uint64_t digest(const RayHit& hit) {
-    return hit.t < std::numeric_limits<float>::infinity() ? digest_of(hit.t, hit.normal) : 0;
-}
-std::uint64_t digest(const ClosestPoint& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
-std::uint64_t digest(const SweepHit& hit) { return hit ? digest_of(hit.t, hit.starts_overlapping) : 0; }
-std::uint64_t digest(const BlobDistance& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
 
 // ---- kinds ----
 
@@ -129,80 +130,64 @@ struct OneByOne : QuestionMaker {
     }
 };
 
-struct ClosestHit : OneByOne<ClosestHit, RayQuestion, RayHit> {
-    static void answer(const Blob& blob, const Ray& ray, RayHit& to) { to = raycast(blob, ray); }
+struct ClosestHit : OneByOne<ClosestHit, RayQuestion, Hit> {
+    static void answer(const Blob& blob, const Ray& ray, Hit& to) { ask_closest(blob, ray, to); }
 };
-
-struct AnyHit : OneByOne<AnyHit, RayQuestion, YesNo> {
-    static void answer(const Blob& blob, const Ray& ray, YesNo& to) { to = occluded(blob, ray); }
+struct AnyHit : OneByOne<AnyHit, RayQuestion, Yes> {
+    static void answer(const Blob& blob, const Ray& ray, Yes& to) { ask_any(blob, ray, to); }
 };
-
 struct ClosestHitBatch : RayQuestion {
     using Answer = RayHit;
     static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<RayHit> hits) {
-        static_cast<void>(raycast(*static_cast<const Blob*>(asset.blob), rays, hits));
+        ask_closest(*static_cast<const Blob*>(asset.blob), rays, hits);
     }
 };
-
 struct AnyHitBatch : RayQuestion {
-    using Answer = YesNo;
-    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<Answer> answers) {
-        static_cast<void>(occluded(*static_cast<const Blob*>(asset.blob), rays, answers));
+    using Answer = BatchYes;
+    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<BatchYes> answers) {
+        ask_any(*static_cast<const Blob*>(asset.blob), rays, answers);
     }
 };
-
-struct Nearest : OneByOne<Nearest, PointQuestion, ClosestPoint> {
-    static void answer(const Blob& blob, Vec3 point, ClosestPoint& to) { to = closest_point(blob, point); }
+struct ClosestPointKind : OneByOne<ClosestPointKind, PointQuestion, Nearest> {
+    static void answer(const Blob& blob, const Vec3& point, Nearest& to) { ask_nearest(blob, point, to); }
 };
-
 template <class Shape>
-struct Overlaps : OneByOne<Overlaps<Shape>, Shape, YesNo> {
-    static void answer(const Blob& blob, const typename Shape::Question& shape, YesNo& to) {
-        to = overlaps(blob, shape);
+struct Overlaps : OneByOne<Overlaps<Shape>, Shape, Yes> {
+    static void answer(const Blob& blob, const typename Shape::Question& shape, Yes& to) {
+        ask_overlap(blob, shape, to);
     }
 };
-
 struct AllOverlaps : OneByOne<AllOverlaps, SphereQuestion, Count> {
     static void answer(const Blob& blob, const Sphere& sphere, Count& to) {
         std::uint32_t count = 0;
-        static_cast<void>(for_each_overlap(blob, sphere, [&count](TriangleId) { ++count; }));
+        count_overlaps(blob, sphere, count);
         to.count = count;
     }
 };
-
 template <class Shape>
-struct Sweep : OneByOne<Sweep<Shape>, SweepQuestion<Shape>, SweepHit> {
-    static void answer(const Blob& blob, const typename SweepQuestion<Shape>::Question& question, SweepHit& to) {
-        to = sweep(blob, question.shape, question.displacement);
+struct Sweep : OneByOne<Sweep<Shape>, SweepQuestion<Shape>, Contact> {
+    static void answer(const Blob& blob, const typename SweepQuestion<Shape>::Question& question, Contact& to) {
+        ask_sweep(blob, question.shape, question.displacement, to);
     }
 };
-
-struct Collides : OneByOne<Collides, PlacementQuestion, YesNo> {
-    static void answer(const Blob& blob, const Transform& placement, YesNo& to) {
-        to = overlaps(blob, PlacedBlob(blob, placement), WorkLimit::unlimited());
-    }
+struct Collides : OneByOne<Collides, PlacementQuestion, Yes> {
+    static void answer(const Blob& blob, const Placement& placement, Yes& to) { ask_collision(blob, placement, to); }
 };
-
 struct AllContacts : OneByOne<AllContacts, PlacementQuestion, Count> {
-    static void answer(const Blob& blob, const Transform& placement, Count& to) {
+    static void answer(const Blob& blob, const Placement& placement, Count& to) {
         std::uint32_t count = 0;
-        static_cast<void>(for_each_contact(
-            blob, PlacedBlob(blob, placement), [&count](const PairContact&) { ++count; }, WorkLimit::unlimited()));
+        count_contacts(blob, placement, count);
         to.count = count;
     }
 };
-
-struct Distance : OneByOne<Distance, PlacementQuestion, BlobDistance> {
-    static void answer(const Blob& blob, const Transform& placement, BlobDistance& to) {
-        to = distance(blob, PlacedBlob(blob, placement), WorkLimit::unlimited());
-    }
+struct Distance : OneByOne<Distance, PlacementQuestion, Apart> {
+    static void answer(const Blob& blob, const Placement& placement, Apart& to) { ask_distance(blob, placement, to); }
 };
-
 struct Open : NoQuestion {
-    using Answer = YesNo;
-    static void run(const EspalierSideAsset& asset, std::span<const Question>, std::span<YesNo> answers) {
+    using Answer = Yes;
+    static void run(const EspalierSideAsset& asset, std::span<const Question>, std::span<Yes> answers) {
         const std::span bytes(static_cast<const std::byte*>(asset.bytes), asset.size);
-        for (YesNo& answer : answers) answer = YesNo::of(bool(open(bytes)));
+        for (Yes& answer : answers) ask_open(bytes, answer);
     }
 };
 
@@ -231,7 +216,7 @@ const EspalierSideKind kinds[] = {kind_named<ClosestHit>("closest_hit"),
                                   kind_named<AnyHit>("any_hit"),
                                   kind_named<ClosestHitBatch>("closest_hit_batch"),
                                   kind_named<AnyHitBatch>("any_hit_batch"),
-                                  kind_named<Nearest>("closest_point"),
+                                  kind_named<ClosestPointKind>("closest_point"),
                                   kind_named<Overlaps<SphereQuestion>>("overlaps_sphere"),
                                   kind_named<AllOverlaps>("all_overlaps_sphere"),
                                   kind_named<Overlaps<BoxQuestion>>("overlaps_box"),
@@ -252,14 +237,12 @@ const EspalierSideKind* find_kind(const char* name) {
 const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigned bits,
                       void (*take)(void* to, const void* bytes, std::size_t size), void* to) {
     static std::string message;
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
+    AnyProfile wanted = AnyProfile::fast;
     const std::string_view word = profile;
-    if (word == "fast") options.profile = Profile::fast;
-    else if (word == "balanced") options.profile = Profile::balanced;
-    else if (word == "small") options.profile = Profile::small;
-    else if (word == "tiny") options.profile = Profile::tiny;
-    else return "this commit has no such profile";
+    if (word == "balanced") wanted = AnyProfile::balanced;
+    else if (word == "small") wanted = AnyProfile::small;
+    else if (word == "tiny") wanted = tiny;
+    else if (word != "fast") return "this commit has no such profile";
     std::vector<Vec3> positions;
     std::vector<TriangleVertices> triangles;
     for (std::size_t i = 0; i < mesh->vertices; ++i) positions.push_back(vector_at(mesh->positions + 3 * i));
@@ -271,21 +254,16 @@ const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigne
     view.positions = positions;
     view.triangles = triangles;
     view.name = mesh->name;
-    const BakeResult baked = bake({&view, 1}, options);
-    if (!baked) {
-        message = baked.message;
-        return message.c_str();
-    }
-    take(to, baked.bytes.data(), baked.bytes.size());
+    const std::vector<std::byte> bytes = bake_bytes(view, wanted, bits, message);
+    if (bytes.empty()) return message.c_str();
+    take(to, bytes.data(), bytes.size());
     return nullptr;
 }
 
 /// The bytes are this side's own, so that their header is all that there is to check.
 const char* open_asset(EspalierSideAsset* asset) {
     Blob& blob = *new (asset->blob) Blob;
-    const std::span bytes(static_cast<const std::byte*>(asset->bytes), asset->size);
-    blob = open_unchecked(bytes);
-    return blob ? nullptr : describe(blob.status());
+    return open_own({static_cast<const std::byte*>(asset->bytes), asset->size}, blob);
 }
 
 const char* use_set(const char* set) {
