@@ -1,13 +1,16 @@
 // The runtime never touches the heap: not to open, not to answer, not when it is asked nonsense.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include <espalier/espalier.hpp>
 
 #include "support/blobs/deformed_mesh.hpp"
+#include "support/base/test_scale.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/machine/aligned_buffer.hpp"
@@ -36,7 +39,7 @@ TEST_CASE("promise: opening a blob and every query allocate nothing") {
         const Blob refused = open(std::span(test_blob.opened.bytes).first(100));
         exercise(blob, random, 200);
         std::uint32_t found = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (std::uint64_t i = 0; i < std::max<std::uint64_t>(10, scaled(200)); ++i) {
             const Ray ray = maker.any_ray();
             const Sphere sphere = maker.sphere();
             found += raycast(blob, ray) ? 1u : 0u;
