@@ -1,17 +1,9 @@
 // What the claims about the baker share.
 #pragma once
 
-#include <array>
-#include <cmath>
+#include "support/testing.hpp"
+
 #include <initializer_list>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <espalier/bake.hpp>
-
-#include "support/format/decoder.hpp"
-#include "support/meshes/mesh.hpp"
 
 namespace espalier::tests {
 
@@ -26,17 +18,21 @@ inline BakeResult bake_meshes(std::initializer_list<const Mesh*> meshes, const B
     return bake(views, options);
 }
 
-inline BakeOptions with_bits(unsigned bits) {
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
-    return options;
+/// The same, which must not be refused.
+inline BakeResult must_bake_mesh(const Mesh& mesh, const BakeOptions& options = {}) {
+    BakeResult result = bake_mesh(mesh, options);
+    REQUIRE_MESSAGE(result, result.message);
+    return result;
+}
+inline BakeResult must_bake_meshes(std::initializer_list<const Mesh*> meshes, const BakeOptions& options = {}) {
+    BakeResult result = bake_meshes(meshes, options);
+    REQUIRE_MESSAGE(result, result.message);
+    return result;
 }
 
-inline BakeOptions with_tolerance(double tolerance) {
-    BakeOptions options;
-    options.resolution = Resolution::tolerance(tolerance);
-    return options;
-}
+inline BakeOptions with_bits(unsigned bits) { return {.resolution = Resolution::bits(bits)}; }
+
+inline BakeOptions with_tolerance(double tolerance) { return {.resolution = Resolution::tolerance(tolerance)}; }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

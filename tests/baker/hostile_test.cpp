@@ -1,44 +1,23 @@
 // Claims about input that nobody would make on purpose.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include <espalier/bake.hpp>
+#include "support/testing.hpp"
 
 #include "baking_support.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::baker_hostile_test {
 namespace {
 
 float some_coordinate(Random& random, unsigned kind) {
-    switch (kind) {
-        case 0:
-            return hostile_values[random.below(hostile_values.size())];
-        case 1:
-            return static_cast<float>(random.between(-4, 4));
-        case 2:
-            return std::ldexp(random.signed_unit(), random.between(-149, 127));
-        case 3:
-            return std::ldexp(random.signed_unit(), -140);
-        case 4:
-            return std::numeric_limits<float>::max() * (random.coin() ? 1.0f : 0.9999999f);
-        case 5:
-            return 1e6f + static_cast<float>(random.below(8)) * 0.0625f;
-        default:
-            return random.unit();
-    }
+    if (kind == 0) return hostile_values[random.below(hostile_values.size())];
+    if (kind == 1) return static_cast<float>(random.between(-4, 4));
+    if (kind == 2) return std::ldexp(random.signed_unit(), random.between(-149, 127));
+    if (kind == 3) return std::ldexp(random.signed_unit(), -140);
+    if (kind == 4) return std::numeric_limits<float>::max() * (random.coin() ? 1.0f : 0.9999999f);
+    if (kind == 5) return 1e6f + static_cast<float>(random.below(8)) * 0.0625f;
+    return random.unit();
 }
 
 Mesh hostile_mesh(Random& random) {
-    Mesh mesh;
-    mesh.name = "hostile";
+    Mesh mesh = {.name = "hostile"};
     const unsigned kind = random.below(8);
     const std::uint32_t vertices = 1 + random.below(random.coin() ? 6 : 60);
     for (std::uint32_t i = 0; i < vertices; ++i) {
@@ -57,8 +36,7 @@ Mesh hostile_mesh(Random& random) {
 
 TEST_CASE("baker: any input gives a sound blob or a reason and never an internal error") {
     Random random(2024);
-    unsigned baked = 0;
-    unsigned refused = 0;
+    unsigned baked = 0, refused = 0;
     const std::uint64_t count = std::max<std::uint64_t>(scaled(20'000), 200);
     for (std::uint64_t i = 0; i < count; ++i) {
         CAPTURE(i);

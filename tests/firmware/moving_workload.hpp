@@ -85,8 +85,7 @@ private:
             found = collect_candidate_pairs(scene_, pairs_);
             end_step(scene_);
         });
-        answers_.add(static_cast<std::uint32_t>(moved));
-        answers_.add(static_cast<std::uint32_t>(found.status));
+        answers_.add(static_cast<std::uint32_t>(moved), static_cast<std::uint32_t>(found.status));
         for (const InstancePair& pair : found.in(pairs_)) answers_.add(mover_count * pair.a + pair.b);
     }
 

@@ -48,9 +48,8 @@ public:
             for (std::uint32_t i = 0; i < positions_.size(); ++i) positions_[i] = ClothPlaces::at(i, step);
             RefitResult result;
             measure_(refit_pose, [&] { result = refit(mesh_, positions_); });
-            answers_.add(static_cast<std::uint32_t>(result.status));
-            answers_.add(result.quality);
-            answers_.add(std::span<const std::byte>(memory_));
+            answers_.add(static_cast<std::uint32_t>(result.status), result.quality,
+                         std::span<const std::byte>(memory_));
         }
     }
     [[nodiscard]] const platform::Fingerprint& answers() const { return answers_; }

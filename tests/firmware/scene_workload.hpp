@@ -42,11 +42,7 @@ private:
         const Vec3 point = point_in_box();
         InScene<RayHit> hit;
         measure_(scene_ray, [&] { hit = raycast(scene_, ray); });
-        answers_.add(bool(hit));
-        answers_.add(hit->t);
-        answers_.add(hit->normal);
-        answers_.add(hit->triangle.index);
-        answers_.add(hit.instance.index);
+        answers_.add(bool(hit), hit->t, hit->normal, hit->triangle.index, hit.instance.index);
         YesNo answer;
         measure_(scene_any_ray, [&] { answer = occluded(scene_, ray); });
         answers_.add(answer.yes());
@@ -54,10 +50,7 @@ private:
         answers_.add(answer.yes());
         InScene<ClosestPoint> nearest;
         measure_(scene_point, [&] { nearest = closest_point(scene_, point); });
-        answers_.add(nearest->point);
-        answers_.add(nearest->distance);
-        answers_.add(nearest->triangle.index);
-        answers_.add(nearest.instance.index);
+        answers_.add(nearest->point, nearest->distance, nearest->triangle.index, nearest.instance.index);
     }
 
     std::span<const std::byte> bytes_;

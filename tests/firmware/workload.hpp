@@ -61,35 +61,14 @@ private:
         return *std::launder(reinterpret_cast<const Answer*>(place));
     }
 
-    void add(const RayHit& hit) {
-        answers_.add(hit.t);
-        answers_.add(hit.u);
-        answers_.add(hit.v);
-        answers_.add(hit.normal);
-        answers_.add(hit.triangle.index);
-    }
-    void add(const ClosestPoint& nearest) {
-        answers_.add(nearest.point);
-        answers_.add(nearest.distance);
-        answers_.add(nearest.triangle.index);
-    }
+    void add(const RayHit& hit) { answers_.add(hit.t, hit.u, hit.v, hit.normal, hit.triangle.index); }
+    void add(const ClosestPoint& nearest) { answers_.add(nearest.point, nearest.distance, nearest.triangle.index); }
     void add_pair(const ClosestPoint& pair) {
         add(pair.status);
-        answers_.add(pair.on_shape);
-        answers_.add(pair.point);
-        answers_.add(pair.triangle.index);
+        answers_.add(pair.on_shape, pair.point, pair.triangle.index);
     }
-    void add(const SweepHit& hit) {
-        answers_.add(bool(hit));
-        answers_.add(hit.t);
-        answers_.add(hit.point);
-        answers_.add(hit.triangle.index);
-    }
-    void add(const Vec3& point) {
-        answers_.add(point.x);
-        answers_.add(point.y);
-        answers_.add(point.z);
-    }
+    void add(const SweepHit& hit) { answers_.add(bool(hit), hit.t, hit.point, hit.triangle.index); }
+    void add(const Vec3& point) { answers_.add(point.x, point.y, point.z); }
     void add(QueryStatus status) { answers_.add(static_cast<std::uint32_t>(status)); }
 
     void open_again() {
@@ -138,8 +117,7 @@ private:
         answers_.add(answer);
         const LatticeHit hit = measured(first_in_steps, [&] { return raycast(blob_, segment); });
         add(hit.status);
-        answers_.add(hit.t);
-        answers_.add(hit.triangle.index);
+        answers_.add(hit.t, hit.triangle.index);
         add(measured(any_in_steps, [&] { return occluded(blob_, segment); }).status());
     }
 
@@ -217,8 +195,7 @@ private:
         const auto add_contacts = [&](const Filled& found) {
             add(found.status);
             for (const Contact& contact : found.in(contacts)) {
-                answers_.add(contact.triangle.index);
-                answers_.add(contact.distance);
+                answers_.add(contact.triangle.index, contact.distance);
                 add(contact.point);
                 add(contact.normal);
             }
@@ -260,8 +237,7 @@ private:
         answers_.add(measured(coarse_ray, [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
         const Result<DistanceBounds> bounds = measured(
             coarse_distance, [&] { return distance_bounds(blob_, sphere.center, infinity, Accuracy{accuracy}); });
-        answers_.add(bounds->lower);
-        answers_.add(bounds->upper);
+        answers_.add(bounds->lower, bounds->upper);
     }
 
     /// Where a rotation without translation takes a point; the quaternion may have any length.
@@ -319,9 +295,7 @@ private:
             measured(two_touches, [&] { return collect_touches(blob_, other, touches, WorkLimit::unlimited()); });
         add(found.status);
         for (const PairTouch& touch : found.in(touches)) {
-            answers_.add(touch.a.index);
-            answers_.add(touch.b.index);
-            answers_.add(touch.depth);
+            answers_.add(touch.a.index, touch.b.index, touch.depth);
             add(touch.normal);
             for (const Vec3& point : std::span(touch.points).first(touch.count)) add(point);
         }

@@ -67,7 +67,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/sweeps/start",
     "runtime/contacts/touch", "runtime/contacts/touch_hull", "runtime/contacts/touch_pair", "runtime/contacts/find",
     "runtime/contacts/pair_touches", "runtime/scenes/scene", "runtime/scenes/hostile",
-    "runtime/scenes/loop", "runtime/scenes/gap", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
+    "runtime/scenes/gap", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
     "runtime/scenes/modes", "runtime/scenes/rules", "runtime/scenes/sweeps",
     "runtime/moving_scenes/tree", "runtime/moving_scenes/hilbert", "runtime/moving_scenes/steps_box",
     "runtime/moving_scenes/steps_boxes",

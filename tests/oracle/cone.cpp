@@ -5,8 +5,6 @@
 // zero, or where its gradient is zero.
 #include "cone.hpp"
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace espalier::oracle {

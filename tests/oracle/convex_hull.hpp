@@ -68,8 +68,7 @@ bool hull_has_origin(const std::vector<WholePoint<Number>>& points) {
             for (std::size_t k = j + 1; k < count; ++k)
                 for (std::size_t l = k + 1; l < count; ++l) {
                     const std::array<int, 4> faces = {sign(j, k, l), -sign(i, k, l), sign(i, j, l), -sign(i, j, k)};
-                    bool above = false;
-                    bool below = false;
+                    bool above = false, below = false;
                     for (const int face : faces) {
                         above = above || face > 0;
                         below = below || face < 0;

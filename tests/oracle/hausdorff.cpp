@@ -1,7 +1,6 @@
 #include "hausdorff.hpp"
 
 #include <queue>
-#include <vector>
 
 namespace espalier::reference {
 

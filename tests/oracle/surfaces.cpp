@@ -1,7 +1,5 @@
 #include "surfaces.hpp"
 
-#include <cmath>
-
 #include "support/format/decoder.hpp"
 
 namespace espalier::reference {

@@ -13,13 +13,7 @@ namespace espalier::platform {
 struct Answers {
     Fingerprint fingerprint;
     std::uint32_t calls = 0;  // of any function that answers
-    std::uint32_t rays = 0;
-    std::uint32_t rays_hit = 0;
-    std::uint32_t hits = 0;
-    std::uint32_t spheres = 0;
-    std::uint32_t overlaps = 0;
-    std::uint32_t points = 0;
-    std::uint32_t points_found = 0;
+    std::uint32_t rays = 0, rays_hit = 0, hits = 0, spheres = 0, overlaps = 0, points = 0, points_found = 0;
     std::uint32_t pairs_near = 0;  // of two placed blobs
 
     constexpr void add(const Answers& part) {
@@ -54,13 +48,8 @@ constexpr std::uint32_t lookup_word(QueryStatus status) {
 
 inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, TriangleId triangle) {
     const Result<OriginalTriangle> original = original_triangle(blob, triangle);
-    fingerprint.add(triangle.index);
-    fingerprint.add(static_cast<bool>(original));
-    fingerprint.add(original->file);
-    fingerprint.add(original->mesh);
-    fingerprint.add(original->triangle);
-    fingerprint.add(original->first_corner);
-    fingerprint.add(std::uint32_t{material(blob, triangle)});
+    fingerprint.add(triangle.index, static_cast<bool>(original), original->file, original->mesh, original->triangle,
+                    original->first_corner, std::uint32_t{material(blob, triangle)});
 }
 
 }  // namespace espalier::platform

@@ -23,34 +23,26 @@ inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
         fingerprint.add(static_cast<std::uint32_t>(kinds->ab) << 4 | static_cast<std::uint32_t>(kinds->bc) << 2 |
                         static_cast<std::uint32_t>(kinds->ca));
         const Triangle corners = *triangle_at(blob, {index});
-        fingerprint.add(bool(triangle_at(blob, {index})));
-        fingerprint.add(corners.b);
+        fingerprint.add(bool(triangle_at(blob, {index})), corners.b);
         const Vec3 normal = fix_internal_edge_normal(blob, {index}, static_cast<Feature>(index % 7), corners.a);
         const bool is_fixed = normal != corners.a;
-        fingerprint.add(is_fixed);
-        fingerprint.add(is_fixed ? normal : Vec3{});
+        fingerprint.add(is_fixed, is_fixed ? normal : Vec3{});
     }
     const Result<Sphere> sphere = bounding_sphere(blob);
-    fingerprint.add(static_cast<bool>(sphere));
-    fingerprint.add(sphere->center);
-    fingerprint.add(sphere->radius);
+    fingerprint.add(static_cast<bool>(sphere), sphere->center, sphere->radius);
     const Result<OrientedBox> box = oriented_bounds(blob);
-    fingerprint.add(static_cast<bool>(box));
-    fingerprint.add(box->center);
+    fingerprint.add(static_cast<bool>(box), box->center);
     for (const Vec3& axis : box->half_axes) fingerprint.add(axis);
     const Result<KDop> k_dop = k_dop_bounds(blob);
     fingerprint.add(static_cast<bool>(k_dop));
     for (unsigned k = 0; k < KDop::count; ++k) {
-        fingerprint.add(k_dop->lo[k]);
-        fingerprint.add(k_dop->hi[k]);
+        fingerprint.add(k_dop->lo[k], k_dop->hi[k]);
     }
     (void)for_each_node(blob, [&](const TreeNode& node) {
-        fingerprint.add(node.number);
-        fingerprint.add(std::uint32_t{node.depth});
+        fingerprint.add(node.number, std::uint32_t{node.depth});
         for (unsigned i = 0; i < node.child_count; ++i) {
-            fingerprint.add(node.children[i].box.min);
-            fingerprint.add(node.children[i].box.max);
-            fingerprint.add(node.children[i].is_leaf ? node.children[i].first.index : 0u);
+            fingerprint.add(node.children[i].box.min, node.children[i].box.max,
+                            node.children[i].is_leaf ? node.children[i].first.index : 0u);
         }
         return NodeVisit::descend;
     });
@@ -62,25 +54,17 @@ void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers&
     answers.calls += 4;
     const SweepHit filtered =
         sweep(blob, shape, displacement, [](TriangleId triangle) { return triangle.index % 3 != 0; });
-    answers.fingerprint.add(bool(filtered));
-    answers.fingerprint.add(filtered ? filtered.t : 0.0f);
+    answers.fingerprint.add(bool(filtered), filtered ? filtered.t : 0.0f);
     const SweepHit hit = sweep(blob, shape, displacement);
-    answers.fingerprint.add(bool(hit));
-    answers.fingerprint.add(hit.status);
-    answers.fingerprint.add(hit ? hit.t : 0.0f);
-    answers.fingerprint.add(hit.point);
-    answers.fingerprint.add(hit.normal);
-    answers.fingerprint.add(hit.starts_overlapping);
-    answers.fingerprint.add(static_cast<std::uint32_t>(hit.feature));
+    answers.fingerprint.add(bool(hit), hit.status, hit ? hit.t : 0.0f, hit.point, hit.normal, hit.starts_overlapping,
+                            static_cast<std::uint32_t>(hit.feature));
     add_triangle(answers.fingerprint, blob, hit ? hit.triangle : TriangleId{0});
     SweepOptions options;
     options.culling = FaceCulling::back;
     options.ignore_leaving = true;
     options.skin = 0.125f;
     const SweepHit kept = sweep(blob, shape, displacement, options);
-    answers.fingerprint.add(kept.status);
-    answers.fingerprint.add(kept.t);
-    answers.fingerprint.add(kept.starts_overlapping);
+    answers.fingerprint.add(kept.status, kept.t, kept.starts_overlapping);
 }
 
 inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
@@ -117,11 +101,9 @@ inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t c
         answers.fingerprint.add(found.status);
         const std::size_t kept = reduce_contacts(found.in(contacts));
         for (const Contact& contact : std::span<const Contact>(contacts).first(kept)) {
-            answers.fingerprint.add(contact.point);
-            answers.fingerprint.add(contact.normal);
-            answers.fingerprint.add(contact.distance);
-            answers.fingerprint.add(static_cast<std::uint32_t>(contact.feature));
-            answers.fingerprint.add(static_cast<std::uint32_t>(contact.side));
+            answers.fingerprint.add(contact.point, contact.normal, contact.distance,
+                                    static_cast<std::uint32_t>(contact.feature),
+                                    static_cast<std::uint32_t>(contact.side));
             add_triangle(answers.fingerprint, blob, contact.triangle);
         }
     };
@@ -177,11 +159,8 @@ inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t co
 
 /// A miss enters as the zeros of triangle 0.
 inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const ClosestPoint& nearest) {
-    fingerprint.add(nearest.point);
-    fingerprint.add(nearest ? nearest.distance : 0.0f);
-    fingerprint.add(nearest.u);
-    fingerprint.add(nearest.v);
-    fingerprint.add(static_cast<std::uint32_t>(nearest.feature));
+    fingerprint.add(nearest.point, nearest ? nearest.distance : 0.0f, nearest.u, nearest.v,
+                    static_cast<std::uint32_t>(nearest.feature));
     add_triangle(fingerprint, blob, nearest ? nearest.triangle : TriangleId{0});
 }
 
@@ -199,8 +178,7 @@ void ask_volume(const Blob& blob, const Shape& shape, Answers& answers) {
     Cursor from;
     for (int pages = 0; pages < 3; ++pages) {
         const Filled answer = collect_overlaps(blob, shape, page, from);
-        answers.fingerprint.add(answer.status);
-        answers.fingerprint.add(answer.next.place[0]);
+        answers.fingerprint.add(answer.status, answer.next.place[0]);
         for (const TriangleId triangle : answer.in(page)) answers.fingerprint.add(triangle.index);
         from = answer.next;
     }
@@ -230,20 +208,16 @@ inline void ask_in_steps(const Blob& blob, Questions& questions, std::uint32_t c
         const auto range = [](QueryStatus status) {  // all that the golden values hold
             return status == QueryStatus::out_of_range ? status : QueryStatus::ok;
         };
-        answers.fingerprint.add(range(hit.status));
-        answers.fingerprint.add(hit ? hit.t : std::uint32_t{0});
-        answers.fingerprint.add(std::uint32_t{hit && hit.side == Side::back ? 2u : 1u});
+        answers.fingerprint.add(range(hit.status), hit ? hit.t : std::uint32_t{0},
+                                std::uint32_t{hit && hit.side == Side::back ? 2u : 1u});
         add_triangle(answers.fingerprint, blob, hit.triangle);
         const YesNo any = occluded(blob, segment);
-        answers.fingerprint.add(range(any.status()));
-        answers.fingerprint.add(any.yes());
+        answers.fingerprint.add(range(any.status()), any.yes());
         const Result<LatticePoint> nearest = to_lattice(lattice, questions.point(number));
-        answers.fingerprint.add(nearest.status);
-        answers.fingerprint.add(to_local(lattice, *nearest));
+        answers.fingerprint.add(nearest.status, to_local(lattice, *nearest));
         const Result<LatticeBox> around = to_lattice(lattice, questions.box(number));
-        answers.fingerprint.add(around.status);
-        answers.fingerprint.add(static_cast<std::uint32_t>(around->min.x));
-        answers.fingerprint.add(static_cast<std::uint32_t>(around->max.z));
+        answers.fingerprint.add(around.status, static_cast<std::uint32_t>(around->min.x),
+                                static_cast<std::uint32_t>(around->max.z));
     }
 }
 
@@ -257,9 +231,7 @@ inline void ask_approximately(const Blob& blob, Questions& questions, std::uint3
         const Vec3 point = questions.point(number);
         const Result<DistanceBounds> bounds =
             distance_bounds(blob, point, questions.distance(number), Accuracy{accuracy});
-        answers.fingerprint.add(bool(bounds));
-        answers.fingerprint.add(bounds ? bounds->lower : 0.0f);
-        answers.fingerprint.add(bounds ? bounds->upper : 0.0f);
+        answers.fingerprint.add(bool(bounds), bounds ? bounds->lower : 0.0f, bounds ? bounds->upper : 0.0f);
     }
 }
 
@@ -278,15 +250,13 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
         answers.fingerprint.add(static_cast<std::uint32_t>(filled.count));
         for (const ClosestPoint& each : filled.in(few)) add_nearest(answers.fingerprint, blob, each);
         const YesNo inside = contains(blob, point);
-        answers.fingerprint.add(inside.status());
-        answers.fingerprint.add(inside.yes());
+        answers.fingerprint.add(inside.status(), inside.yes());
         const ClosestPoint with_sign = signed_distance(blob, point, max_distance);
         answers.fingerprint.add(with_sign.status);
         // Of a refusal the distance without a sign, 0 if there is none.
         answers.fingerprint.add(!is_refused(with_sign.status) ? with_sign.distance : nearest ? nearest.distance : 0.0f);
         const Result<float> moved = rounding_error(blob, Sphere{point, max_distance});
-        answers.fingerprint.add(moved.status);
-        answers.fingerprint.add(moved.value);
+        answers.fingerprint.add(moved.status, moved.value);
     }
 }
 
@@ -294,8 +264,7 @@ inline void ask_windings(const Blob& blob, Questions& questions, std::uint32_t c
     for (std::uint32_t number = 0; number < count; ++number) {
         const Result<float> winding = winding_number(blob, questions.point(number), 6);
         ++answers.calls;
-        answers.fingerprint.add(winding.status);
-        answers.fingerprint.add(winding.value);
+        answers.fingerprint.add(winding.status, winding.value);
     }
 }
 
@@ -310,13 +279,7 @@ struct PairWords {
             const float limit = std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_distance) & 0x7FFFFFFFu);
             *this = {pair.on_shape, pair.point, pair ? pair.distance : limit, pair.u, pair.v, pair.triangle.index};
         }
-        fingerprint.add(pair.status);
-        fingerprint.add(on_shape);
-        fingerprint.add(point);
-        fingerprint.add(distance);
-        fingerprint.add(u);
-        fingerprint.add(v);
-        fingerprint.add(triangle);
+        fingerprint.add(pair.status, on_shape, point, distance, u, v, triangle);
     }
 };
 
@@ -334,22 +297,13 @@ inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint3
 
 /// What `open` tells about the blob, and every triangle in it.
 inline void read_all(const Blob& blob, Answers& answers) {
-    answers.fingerprint.add(blob.triangle_count());
-    answers.fingerprint.add(blob.vertex_count());
-    answers.fingerprint.add(blob.size());
-    answers.fingerprint.add(blob.checksum());
-    answers.fingerprint.add(std::uint32_t{blob.depth()});
-    answers.fingerprint.add(std::uint32_t{detail::data_of(blob).bits});
-    answers.fingerprint.add(std::bit_cast<float>(static_cast<std::uint32_t>(blob.lattice().step_exponent + 127) << 23));
-    answers.fingerprint.add(blob.max_error());
-    answers.fingerprint.add(blob.bounds().min);
-    answers.fingerprint.add(blob.bounds().max);
-    answers.fingerprint.add(blob.is_closed());
+    answers.fingerprint.add(blob.triangle_count(), blob.vertex_count(), blob.size(), blob.checksum(),
+                            std::uint32_t{blob.depth()}, std::uint32_t{detail::data_of(blob).bits},
+                            std::bit_cast<float>(static_cast<std::uint32_t>(blob.lattice().step_exponent + 127) << 23),
+                            blob.max_error(), blob.bounds().min, blob.bounds().max, blob.is_closed());
     (void)for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
         add_triangle(answers.fingerprint, blob, triangle);
-        answers.fingerprint.add(corners.a);
-        answers.fingerprint.add(corners.b);
-        answers.fingerprint.add(corners.c);
+        answers.fingerprint.add(corners.a, corners.b, corners.c);
         return Visit::next;
     });
 }

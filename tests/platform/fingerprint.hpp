@@ -48,6 +48,11 @@ public:
         add(static_cast<std::uint32_t>(part.value_));
         add(static_cast<std::uint32_t>(part.value_ >> 32));
     }
+    /// Several, one after the other.
+    template <class First, class Second, class... More>
+    constexpr void add(const First& first, const Second& second, const More&... more) {
+        add(first), add(second), (add(more), ...);
+    }
     [[nodiscard]] constexpr std::uint64_t value() const { return value_; }
 
 private:

@@ -33,8 +33,7 @@ inline void add_block(Fingerprint& fingerprint, std::span<const std::byte> block
         std::memcpy(&word, block.data() + at, sizeof word);
         if (at != small_fields) fingerprint.add(word);
     }
-    fingerprint.add(block.subspan(small_fields, 4));
-    fingerprint.add(block.subspan(words));
+    fingerprint.add(block.subspan(small_fields, 4), block.subspan(words));
 }
 
 /// A moving scene, and numbers that choose what is called.
@@ -95,10 +94,7 @@ private:
     }
 
     void add(QueryStatus status) { hash_.add(static_cast<std::uint32_t>(status)); }
-    void add(InstanceId instance) {
-        hash_.add(instance.index);
-        hash_.add(instance.in_tile);
-    }
+    void add(InstanceId instance) { hash_.add(instance.index, instance.in_tile); }
 
     void call(std::uint32_t kind, bool is_growing) {
         if (kind < (is_growing ? 16u : 10u)) return insert_one();
@@ -120,8 +116,7 @@ private:
         instance.user = word();
         const Result<InstanceHandle> handle = insert(scene_, instance);
         add(handle.status);
-        hash_.add(handle->slot);
-        hash_.add(handle->generation);
+        hash_.add(handle->slot, handle->generation);
     }
     void move_one() {
         const InstanceHandle handle = any_handle();
@@ -143,8 +138,7 @@ private:
         add(set_mask(scene_, handle, word()));
         add(set_user(scene_, handle, word()));
         const Result<Box> box = box_of(scene_, handle);
-        hash_.add(box->min);
-        hash_.add(box->max);
+        hash_.add(box->min, box->max);
     }
     void end_or_repack() {
         if (word() % 64 == 0) repack(scene_);
@@ -159,9 +153,7 @@ private:
         answers_.rays_hit += hit ? 1u : 0u;
         add(hit->status);
         add(hit.instance);
-        hash_.add(hit->triangle.index);
-        hash_.add(hit->t);
-        hash_.add(hit->normal);
+        hash_.add(hit->triangle.index, hit->t, hit->normal);
         hash_.add(occluded(scene_, ray).yes());
     }
     void ask_shapes() {
@@ -215,10 +207,7 @@ private:
         add(found.next);
         answers_.pairs_near += static_cast<std::uint32_t>(found.count);
     }
-    void add(const InstancePair& pair) {
-        hash_.add(pair.a);
-        hash_.add(pair.b);
-    }
+    void add(const InstancePair& pair) { hash_.add(pair.a, pair.b); }
     void add(const BakedPair& pair) {
         hash_.add(pair.moving);
         add(pair.baked);
@@ -226,8 +215,7 @@ private:
 
     /// Continues with the scene as a snapshot of it opens.
     void end_round() {
-        hash_.add(quality(scene_));
-        hash_.add(scene_.instance_count());
+        hash_.add(quality(scene_), scene_.instance_count());
         add_block(blocks_, scene_.bytes());
         scene_ = open_moving_scene(memory_, parts_.meshes, parts_.tiles);
         hash_.add(static_cast<bool>(scene_));

@@ -37,31 +37,23 @@ inline void ask_pairs(const Blob& a, const Blob& b, Questions& questions_to_a, s
             fingerprint.add(pair.b.index);
         }
         const YesNo touch = overlaps(a, placed_b, limit);
-        fingerprint.add(touch.status());
-        fingerprint.add(touch.yes());
+        fingerprint.add(touch.status(), touch.yes());
         const PairContact first = first_contact(a, placed_b, limit);
-        fingerprint.add(first.status);
-        fingerprint.add(bool(first));
+        fingerprint.add(first.status, bool(first));
         fingerprint.add(index_word(first.a));
         fingerprint.add(index_word(first.b));
         const PairTouch place = pair_touch(a, placed_b, first);
-        fingerprint.add(place.status);
-        fingerprint.add(std::uint32_t{place.count});
+        fingerprint.add(place.status, std::uint32_t{place.count});
         for (unsigned i = 0; i < place.count; ++i) fingerprint.add(place.points[i]);
         fingerprint.add(place.normal);
         fingerprint.add(place.depth);
         const BlobDistance nearest = distance(a, placed_b, limit, questions_to_a.distance(number));
         const bool is_near = nearest.a != no_triangle;
-        fingerprint.add(nearest.status);
-        fingerprint.add(is_near);
-        fingerprint.add(is_near ? nearest.distance : 0.0f);
-        fingerprint.add(nearest.on_a);
-        fingerprint.add(nearest.on_b);
+        fingerprint.add(nearest.status, is_near, is_near ? nearest.distance : 0.0f, nearest.on_a, nearest.on_b);
         fingerprint.add(index_word(nearest.a));
         fingerprint.add(index_word(nearest.b));
         const YesNo within = within_distance(a, placed_b, questions_to_a.distance(1), limit);
-        fingerprint.add(within.status());
-        fingerprint.add(within.yes());
+        fingerprint.add(within.status(), within.yes());
         answers.calls += 6;
         answers.pairs_near += is_near || touch.yes() ? 1u : 0u;
     }

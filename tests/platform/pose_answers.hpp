@@ -29,10 +29,7 @@ public:
           answers_(answers),
           bytes_(bytes) {
         read_positions(mesh_.blob(), rest_);
-        hash_.add(mesh_.status());
-        hash_.add(mesh_.position_count());
-        hash_.add(mesh_.range().min);
-        hash_.add(mesh_.range().max);
+        hash_.add(mesh_.status(), mesh_.position_count(), mesh_.range().min, mesh_.range().max);
         for (const float scale : {1.0f, 0.5f, 0.25f}) {
             const Vec3 place = {scale * 100.0f, 4.0f, -scale};
             hash_.add(insert(scene_, {{{scale, 0.125f, 0.0f, 1.0f}, place, scale}}).status);
@@ -58,9 +55,7 @@ private:
 
     void add(const RefitResult& result) {
         answers_.calls += 1;
-        hash_.add(result.status);
-        hash_.add(result.position);
-        hash_.add(result.quality);
+        hash_.add(result.status, result.position, result.quality);
     }
     void refuse_some(std::uint32_t number) {
         add(refit(mesh_, std::span(pose_).first(number)));
@@ -80,12 +75,9 @@ private:
             const Ray ray = {{25.0f * static_cast<float>(i % 5), -50.0f, 60.0f},
                              {to.x * 0.25f, to.y * 0.25f + 50.0f, to.z * 0.25f - 60.0f}};
             const InScene<RayHit> hit = raycast(scene_, ray);
-            hash_.add(hit->status);
-            hash_.add(hit.instance.index);
-            hash_.add(hit ? hit->t : 0.0f);
+            hash_.add(hit->status, hit.instance.index, hit ? hit->t : 0.0f);
             const InScene<ClosestPoint> nearest = closest_point(scene_, to);
-            hash_.add(nearest.instance.index);
-            hash_.add(nearest->point);
+            hash_.add(nearest.instance.index, nearest->point);
         }
         answers_.calls += 32;
     }

@@ -24,50 +24,32 @@ public:
 
     Ray ray(std::uint32_t number) {
         Ray ray;
-        switch (number % 8) {
-            case 0:
-                ray = towards({point_around(2.0f), point_around(1.0f)});
-                break;
-            case 1:
-                ray = {.origin = point_around(1.0f), .direction = axis()};
-                break;
-            case 2:
-                ray = towards({point_around(4096.0f), surface_point()});
-                break;
-            case 3:
-                ray = towards({surface_point(), point_around(1.0f)});
-                break;
-            case 4:
-                ray = towards({point_around(2.0f), corner()});
-                break;
-            case 5:
-                ray = {.origin = corner(), .direction = axis()};
-                step_back(ray);
-                break;
-            case 6:
-                ray = {.origin = any_bits(), .direction = any_bits()};
-                break;
-            default:
-                ray = towards({corner(), corner()});
-                ray.t_min = fraction() * 0.25f;
-                ray.t_max = 0.5f + fraction();
-                break;
+        const auto kind = number % 8;
+        if (kind == 0) ray = towards({point_around(2.0f), point_around(1.0f)});
+        else if (kind == 1) ray = {.origin = point_around(1.0f), .direction = axis()};
+        else if (kind == 2) ray = towards({point_around(4096.0f), surface_point()});
+        else if (kind == 3) ray = towards({surface_point(), point_around(1.0f)});
+        else if (kind == 4) ray = towards({point_around(2.0f), corner()});
+        else if (kind == 5) {
+            ray = {.origin = corner(), .direction = axis()};
+            step_back(ray);
+        } else if (kind == 6) {
+            ray = {.origin = any_bits(), .direction = any_bits()};
+        } else {
+            ray = towards({corner(), corner()});
+            ray.t_min = fraction() * 0.25f;
+            ray.t_max = 0.5f + fraction();
         }
         ray.culling = static_cast<FaceCulling>(word() % 3);
         return ray;
     }
 
     Sphere sphere(std::uint32_t number) {
-        switch (number % 4) {
-            case 0:
-                return {point_around(1.0f), size() * 0.125f * fraction()};
-            case 1:
-                return {surface_point(), 0.0f};
-            case 2:
-                return {corner(), size() * 0.03125f * fraction()};
-            default:
-                return {any_bits(), any_float()};
-        }
+        const auto kind = number % 4;
+        if (kind == 0) return {point_around(1.0f), size() * 0.125f * fraction()};
+        if (kind == 1) return {surface_point(), 0.0f};
+        if (kind == 2) return {corner(), size() * 0.03125f * fraction()};
+        return {any_bits(), any_float()};
     }
 
     Capsule capsule(std::uint32_t number) {
@@ -224,14 +206,10 @@ private:
     Vec3 axis() {
         const std::uint32_t choice = word();
         const float length = (choice & 1u) != 0 ? 1.0f : -1.0f;
-        switch ((choice >> 8) % 3) {
-            case 0:
-                return {length, 0.0f, 0.0f};
-            case 1:
-                return {-0.0f, length, 0.0f};
-            default:
-                return {0.0f, -0.0f, length};
-        }
+        const auto kind = (choice >> 8) % 3;
+        if (kind == 0) return {length, 0.0f, 0.0f};
+        if (kind == 1) return {-0.0f, length, 0.0f};
+        return {0.0f, -0.0f, length};
     }
 
     static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

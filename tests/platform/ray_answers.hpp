@@ -19,15 +19,10 @@ inline constexpr RayHit untouched_hit = [] {
 }();
 
 inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
-    fingerprint.add(hit.t);
-    fingerprint.add(hit.u);
-    fingerprint.add(hit.v);
-    fingerprint.add(hit.normal);
+    fingerprint.add(hit.t, hit.u, hit.v, hit.normal);
     add_triangle(fingerprint, blob, hit.triangle);
     const OriginalHit original = original_hit(blob, hit);
-    fingerprint.add(original.triangle);
-    fingerprint.add(original.u);
-    fingerprint.add(original.v);
+    fingerprint.add(original.triangle, original.u, original.v);
     fingerprint.add(lookup_word(original.status));
 }
 
@@ -105,12 +100,9 @@ inline void ask_rounded_rays(const Blob& blob, Questions& questions, std::uint32
         const YesNo any = occluded(blob, rounded);
         ++answers.rays;
         answers.calls += 3;
-        answers.fingerprint.add(found.status);
-        answers.fingerprint.add(rounded.status());
-        answers.fingerprint.add(hit.status);
+        answers.fingerprint.add(found.status, rounded.status(), hit.status);
         add_hit(answers.fingerprint, blob, is_refused(hit.status) ? untouched_hit : hit);
-        answers.fingerprint.add(any.status());
-        answers.fingerprint.add(any.yes());
+        answers.fingerprint.add(any.status(), any.yes());
     }
 }
 

@@ -66,32 +66,20 @@ private:
 /// Where an answer is. A refusal enters as its status alone.
 template <class Hit>
 void add_place(Fingerprint& fingerprint, const InScene<Hit>& hit) {
-    fingerprint.add(bool(hit));
-    fingerprint.add(hit->status);
-    fingerprint.add(hit.instance.index);
-    fingerprint.add(hit.instance.in_tile);
-    fingerprint.add(hit->triangle.index);
+    fingerprint.add(bool(hit), hit->status, hit.instance.index, hit.instance.in_tile, hit->triangle.index);
 }
 inline void add_hit(Fingerprint& fingerprint, const InScene<RayHit>& hit) {
     add_place(fingerprint, hit);
-    fingerprint.add(hit->t);
-    fingerprint.add(hit->u);
-    fingerprint.add(hit->v);
-    fingerprint.add(hit->normal);
+    fingerprint.add(hit->t, hit->u, hit->v, hit->normal);
 }
 inline void add_hit(Fingerprint& fingerprint, const InScene<SweepHit>& hit) {
     add_place(fingerprint, hit);
-    fingerprint.add(hit->t);
-    fingerprint.add(hit->point);
-    fingerprint.add(hit->normal);
-    fingerprint.add(hit->face_normal);
-    fingerprint.add(hit->starts_overlapping);
-    fingerprint.add(static_cast<std::uint32_t>(hit->feature));
+    fingerprint.add(hit->t, hit->point, hit->normal, hit->face_normal, hit->starts_overlapping,
+                    static_cast<std::uint32_t>(hit->feature));
 }
 
 inline void add_answer(Fingerprint& fingerprint, const YesNo& answer) {
-    fingerprint.add(answer.yes());
-    fingerprint.add(answer.status());
+    fingerprint.add(answer.yes(), answer.status());
 }
 
 inline void ask_rays(const BakedScene& scene, const Ray& ray, std::uint32_t mask, Answers& answers) {
@@ -127,9 +115,7 @@ void ask_overlaps(const BakedScene& scene, const Shape& shape, std::uint32_t mas
     std::uint32_t left = 100;
     const QueryStatus status = for_each_overlap(scene, shape, [&](InstanceId instance, TriangleId triangle) {
         answers.overlaps += 1;
-        answers.fingerprint.add(instance.index);
-        answers.fingerprint.add(instance.in_tile);
-        answers.fingerprint.add(triangle.index);
+        answers.fingerprint.add(instance.index, instance.in_tile, triangle.index);
         return --left == 0 ? Visit::stop : Visit::next;
     });
     answers.fingerprint.add(status);
@@ -162,8 +148,7 @@ inline void ask_others(const BakedScene& scene, SceneQuestions& questions, std::
     answers.points += 1;
     answers.points_found += bool(nearest);
     add_place(fingerprint, nearest);
-    fingerprint.add(nearest->point);
-    fingerprint.add(nearest->distance);
+    fingerprint.add(nearest->point, nearest->distance);
     const Sphere sphere = questions.sphere(number);
     const Vec3 way = questions.displacement(number);
     ask_sweep(scene, sphere, way, mask, answers);
@@ -177,8 +162,7 @@ inline void ask_others(const BakedScene& scene, SceneQuestions& questions, std::
               answers);
     answers.calls += 2;
     const auto visit = [&](InstanceId instance) {
-        fingerprint.add(instance.index);
-        fingerprint.add(instance.in_tile);
+        fingerprint.add(instance.index, instance.in_tile);
         return Visit::next;
     };
     fingerprint.add(for_each_candidate(scene, questions.box(number), visit, mask));
@@ -186,15 +170,10 @@ inline void ask_others(const BakedScene& scene, SceneQuestions& questions, std::
 
 inline Answers ask_scene(const BakedScene& scene, std::uint32_t questions_of_a_kind) {
     Answers answers;
-    answers.fingerprint.add(scene.bounds().min);
-    answers.fingerprint.add(scene.bounds().max);
-    answers.fingerprint.add(scene.max_error());
-    answers.fingerprint.add(scene.size());
+    answers.fingerprint.add(scene.bounds().min, scene.bounds().max, scene.max_error(), scene.size());
     for (std::uint32_t index = 0; index < scene.instance_count(); ++index) {
         const Instance instance = *instance_at(scene, {index});
-        answers.fingerprint.add(instance.mesh);
-        answers.fingerprint.add(instance.source);
-        answers.fingerprint.add(is_on_common_lattice(scene, {index}).yes());
+        answers.fingerprint.add(instance.mesh, instance.source, is_on_common_lattice(scene, {index}).yes());
         const Result<Blob> mesh = mesh_at(scene, {index});
         if (!mesh) continue;  // a tile
         SceneQuestions questions(*mesh, instance.transform);

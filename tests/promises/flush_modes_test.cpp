@@ -1,25 +1,14 @@
 // The same bits with subnormal numbers flushed or not: code that shares a thread with a game engine must not change
 // answers.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <bit>
-#include <vector>
-
-#include <espalier/espalier.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 
-#include "support/base/hostile_values.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/machine/float_mode.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::flush_modes_test {
 namespace {
@@ -74,8 +63,7 @@ TEST_CASE("float mode: rays give the same bits with flush-to-zero and denormals-
     blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p-85f));
     blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f));
     blobs.emplace_back(make_far_sphere());
-    BakeOptions finest;
-    finest.resolution = Resolution::bits(24);
+    const BakeOptions finest = {.resolution = Resolution::bits(24)};
     blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), finest);  // points of the surface next to 0
     blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-85f),
                        with_profile(Profile::balanced));
@@ -130,8 +118,7 @@ TEST_CASE("float mode: rays give the same bits with flush-to-zero and denormals-
 
 TEST_CASE("float mode: every query gives the same bits in every mode") {
     std::vector<OpenedBlob> blobs;
-    BakeOptions finest;
-    finest.resolution = Resolution::bits(24);
+    const BakeOptions finest = {.resolution = Resolution::bits(24)};
     for (const Profile profile : every_profile) {
         for (const float scale : {1.0f, 0x1p-85f, 0x1p-60f, 0x1p80f}) {
             blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), with_profile(profile));
@@ -142,10 +129,7 @@ TEST_CASE("float mode: every query gives the same bits in every mode") {
         for (const float scale : {1.0f, 0x1p-85f})
             blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), every_section);
     }
-    BakeOptions copies = with_profile(Profile::fast);
-    copies.build.builder = Builder::spatial_splits;
-    copies.build.duplicate_budget = 1.0;
-    blobs.emplace_back(scaled_by(make_soup(100, 3), 0x1p-85f), copies);
+    blobs.emplace_back(scaled_by(make_soup(100, 3), 0x1p-85f), with_copies());
     REQUIRE(blobs.back().blob.duplicate_reference_count() > 0);
     for (const OpenedBlob& opened : blobs) {
         CAPTURE(opened.blob.lattice().step_exponent);
@@ -203,9 +187,7 @@ TEST_CASE("float mode: a ray from a hair outside a 24-bit asset gives the same h
     const float size = 16777215.0f;
     mesh.positions = {{0, 0, 0}, {0, size, 0}, {0, 0, size}, {size, 0, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
-    BakeOptions options;
-    options.resolution = Resolution::bits(24);
-    const OpenedBlob blob(mesh, options);
+    const OpenedBlob blob(mesh, {.resolution = Resolution::bits(24)});
     const Ray ray{{-0x1p-104f, 100.0f, 100.0f}, {1.0f, 0.0f, 0.0f}};
     const RayHit plain = raycast(blob.blob, ray);
     REQUIRE(plain);
@@ -261,12 +243,9 @@ TEST_CASE("float mode: a segment that passes a side by a subnormal gap does not 
 
 TEST_CASE("float mode: a closest point with a subnormal coordinate is the same") {
     // The finest step, 2^-100, and a foot on the first side that is 2^-30 steps away from x = 0.
-    Mesh mesh;
-    mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 4095.0f, 0.0f}, {0.0f, 2000.0f, 4000.0f}};
-    mesh.triangles = {{0, 1, 2}};
-    BakeOptions options;
-    options.resolution = Resolution::bits(12);
-    const OpenedBlob opened(scaled_by(mesh, 0x1p-100f), options);
+    Mesh mesh = {.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 4095.0f, 0.0f}, {0.0f, 2000.0f, 4000.0f}},
+                 .triangles = {{0, 1, 2}}};
+    const OpenedBlob opened(scaled_by(mesh, 0x1p-100f), {.resolution = Resolution::bits(12)});
     REQUIRE(opened.blob.lattice().step_exponent == -100);
     const Vec3 point{4095.015625f * 0x1p-100f, -0x1p-100f, -10.0f * 0x1p-100f};
     const ClosestPoint expected = closest_point(opened.blob, point, 1.0f);

@@ -95,7 +95,7 @@ check_folder_includes(tools
   ".: base platform report commands command_line")
 
 set(includes_from_elsewhere semihosting.hpp)  # of docs/examples/firmware
-set(support support/base support/meshes support/machine support/format support/blobs support/queries support/loops support/answers support/exercise)
+set(support support support/base support/meshes support/machine support/format support/blobs support/queries support/loops support/answers support/exercise)
 list(JOIN support " " support)
 check_folder_includes(tests
   "support/base:"
@@ -105,11 +105,12 @@ check_folder_includes(tests
   "support/format: support/base"
   "support/blobs: support/base support/meshes support/format"
   "support/queries: support/base support/meshes support/format support/blobs"
+  "support: support/base support/machine support/meshes support/format support/blobs support/queries"
   "support/loops: support/base support/format"
   "support/answers: support/base support/machine support/format support/blobs support/queries support/loops"
   "support/exercise: support/base support/machine support/blobs support/queries"
   "oracle: support/base support/machine support/meshes support/format"
-  "support/exact: support/base support/format support/queries oracle"
+  "support/exact: support support/base support/format support/queries oracle"
   "platform:"
   "platform/microsoft:"
   "wasm/answers:"

@@ -1,23 +1,13 @@
 // The runtime never touches the heap: not to open, not to answer, not when it is asked nonsense.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <memory>
-#include <vector>
-
-#include <espalier/espalier.hpp>
 
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/machine/aligned_buffer.hpp"
 #include "support/machine/allocation_counter.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::heap_test {
 namespace {

@@ -1,11 +1,9 @@
 // P3: the baked surface differs from its source by at most max_error, by a distance that is found between bounds.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
 #include "../oracle/double_tree.hpp"
 #include "../oracle/hausdorff.hpp"
 #include "../oracle/surfaces.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::known_error_test {
 namespace {
@@ -25,9 +23,7 @@ TEST_CASE("error: no point of either surface is farther from the other than max_
     for (const tests::Mesh& mesh : meshes) {
         const DoubleTree source(source_surface(mesh));
         for (const unsigned bits : {3u, 4u, 5u, 6u, 8u, 10u, 13u, 16u, 20u}) {
-            BakeOptions options;
-            options.resolution = Resolution::bits(bits);
-            const tests::OpenedBlob opened(mesh, options);
+            const tests::OpenedBlob opened(mesh, {.resolution = Resolution::bits(bits)});
             if (opened.blob.triangle_count() == 0) continue;
             CAPTURE(bits);
             const DoubleTree baked(baked_surface(opened.bytes));

@@ -1,12 +1,7 @@
 // What a level costs in flash, the blob alone. tests/firmware runs it on a Cortex-M0; docs/small_cores.md adds code and
 // stack.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstdint>
-
-#include <espalier/bake.hpp>
-
-#include "support/blobs/baking.hpp"
 #include "support/meshes/level_maker.hpp"
 
 namespace espalier::tests::level_size_test {
@@ -14,9 +9,7 @@ namespace {
 
 TEST_CASE("promise: a level of 5000 triangles takes at most 24 KB in profile small on 14 bits") {
     for (const std::uint64_t seed : {2026u, 1u, 2u, 3u}) {  // whichever level it is
-        BakeOptions options;
-        options.profile = Profile::small;
-        options.resolution = Resolution::bits(14);
+        const BakeOptions options = {.resolution = Resolution::bits(14), .profile = Profile::small};
         const OpenedBlob level(make_level(5000, seed), options);
         CAPTURE(seed);
         CHECK(level.blob.triangle_count() >= 5000);

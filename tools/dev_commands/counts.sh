@@ -1,6 +1,6 @@
 # How often each query is compared with the loop over all triangles.
 
-# add_up_calls LOG: one row for each query and mesh, from the counts that the tests print (tests/support/base/calls.hpp)
+# add_up_calls LOG: one row for each query and mesh, from the counts that the tests print (tests/support/testing.hpp)
 add_up_calls() {
     echo "| query | mesh | random calls | adversarial calls |"
     echo "|---|---|---|---|"

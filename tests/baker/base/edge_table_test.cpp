@@ -1,16 +1,7 @@
 // The edges of triangles by the two vertices that they join.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdint>
-#include <map>
-#include <span>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <baker/base/edge_table.hpp>
-
-#include "support/base/random.hpp"
 
 namespace espalier::baker {
 

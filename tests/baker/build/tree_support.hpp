@@ -1,17 +1,10 @@
 // Meshes on their lattice that are hard on builders, and what a binary tree must be.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include "support/testing.hpp"
 
 #include <baker/build/binary_tree.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
-
-#include "support/base/random.hpp"
-#include "support/meshes/mesh.hpp"
 
 namespace espalier::tests {
 

@@ -1,22 +1,12 @@
 // Claims about the tree: the same at any number of threads, within the format's limits on any input, and sound.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <set>
-#include <utility>
-#include <vector>
-
-#include <espalier/bake.hpp>
 #include <baker/bake_with.hpp>
 #include <baker/build/sah.hpp>
 #include <baker/collapse/collapse.hpp>
 #include <baker/optimise/reinsertion.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 #include "tree_support.hpp"
 
 namespace espalier::tests::build_tree_test {
@@ -57,8 +47,7 @@ unsigned wide_depth(const baker::CollapsePlan& plan, std::uint32_t binary_node, 
 void check_soundness(const Mesh& mesh, Profile profile, const BakeOptions& options) {
     CAPTURE(mesh.name);
     CAPTURE(mesh.triangles.size());
-    const auto result = bake_mesh(mesh, with_profile(profile, options));
-    REQUIRE(result);
+    const auto result = must_bake_mesh(mesh, with_profile(profile, options));
     const VerifyReport verified = verify(result.bytes);
     if (!verified) FAIL_CHECK(verified.message);
     const Blob blob = open(result.bytes);
@@ -81,12 +70,11 @@ TEST_CASE("builder: the bytes of a blob are the same at any number of threads") 
             // Effort 0 with plain leaves, 5 and 9 with strips.
             BakeOptions options = with_profile(every_profile[static_cast<std::size_t>(effort)]);
             options.effort = effort;
-            const auto one = bake_mesh(mesh, options);
-            REQUIRE(one);
-            for (const unsigned threads : {0u, 2u, 3u, 7u, 64u}) {
-                options.threads = threads;
-                const auto many = bake_mesh(mesh, options);
-                REQUIRE(many);
+            const auto one = must_bake_mesh(mesh, options);
+            constexpr unsigned threads[] = {0, 2, 3, 7, 64};
+            for (const std::size_t number : sampled(std::size(threads), 5, one.bytes.size())) {
+                options.threads = threads[number];
+                const auto many = must_bake_mesh(mesh, options);
                 CHECK(many.bytes == one.bytes);
             }
         }
@@ -101,8 +89,7 @@ TEST_CASE("builder: every size from 0 to 100 triangles gives a sound blob") {
 }
 
 TEST_CASE("builder: one triangle gives a root with one leaf") {
-    const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), 1));
-    REQUIRE(result);
+    const auto result = must_bake_mesh(first_triangles(make_cube(0.0f, 1.0f), 1));
     CHECK(result.report.tree.nodes == 1);
     CHECK(result.report.tree.leaves == 1);
     CHECK(result.report.tree.depth == 1);
@@ -113,11 +100,11 @@ TEST_CASE("builder: every kind of mesh gives a sound blob on every lattice and a
          {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_uv_sphere(40, 60, 2.0, {1, 1, 1}),
           make_torus(40, 30, 3.0, 1.0), make_far_sphere(), make_plane_grid(30), make_terrain(30, 1),
           make_needle_fan(500), make_slivers(500, 1), make_coplanar_stacks(500, 1), make_soup(1000, 1)}) {
-        for (const unsigned bits : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 20u, 24u}) check_soundness(mesh, with_bits(bits));
+        constexpr unsigned bits[] = {1, 2, 7, 8, 15, 16, 17, 20, 24};
+        for (const std::size_t number : sampled(std::size(bits), 9, mesh.triangles.size()))
+            check_soundness(mesh, with_bits(bits[number]));
         for (const Effort effort : every_effort) {
-            BakeOptions options;
-            options.effort = effort;
-            check_soundness(mesh, options);
+            check_soundness(mesh, {.effort = effort});
         }
     }
 }
@@ -223,11 +210,9 @@ TEST_CASE("builder: leaves reach the size in the options and never exceed it") {
         const unsigned most = one.most;
         CAPTURE(name_of(profile));
         CAPTURE(most);
-        BakeOptions options = with_profile(profile);
-        options.build.max_leaf_triangles = most;
+        BakeOptions options = {.profile = profile, .build = {.max_leaf_triangles = most}};
         options.build.byte_price = 20.0f;  // large leaves are wanted
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, options);
         CHECK(verify(result.bytes));
         const DecodedBlob decoded = decode(result.bytes);
         CHECK(decoded.triangles.size() == mesh.triangles.size());
@@ -254,14 +239,11 @@ TEST_CASE("builder: a senseless leaf size or price is refused by name") {
         CHECK(contains(result.message, name));
     };
     for (const unsigned most : {0u, format::max_leaf_triangles + 1u}) {
-        BakeOptions options;
-        options.build.max_leaf_triangles = most;
+        BakeOptions options = {.build = {.max_leaf_triangles = most}};
         refused_for(options, "max_leaf_triangles");
     }
-    for (const float price :
-         {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e7f}) {
-        BakeOptions options;
-        options.build.byte_price = price;
+    for (const float price : {-1.0f, not_a_number, std::numeric_limits<float>::infinity(), 1e7f}) {
+        const BakeOptions options = {.build = {.byte_price = price}};
         refused_for(options, "byte_price");
     }
 }
@@ -270,10 +252,7 @@ TEST_CASE("builder: a higher cost for bytes gives a smaller blob") {
     const Mesh mesh = make_terrain(60, 3);
     std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     for (const float price : {0.0f, 5.0f, 100.0f}) {
-        BakeOptions options;
-        options.build.byte_price = price;
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, {.build = {.byte_price = price}});
         CHECK(result.report.bytes < last);
         last = result.report.bytes;
     }
@@ -281,10 +260,7 @@ TEST_CASE("builder: a higher cost for bytes gives a smaller blob") {
 
 TEST_CASE("builder: every triangle is stored exactly once") {
     const Mesh mesh = make_soup(3000, 17);
-    BakeOptions options;
-    options.original_ids = true;
-    const auto result = bake_mesh(mesh, options);
-    REQUIRE(result);
+    const auto result = must_bake_mesh(mesh, {.original_ids = true});
     const DecodedBlob decoded = decode(result.bytes);
     const std::set<std::uint32_t> ids(decoded.original_ids.begin(), decoded.original_ids.end());
     CHECK(ids.size() == result.report.tree.triangles);
@@ -296,11 +272,7 @@ TEST_CASE("builder: every triangle is stored exactly once") {
 
 TEST_CASE("builder: plain leaves ascend by source triangle and larger siblings come first") {
     const Mesh mesh = make_terrain(40, 6);
-    BakeOptions options;
-    options.profile = Profile::fast;
-    options.original_ids = true;
-    const auto result = bake_mesh(mesh, options);
-    REQUIRE(result);
+    const auto result = must_bake_mesh(mesh, {.profile = Profile::fast, .original_ids = true});
     const DecodedBlob decoded = decode(result.bytes);
     std::size_t first = 0;
     for (const std::uint8_t count : decoded.triangles_in_leaf) {
@@ -315,10 +287,7 @@ TEST_CASE("builder: more effort keeps the set of triangles") {
     const Mesh mesh = make_terrain(60, 2);
     std::set<std::uint32_t> counts;
     for (const Effort effort : every_effort) {
-        BakeOptions options;
-        options.effort = effort;
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, {.effort = effort});
         counts.insert(result.report.tree.triangles);
     }
     CHECK(counts.size() == 1);

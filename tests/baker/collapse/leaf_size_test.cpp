@@ -1,13 +1,8 @@
 // The sizes of leaves that the builder plans with, against leaves as they are stored.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/format.hpp>
 #include <baker/collapse/leaf_size.hpp>
 
-#include "support/format/edits.hpp"
 #include "support/format/encoder.hpp"
 
 namespace espalier::tests::leaf_size_test {

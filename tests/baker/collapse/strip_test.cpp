@@ -1,24 +1,15 @@
 // Claims about strips: whatever the triangles of a leaf have to do with one another, each is there once, wound as it
 // was, and the marks say no more than they must.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <set>
-
-#include <espalier/bake.hpp>
 #include <baker/build/sah.hpp>
 #include <baker/collapse/leaf_size.hpp>
 #include <baker/collapse/strip.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/answers/differences.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/strip_shapes.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::strip_test {
 namespace {
@@ -47,9 +38,7 @@ void check_strip(const baker::Strip& strip, const baker::LatticeMesh& mesh, cons
     REQUIRE(std::bit_width(strip.windows) == static_cast<int>(windows));  // the last one is a triangle
     REQUIRE(std::bit_width(strip.pivots) <= static_cast<int>(windows));
     std::set<std::uint32_t> places;
-    unsigned found = 0;
-    unsigned pivot = 0;
-    unsigned pivots = 0;
+    unsigned found = 0, pivot = 0, pivots = 0;
     unsigned paths = 1;
     for (unsigned window = 0; window < windows; ++window) {
         if ((strip.pivots >> window & 1) != 0) {
@@ -124,10 +113,9 @@ TEST_CASE("strip: a fan or band becomes one path and separate triangles one path
 
 TEST_CASE("strip: a triangle that meets another from the same side is no neighbour") {
     // Three triangles run up the edge and two run down: two pairs and one alone.
-    Mesh mesh;
-    mesh.name = "book";
-    mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
-    mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 0, 5}, {1, 0, 6}};
+    Mesh mesh = {.name = "book",
+                 .positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}},
+                 .triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 0, 5}, {1, 0, 6}}};
     CHECK(check_strips_of(mesh) == 5 + 2 * 3);
 }
 
@@ -137,8 +125,7 @@ TEST_CASE("strip: shapes hard on strips bake to sound blobs that keep every corn
         for_each_profile([&](Profile profile) {
             for (const unsigned bits : {10u, 16u, 24u}) {
                 CAPTURE(bits);
-                const auto result = bake_mesh(mesh, with_large_leaves(profile, bits));
-                REQUIRE(result);
+                const auto result = must_bake_mesh(mesh, with_large_leaves(profile, bits));
                 const VerifyReport verified = verify(result.bytes);
                 if (!verified) FAIL_CHECK(verified.message);
                 const DecodedBlob decoded = decode(result.bytes);
@@ -171,10 +158,8 @@ TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set"
                 QueryMaker maker(decoded, 700 + bits);
                 std::uint64_t hits = 0;
                 for (std::uint64_t i = 0; i < scaled(60); ++i) {
-                    const auto ray = ray_difference(opened.blob, loop, maker.any_ray(), hits);
-                    REQUIRE_MESSAGE(!ray, *ray);
-                    const auto sphere = sphere_difference(opened.blob, loop, maker.sphere(), hits);
-                    REQUIRE_MESSAGE(!sphere, *sphere);
+                    require_none(ray_difference(opened.blob, loop, maker.any_ray(), hits));
+                    require_none(sphere_difference(opened.blob, loop, maker.sphere(), hits));
                 }
                 CHECK(hits > 0);
             }
@@ -183,8 +168,7 @@ TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set"
 }
 
 TEST_CASE("strip: a fan of 50 triangles is one leaf whose pivot serves more windows than lanes") {
-    const auto result = bake_mesh(make_fan(50, false), with_large_leaves(Profile::small, 16));
-    REQUIRE(result);
+    const auto result = must_bake_mesh(make_fan(50, false), with_large_leaves(Profile::small, 16));
     const DecodedBlob decoded = decode(result.bytes);
     REQUIRE(decoded.triangles_in_leaf.size() == 1);
     CHECK(decoded.triangles_in_leaf[0] == 50);
@@ -207,8 +191,7 @@ TEST_CASE("strip: of strips with equally many entries it is the one in the order
                     mesh.triangles.end());
         BakeOptions options = with_large_leaves(Profile::small, 16);
         options.original_ids = true;
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, options);
         std::vector<std::uint32_t> ids = decode(result.bytes).original_ids;
         REQUIRE(ids.size() == 7);
         if (ids[0] != 0) std::reverse(ids.begin(), ids.end());
@@ -223,8 +206,7 @@ TEST_CASE("strip: leaves reach the largest size of each profile and never exceed
                               : profile == Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
                               : profile == Profile::small    ? format::strip_leaf::max_small_entries - 2
                                                              : format::predicted_strip::max_entries - 2;
-        const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, with_large_leaves(profile, 16));
         const DecodedBlob decoded = decode(result.bytes);
         const unsigned largest = *std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end());
         CHECK(largest <= most);

@@ -1,18 +1,9 @@
 // The lattice of a deformable blob holds the range of motion, and its triangles are those of the source.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <espalier/bake.hpp>
-#include <espalier/original.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/same_bits.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/soundness.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::motion_test {

@@ -1,15 +1,7 @@
 // Poses steer the tree: the one that is kept costs least over all of them.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/ray.hpp>
-
-#include "support/base/same_bits.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::steered_tree_test {
@@ -26,8 +18,7 @@ TEST_CASE("deformation: a tree that poses steered costs less in them") {
             shuffled[i + c] = {from.x + p.x - at.x, from.y + p.y - at.y, from.z + p.z - at.z};
         }
     }
-    BakeOptions options;
-    options.profile = Profile::fast;
+    BakeOptions options = {.profile = Profile::fast};
     options.deformation.emplace();
     options.deformation->range = box_around({mesh.positions, shuffled});
     DeformedMesh plain(mesh, options);

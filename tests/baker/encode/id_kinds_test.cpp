@@ -1,18 +1,12 @@
 // Claims about the section of original ids as the baker writes it: a reader of its own follows the format's rules, and
 // the kinds are compared with others that the same numbers could have.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <random>
-#include <vector>
 
 #include <baker/encode/ids.hpp>
-#include <espalier/format.hpp>
 
 #include "support/base/answer_hash.hpp"
-#include "support/base/random.hpp"
 
 namespace espalier::tests::id_kinds_test {
 namespace {

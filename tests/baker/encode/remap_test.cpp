@@ -1,15 +1,7 @@
 // Claims about the table that leads from a blob back to its source without bytes in the blob, and the file of it.
-#include <doctest/doctest.h>
-
-#include <array>
-
-#include <espalier/original.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/edits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::remap_test {
 namespace {
@@ -52,12 +44,9 @@ TEST_CASE("remap: it holds what ids in the blob would whether or not there are a
 }
 
 TEST_CASE("remap: copies lead to the triangle of their owner") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
     const Mesh mesh = make_soup(60, 1);
     const MeshView view = mesh.view();
-    const auto baked = bake({&view, 1}, options);
+    const auto baked = bake({&view, 1}, with_copies());
     REQUIRE(baked);
     REQUIRE(baked.report.tree.duplicate_references > 0);
     const DecodedBlob decoded = decode(baked.bytes);

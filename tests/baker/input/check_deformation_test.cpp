@@ -1,19 +1,11 @@
 // What a deformable bake refuses: the message names the mesh, the pose and the vertex.
-#include <doctest/doctest.h>
-
-#include <limits>
-
-#include <espalier/bake.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/profiles.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::check_deformation_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 BakeOptions deforming() {
     BakeOptions options = with_profile(Profile::fast);

@@ -1,19 +1,14 @@
 // Claims about what the baker refuses, drops and counts.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <limits>
 #include <thread>
 
 #include <baker/input/zero_area.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/random.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::input_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 Mesh named_cube() {
     Mesh cube = make_cube(0.0f, 1.0f);
@@ -22,8 +17,7 @@ Mesh named_cube() {
 }
 
 BakeOptions with_repair() {
-    BakeOptions options;
-    options.drop_bad_triangles = true;
+    BakeOptions options = {.drop_bad_triangles = true};
     return options;
 }
 
@@ -36,8 +30,7 @@ TEST_CASE("input: no meshes and meshes without triangles give an empty blob") {
     Mesh only_points = make_cube(0.0f, 1.0f);
     only_points.triangles.clear();
     only_points.positions[0].x = not_a_number;  // used by no triangle, so of no interest
-    const auto points = bake_meshes({&only_points, &only_points});
-    REQUIRE(points);
+    const auto points = must_bake_meshes({&only_points, &only_points});
     CHECK(points.report.tree.nodes == 0);
     CHECK(points.report.tree.depth == 0);
     CHECK(points.report.lattice.max_error == 0.0);
@@ -87,8 +80,7 @@ TEST_CASE("input: dropping bad triangles counts them and keeps the rest") {
     cube.triangles[2][0] = 8;
     cube.triangles[5][1] = 9;
     cube.triangles[6][1] = 10;
-    const auto result = bake_mesh(cube, with_repair());
-    REQUIRE(result);
+    const auto result = must_bake_mesh(cube, with_repair());
     CHECK(result.report.source.triangles == 12);
     CHECK(result.report.tree.triangles == 9);
     CHECK(result.report.findings.not_finite.count == 1);
@@ -111,8 +103,7 @@ TEST_CASE("input: source triangles without area are dropped and counted without 
     Mesh cube = named_cube();
     cube.triangles.insert(cube.triangles.begin() + 3, {5, 5, 6});
     cube.triangles.push_back({1, 1, 1});
-    const auto result = bake_mesh(cube);
-    REQUIRE(result);
+    const auto result = must_bake_mesh(cube);
     CHECK(result.report.tree.triangles == 12);
     CHECK(result.report.findings.zero_area.count == 2);
     CHECK(result.report.findings.zero_area.first == "level.obj, mesh 3 (walls), triangle 3");
@@ -163,8 +154,7 @@ TEST_CASE("input: the number of materials is the number of triangles or zero") {
 TEST_CASE("input: materials take the least width that holds them and beyond 16 bits are refused by name") {
     Mesh cube = named_cube();
     const auto features = [&cube] {
-        const auto result = bake_mesh(cube);
-        REQUIRE(result);
+        const auto result = must_bake_mesh(cube);
         return decode(result.bytes).features & (format::feature::materials_8 | format::feature::materials_16);
     };
     CHECK(features() == 0);
@@ -213,8 +203,7 @@ TEST_CASE("input: options out of range are refused with the range") {
     refused(with_tolerance(-1e-9), "-1e-09");
     refused(with_tolerance(std::numeric_limits<double>::infinity()), "above zero");
     refused(with_tolerance(std::numeric_limits<double>::quiet_NaN()), "above zero");
-    BakeOptions options;
-    options.effort = static_cast<Effort>(3);
+    BakeOptions options = {.effort = static_cast<Effort>(3)};
     refused(options, "fast, normal or best");
     options = {};
     options.profile = static_cast<Profile>(4);
@@ -235,8 +224,7 @@ TEST_CASE("input: options out of range are refused with the range") {
 
 TEST_CASE("baker: progress rises from 0 to 1 in the calling thread") {
     const Mesh mesh = make_terrain(200, 3);
-    BakeOptions options;
-    options.threads = 4;
+    BakeOptions options = {.threads = 4};
     const auto caller = std::this_thread::get_id();
     double last = 0.0;
     unsigned calls = 0;

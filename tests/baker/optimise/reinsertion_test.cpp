@@ -1,14 +1,10 @@
 // Claims about moving subtrees.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <numeric>
+#include "support/testing.hpp"
 
 #include <baker/build/sah.hpp>
 #include <baker/optimise/reinsertion.hpp>
 
 #include "baker/build/tree_support.hpp"
-#include "support/base/profiles.hpp"
 
 namespace espalier::tests::reinsertion_test {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <espalier/distance.hpp>
+
 #include <runtime/lattice/round_point.hpp>
 
 #include "oracle/winding.hpp"

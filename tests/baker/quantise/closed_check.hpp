@@ -11,12 +11,10 @@
 namespace espalier::tests {
 
 struct ClosedTally {
-    std::uint64_t bakes = 0;
-    std::uint64_t closed = 0;
+    std::uint64_t bakes = 0, closed = 0;
     std::uint64_t edges_not_in_pairs = 0;  ///< closed ones with an edge that no single other one runs against
     std::uint64_t lost = 0;                ///< closed sources whose bakes are not
-    std::uint64_t points = 0;
-    std::uint64_t inside = 0;
+    std::uint64_t points = 0, inside = 0;
     std::uint64_t other_windings = 0;  ///< inside by a winding number that is neither 1 nor -1
     std::uint64_t on_surface = 0;
 

@@ -1,22 +1,104 @@
 // Claims about the closed flag and what loses it; the judge is closed_check.hpp.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "support/testing.hpp"
 
 #include <baker/bake_with.hpp>
 #include <baker/quantise/closed.hpp>
-#include <espalier/distance.hpp>
 
 #include "baker/baking_support.hpp"
 #include "closed_check.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/meshes/watertight.hpp"
 
 namespace espalier::tests::closed_test {
 namespace {
+
+/// From 2^-`halvings` to 1, each order of magnitude as often.
+float some_size(Random& random, std::uint32_t halvings) {
+    return std::ldexp(1.0f + random.unit(), -1 - static_cast<int>(random.below(halvings)));
+}
+
+/// The smallest example: one of its triangles becomes three points on a line at 16 bits.
+Mesh make_sliver_pyramid() {
+    Mesh mesh = {.name = "sliver pyramid"};
+    mesh.positions = {
+        {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {0.5f, -1e-6f, 0.0f}};
+    mesh.triangles = {{0, 1, 2}, {0, 4, 1}, {0, 3, 4}, {4, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    return mesh;
+}
+
+Mesh some_base(Random& random) {
+    const auto kind = random.below(5);
+    if (kind == 0) return make_cube(0.0f, 1.0f);
+    if (kind == 1) return make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
+    if (kind == 2) return make_torus(8, 5, 1.0, 0.3);
+    if (kind == 3) return make_uv_sphere(4, 9, 1.0, {0.25f, 0.5f, 0.0f});
+    return make_sliver_pyramid();
+}
+
+/// A turned, stretched, sheared copy: no axis of the lattice is special to it.
+void transform(Mesh& mesh, Random& random) {
+    Vec3 rows[3];
+    for (Vec3& row : rows) row = random.in_cube(1.0f);
+    const Vec3 stretch = {some_size(random, 3), some_size(random, 3), some_size(random, 12)};  // thin along one
+    for (Vec3& p : mesh.positions) {
+        const Vec3 s = {p.x * stretch.x, p.y * stretch.y, p.z * stretch.z};
+        const auto along = [&](const Vec3& row) { return row.x * s.x + row.y * s.y + row.z * s.z; };
+        p = {along(rows[0]), along(rows[1]), along(rows[2])};
+    }
+}
+
+/// Each edge in two, at points beside their middles; triangles in four. Corners are shared by index.
+void split_edges(Mesh& mesh, Random& random) {
+    std::vector<std::pair<TriangleVertices, std::uint32_t>> middles;  // the ends, the lower first, and the vertex
+    const auto middle = [&](std::uint32_t from, std::uint32_t to) {
+        if (from > to) std::swap(from, to);
+        for (const auto& [ends, vertex] : middles)
+            if (ends[0] == from && ends[1] == to) return vertex;
+        const Vec3 &a = mesh.positions[from], &b = mesh.positions[to];
+        const float share = 0.25f + 0.5f * random.unit();
+        const Vec3 off = random.in_cube(some_size(random, 16) * 0.1f);
+        const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(
+            {a.x + (b.x - a.x) * share + off.x, a.y + (b.y - a.y) * share + off.y, a.z + (b.z - a.z) * share + off.z});
+        middles.push_back({{from, to, 0}, vertex});
+        return vertex;
+    };
+    const std::vector<TriangleVertices> triangles = std::exchange(mesh.triangles, {});
+    for (const auto& [a, b, c] : triangles) {
+        const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        mesh.triangles.insert(mesh.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+}
+
+/// The triangle at `index` becomes three around a corner of its own, and its edge from corner 0 to 1 gets a sliver:
+/// the corner lies `off` away from the point at `share` of the edge. The mesh stays closed.
+void add_sliver(Mesh& mesh, std::size_t index, float share, Vec3 off) {
+    const auto [a, b, c] = mesh.triangles[index];
+    const Vec3 &from = mesh.positions[a], &to = mesh.positions[b];
+    const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({from.x + (to.x - from.x) * share + off.x, from.y + (to.y - from.y) * share + off.y,
+                              from.z + (to.z - from.z) * share + off.z});
+    mesh.triangles[index] = {a, middle, c};
+    mesh.triangles.push_back({middle, b, c});
+    mesh.triangles.push_back({a, b, middle});
+}
+
+/// Closed by construction: each edge runs as often one way as the other. Up to some hundred triangles, of which many
+/// are slivers; no corner of one is nearer to another than float32 keeps apart, and none is without area.
+Mesh make_watertight(Random& random) {
+    Mesh mesh = some_base(random);
+    if (random.below(3) == 0) mesh = joined(mesh, some_base(random));  // shells that cross each other
+    if (random.below(4) == 0) mesh = turned_inside_out(mesh);
+    if (random.coin() && mesh.triangles.size() < 100) split_edges(mesh, random);
+    const std::uint32_t slivers = random.below(40);
+    for (std::uint32_t i = 0; i < slivers; ++i) {
+        const std::uint32_t index = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
+        add_sliver(mesh, index, 0.1f + 0.8f * random.unit(), random.in_cube(some_size(random, 18) * 0.1f));
+    }
+    if (random.below(4) == 0)
+        mesh = joined(mesh, turned_inside_out(scaled_by(mesh, 1.0f - some_size(random, 12) * 0.5f)));
+    transform(mesh, random);
+    mesh.name = "watertight";
+    return mesh;
+}
 
 void require_sound(const Mesh& mesh, const BakeOptions& options, std::uint64_t points, Random& random,
                    ClosedTally& tally) {
@@ -47,8 +129,7 @@ Mesh make_needed_twice() {
 
 TEST_CASE("closed: a sliver that collapses to a line leaves a closed surface with an inside") {
     const Mesh mesh = make_sliver_pyramid();
-    const auto baked = bake_mesh(mesh, with_bits(16));
-    REQUIRE(baked);
+    const auto baked = must_bake_mesh(mesh, with_bits(16));
     CHECK(baked.report.findings.collapsed.count == 1);
     CHECK(baked.report.closed);
     CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
@@ -99,10 +180,8 @@ TEST_CASE("closed: a hole of one lattice step is found wherever it is") {
 TEST_CASE("closed: long edges cancel with short ones on the same line and with no others") {
     // Two flat quadrilaterals, back to back. The edge of one is in two parts, of the other in three.
     const auto folded = [](float third) {
-        Mesh mesh;
-        mesh.positions = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}, {2, 0, 0}, {third, 0, 0}, {3, 0, 0}};
-        mesh.triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}};
-        return mesh;
+        return Mesh{.positions = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}, {2, 0, 0}, {third, 0, 0}, {3, 0, 0}},
+                    .triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}}};
     };
     CHECK(bake_mesh(folded(4.0f)).report.closed);
     CHECK(bake_mesh(folded(5.0f)).report.closed);
@@ -122,9 +201,8 @@ TEST_CASE("closed: edges cancel along lines of every direction") {
         const auto place = [&](float x, float y) {
             return Vec3{x * along.x + y * up.x, x * along.y + y * up.y, x * along.z + y * up.z};
         };
-        Mesh mesh;
-        mesh.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)};
-        mesh.triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}};
+        Mesh mesh = {.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)},
+                     .triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}}};
         CHECK(bake_mesh(mesh).report.closed);
         mesh.positions[5] = place(3, 1);
         CHECK(!bake_mesh(mesh).report.closed);
@@ -173,8 +251,7 @@ TEST_CASE("closed: a triangle without area in the source that gets one by roundi
     const Mesh mesh = make_mended_cube();
     bool was_lost = false;
     for (unsigned bits = 2; bits <= 20; ++bits) {
-        const auto baked = bake_mesh(mesh, with_bits(bits));
-        REQUIRE(baked);
+        const auto baked = must_bake_mesh(mesh, with_bits(bits));
         const BakeReport& report = baked.report;
         CHECK(report.findings.zero_area.count == 1);
         CHECK(report.warns_of(BakeWarning::Kind::lost_closed) == !report.closed);
@@ -188,8 +265,7 @@ TEST_CASE("closed: a triangle without area in the source that gets one by roundi
 }
 
 TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
-    const auto baked = bake_mesh(make_needed_twice());
-    REQUIRE(baked);
+    const auto baked = must_bake_mesh(make_needed_twice());
     CHECK(baked.report.findings.duplicate.count == 1);
     CHECK(!baked.report.closed);
     CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
@@ -201,13 +277,10 @@ TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what
 
 TEST_CASE("closed: a closed source that collapses as a whole is lost and the report names the bits that keep it") {
     const auto needle = [](float width) {
-        Mesh mesh;
-        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, width, 0}, {0, 0, width}};
-        mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-        return mesh;
+        return Mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, width, 0}, {0, 0, width}},
+                    .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
     };
-    const auto thin = bake_mesh(needle(1e-7f));
-    REQUIRE(thin);
+    const auto thin = must_bake_mesh(needle(1e-7f));
     CHECK(thin.report.tree.triangles == 0);
     CHECK(thin.report.warns_of(BakeWarning::Kind::lost_closed));
     const unsigned keeping = thin.report.bits_that_keep_closed;
@@ -220,11 +293,8 @@ TEST_CASE("closed: a closed source that collapses as a whole is lost and the rep
 }
 
 TEST_CASE("closed: triangles without area alone lose nothing") {
-    Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
-    const auto baked = bake_mesh(mesh);
-    REQUIRE(baked);
+    Mesh mesh = {.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, .triangles = {{0, 1, 2}, {2, 1, 0}}};
+    const auto baked = must_bake_mesh(mesh);
     CHECK(baked.report.findings.zero_area.count == 2);
     CHECK(!baked.report.closed);
     CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));

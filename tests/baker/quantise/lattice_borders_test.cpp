@@ -1,18 +1,10 @@
 // Claims about the lattice at the borders of what it accepts: the functions that choose it, asked directly.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <string>
+#include "support/testing.hpp"
 
 #include <baker/base/float_rounding.hpp>
 #include <baker/quantise/lattice.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/random.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::lattice_borders_test {
 namespace {
@@ -179,8 +171,7 @@ TEST_CASE("lattice: an empty mesh gets a lattice for every step and bits") {
     REQUIRE(by_bits);
     CHECK(by_bits->bits == 24);
     CHECK(by_bits->step_exponent == 0);
-    const auto empty = bake_mesh({}, with_tolerance(0.001));
-    REQUIRE(empty);
+    const auto empty = must_bake_mesh({}, with_tolerance(0.001));
     CHECK(empty.report.tree.triangles == 0);
 }
 

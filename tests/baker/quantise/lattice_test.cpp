@@ -1,19 +1,9 @@
 // Claims about the lattice: which one is chosen, and that sizes and places do not matter.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
+#include "support/testing.hpp"
 
 #include <baker/quantise/lattice.hpp>
-#include <espalier/rounding.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::lattice_test {
 namespace {
@@ -41,12 +31,10 @@ std::uint32_t largest_extent(const DecodedBlob& blob) {
 TEST_CASE("lattice: scaling by a power of two changes only step and origin and error and checksum") {
     for (const Mesh& mesh : {make_terrain(20, 1), make_icosphere(3, 1.0, {0.3f, -7.0f, 2.0f}), make_soup(300, 2),
                              make_needle_fan(100), make_far_sphere()}) {
-        const auto plain = bake_mesh(mesh);
-        REQUIRE(plain);
+        const auto plain = must_bake_mesh(mesh);
         const DecodedBlob decoded = decode(plain.bytes);
         for (const int exponent : {20, -20, 60, -60}) {
-            const auto scaled = bake_mesh(scaled_by(mesh, std::ldexp(1.0f, exponent)));
-            REQUIRE(scaled);
+            const auto scaled = must_bake_mesh(scaled_by(mesh, std::ldexp(1.0f, exponent)));
             CHECK(without_scale(scaled.bytes) == without_scale(plain.bytes));
             const DecodedBlob other = decode(scaled.bytes);
             CHECK(other.step_exponent == decoded.step_exponent + exponent);
@@ -61,8 +49,7 @@ TEST_CASE("lattice: scaling by a power of two changes only step and origin and e
 TEST_CASE("lattice: scaling by a million keeps the triangles and the bits") {
     const Mesh mesh = make_torus(40, 20, 3.0, 1.0);
     for (const float factor : {1e6f, 1e-6f}) {
-        const auto result = bake_mesh(scaled_by(mesh, factor));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(scaled_by(mesh, factor));
         CHECK(result.report.tree.triangles == mesh.triangles.size());
         CHECK(result.report.closed);
         CHECK(result.report.lattice.max_error <= std::sqrt(3.0) / 2 * result.report.lattice.step * 1.000001);
@@ -76,10 +63,8 @@ TEST_CASE("lattice: moving by whole steps changes only origin and checksum") {
         point = {std::round(point.x * 1024) / 1024, std::round(point.y * 1024) / 1024,
                  std::round(point.z * 1024) / 1024};
     }
-    const auto here = bake_mesh(mesh);
-    const auto there = bake_mesh(moved_by(mesh, {1000.0f, -512.0f, 77.5f}));
-    REQUIRE(here);
-    REQUIRE(there);
+    const auto here = must_bake_mesh(mesh);
+    const auto there = must_bake_mesh(moved_by(mesh, {1000.0f, -512.0f, 77.5f}));
     CHECK(without_scale(here.bytes) == without_scale(there.bytes));
     CHECK(here.report.lattice.max_error == there.report.lattice.max_error);
 }
@@ -87,17 +72,15 @@ TEST_CASE("lattice: moving by whole steps changes only origin and checksum") {
 TEST_CASE("lattice: the step is the smallest power of two for which the bits suffice") {
     for (unsigned bits = 1; bits <= 24; ++bits) {
         for (const Mesh& mesh : {make_terrain(12, bits), make_cube(-0.7f, 3.0f)}) {
-            const auto result = bake_mesh(mesh, with_bits(bits));
-            REQUIRE(result);
+            const auto result = must_bake_mesh(mesh, with_bits(bits));
             if (result.report.tree.triangles == 0) continue;
             const DecodedBlob decoded = decode(result.bytes);
             CHECK(decoded.bits == bits);
             CHECK(largest_extent(decoded) < 1u << bits);
             CHECK(std::ldexp(1.0, decoded.step_exponent) == result.report.lattice.step);
             // With half the step the largest side would not fit any more.
-            BakeOptions finer;
-            finer.resolution = Resolution::step(decoded.step_exponent - 1);
-            const auto with_half_the_step = bake_mesh(mesh, finer);
+            const auto with_half_the_step =
+                bake_mesh(mesh, {.resolution = Resolution::step(decoded.step_exponent - 1)});
             CHECK((!with_half_the_step || with_half_the_step.report.lattice.bits > bits));
         }
     }
@@ -105,8 +88,7 @@ TEST_CASE("lattice: the step is the smallest power of two for which the bits suf
 
 TEST_CASE("lattice: an extent one step above the range of the bits doubles the step") {
     const auto exponent_of = [](float side) {
-        const auto result = bake_mesh(make_cube(0.0f, side), with_bits(8));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(make_cube(0.0f, side), with_bits(8));
         return decode(result.bytes).step_exponent;
     };
     CHECK(exponent_of(255.0f) == 0);
@@ -153,8 +135,7 @@ TEST_CASE("lattice: a farthest triangle that collapses leaves the rest at 0 with
     Mesh mesh = make_cube(500.1f, 1000.1f);
     Mesh speck = make_cube(-1000.3f, -1000.29f);
     append(mesh, speck);
-    const auto result = bake_mesh(mesh, with_bits(4));
-    REQUIRE(result);
+    const auto result = must_bake_mesh(mesh, with_bits(4));
     CHECK(result.report.tree.triangles == 12);
     CHECK(result.report.findings.collapsed.count == 12);
     const DecodedBlob decoded = decode(result.bytes);
@@ -169,8 +150,7 @@ TEST_CASE("lattice: a farthest triangle that collapses leaves the rest at 0 with
 TEST_CASE("lattice: minus zero and subnormal minima give the origin zero") {
     const float denormal = std::numeric_limits<float>::denorm_min();
     for (const float low : {-0.0f, denormal, -denormal, std::bit_cast<float>(0x007FFFFFu)}) {
-        const auto result = bake_mesh(make_cube(low, 1.0f));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(make_cube(low, 1.0f));
         for (const float origin : decode(result.bytes).origin) CHECK(std::bit_cast<std::uint32_t>(origin) == 0);
     }
 }
@@ -196,8 +176,7 @@ TEST_CASE("lattice: a tolerance is kept and the next coarser lattice would break
     for (const Mesh& mesh :
          {make_terrain(30, 4), make_torus(50, 30, 3.0, 1.0), make_icosphere(4, 1.0, {0, 0, 0}), make_soup(200, 3)}) {
         for (const double tolerance : {0.1, 0.01, 0.001, 0.0001}) {
-            const auto result = bake_mesh(mesh, with_tolerance(tolerance));
-            REQUIRE(result);
+            const auto result = must_bake_mesh(mesh, with_tolerance(tolerance));
             CHECK(result.report.lattice.max_error <= tolerance);
             CHECK(result.report.lattice.max_error > 0.0);
             CHECK(result.report.tree.triangles > 0);
@@ -214,8 +193,7 @@ TEST_CASE("lattice: a tolerance is kept and the next coarser lattice would break
 
 TEST_CASE("lattice: a mesh on a coarse grid has a step coarse enough for it and fine enough for queries") {
     for (const double tolerance : {0.001, 0.03, 1.0}) {
-        const auto result = bake_mesh(make_cube(-64.0f, 64.0f), with_tolerance(tolerance));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(make_cube(-64.0f, 64.0f), with_tolerance(tolerance));
         CHECK(result.report.lattice.max_error == 0.0);
         CHECK(result.report.lattice.step ==
               std::min(64.0, std::ldexp(64.0, baker::step_exponent_for_tolerance(tolerance))));
@@ -228,21 +206,18 @@ TEST_CASE("lattice: a mesh on a coarse grid has a step coarse enough for it and 
 
 TEST_CASE("lattice: a mesh on a coarse grid keeps a tolerance that no blob or query has a use for") {
     // 2^20 steps of the grid: a step of 2^-4 would be the 25th bit.
-    const auto large = bake_mesh(make_cube(0.0f, 0x1p20f), with_tolerance(0x1p-12));
-    REQUIRE(large);
+    const auto large = must_bake_mesh(make_cube(0.0f, 0x1p20f), with_tolerance(0x1p-12));
     CHECK(large.report.lattice.step == 0x1p-3);
     CHECK(large.report.lattice.max_error == 0.0);
     // float32 numbers are a quarter apart here.
-    const auto far = bake_mesh(make_cube(0x1p21f, 0x1p21f + 64.0f), with_tolerance(0x1p-12));
-    REQUIRE(far);
+    const auto far = must_bake_mesh(make_cube(0x1p21f, 0x1p21f + 64.0f), with_tolerance(0x1p-12));
     CHECK(far.report.lattice.step == 0x1p-2);
     CHECK(!far.report.warns_of(BakeWarning::Kind::step_below_float_spacing));
 }
 
 TEST_CASE("lattice: no coarse tolerance makes a whole mesh vanish") {
     for (const double tolerance : {1.0, 1e3, 1e30, 1e300}) {
-        const auto result = bake_mesh(make_icosphere(2, 1.0, {5, 5, 5}), with_tolerance(tolerance));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(make_icosphere(2, 1.0, {5, 5, 5}), with_tolerance(tolerance));
         CHECK(result.report.tree.triangles > 0);
         CHECK(result.report.lattice.max_error <= tolerance);
     }

@@ -1,19 +1,7 @@
 // Claims about blobs with one step: where their sources share vertices, they share lattice points.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <string>
-
-#include <espalier/original.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/splits.hpp"
 
 namespace espalier::tests::seams_test {
@@ -51,9 +39,7 @@ WorldSteps nearest_steps(const Vec3& position, int exponent) {
 }
 
 BakeOptions with_step(int exponent) {
-    BakeOptions options;
-    options.resolution = Resolution::step(exponent);
-    options.original_ids = true;
+    BakeOptions options = {.resolution = Resolution::step(exponent), .original_ids = true};
     return options;
 }
 
@@ -84,8 +70,7 @@ TEST_CASE("seams: the step is the one given for meshes of any size and place") {
     for (int i = 0; i < 50; ++i) {
         const int exponent = random.between(-90, 90);
         Mesh mesh = scaled_by(make_icosphere(1, 1.0, random.in_cube(1000.0f)), std::ldexp(1.0f, exponent + 8));
-        const auto result = bake_mesh(mesh, with_step(exponent));
-        REQUIRE(result);
+        const auto result = must_bake_mesh(mesh, with_step(exponent));
         CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
         CHECK(result.report.lattice.bits == 10);
         CHECK(result.report.lattice.max_error <= std::sqrt(0.75) * result.report.lattice.step * 1.000001);
@@ -95,17 +80,15 @@ TEST_CASE("seams: the step is the one given for meshes of any size and place") {
             CHECK(steps == std::nearbyint(steps));
         }
     }
-    const auto empty = bake_mesh({}, with_step(-3));
-    REQUIRE(empty);
+    const auto empty = must_bake_mesh({}, with_step(-3));
     CHECK(decode(empty.bytes).step_exponent == -3);
 }
 
 TEST_CASE("seams: the lattice of another blob gives its step") {
     for (const int exponent : {-9, -3, 2}) {
         const OpenedBlob other(make_icosphere(1, 30.0, {5.0f, 0.0f, 0.0f}), with_step(exponent));
-        BakeOptions options;
-        options.resolution = Resolution::same_as(other.blob.lattice());
-        const auto result = bake_mesh(make_torus(20, 12, 30.0, 10.0), options);
+        const auto result =
+            bake_mesh(make_torus(20, 12, 30.0, 10.0), {.resolution = Resolution::same_as(other.blob.lattice())});
         REQUIRE(result);
         CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
     }

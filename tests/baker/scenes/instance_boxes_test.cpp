@@ -1,18 +1,7 @@
 // Claims about the boxes of instances: they contain the surface at its place, and little more.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <limits>
-
-#include <espalier/transform.hpp>
-#include <espalier/walk.hpp>
+#include "support/testing.hpp"
 
 #include <baker/scenes/instance_boxes.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::instance_boxes_test {
 namespace {

@@ -1,30 +1,16 @@
 // Claims about the bounds of the whole asset: they hold every vertex, and little else.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-
-#include <espalier/bake.hpp>
 #include <baker/sections/fit_bounds.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/checksum.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/meshes/files.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::sections_bounds_test {
 namespace {
 
 BakeOptions with_bounds(unsigned bits = 16) {
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
-    options.bounds = {true, true, true};
+    BakeOptions options = {.resolution = Resolution::bits(bits), .bounds = {true, true, true}};
     return options;
 }
 
@@ -148,8 +134,7 @@ TEST_CASE("bounds: the oriented box of a rotated box is that box to a thousandth
     Random random(5);
     for (int i = 0; i < 50; ++i) {
         CAPTURE(i);
-        const auto baked = bake_mesh(turned_box(random), with_bounds());
-        REQUIRE(baked);
+        const auto baked = must_bake_mesh(turned_box(random), with_bounds());
         CHECK(baked.report.bounds.volumes.oriented_box >= 0.999 * 10.0);
         CHECK(baked.report.bounds.volumes.oriented_box <= 1.006 * 10.0);
     }
@@ -159,8 +144,7 @@ TEST_CASE("bounds: the sphere of a ball is the ball and never exceeds the sphere
     for (const Mesh& mesh : {make_icosphere(4, 1.0, {7.0f, -3.0f, 0.25f}), make_terrain(20, 7), make_soup(100, 3),
                              make_needle_fan(300), make_cube(-1.0f, 3.0f), make_torus(24, 12, 2.0, 0.7)}) {
         CAPTURE(mesh.name);
-        const auto baked = bake_mesh(mesh, with_bounds());
-        REQUIRE(baked);
+        const auto baked = must_bake_mesh(mesh, with_bounds());
         const auto cubed = [](double x) { return x * x * x; };
         const Vec3 low = baked.report.bounds.min;
         const Vec3 high = baked.report.bounds.max;

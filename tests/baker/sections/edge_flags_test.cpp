@@ -1,24 +1,9 @@
 // Claims about edge flags: each is what the triangles that share the edge say, worked out anew without limits of width.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
 #include "oracle/big_integer.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/meshes/files.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::edge_flags_test {
 namespace {
@@ -97,9 +82,7 @@ std::array<std::uint64_t, 4> check_kinds(const OpenedBlob& opened) {
 }
 
 BakeOptions with_flags(Profile profile, double degrees = 5.0, unsigned bits = 16) {
-    BakeOptions options = with_profile(profile);
-    options.flat_angle = degrees;
-    options.resolution = Resolution::bits(bits);
+    BakeOptions options = {.resolution = Resolution::bits(bits), .profile = profile, .flat_angle = degrees};
     return options;
 }
 
@@ -173,9 +156,8 @@ TEST_CASE("edge flags: the flat angle decides to the lattice step which edges ar
         CAPTURE(degrees);
         std::uint32_t flat = 0;
         const auto is_flat = [&](std::uint32_t lift) {
-            Mesh roof;
-            roof.positions = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, -4096, -static_cast<float>(lift)}};
-            roof.triangles = {{0, 1, 2}, {1, 0, 3}};
+            Mesh roof = {.positions = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, -4096, -static_cast<float>(lift)}},
+                         .triangles = {{0, 1, 2}, {1, 0, 3}}};
             BakeOptions options = with_flags(Profile::fast, degrees, 14);
             const OpenedBlob opened(roof, options);
             REQUIRE(opened.blob.lattice().step_exponent == 0);
@@ -212,9 +194,7 @@ TEST_CASE("edge flags: a blob without them has no byte for them and the same tre
 }
 
 TEST_CASE("edge flags: an empty mesh has no flags and no bounds and senseless angles are refused") {
-    BakeOptions options;
-    options.flat_angle = 5.0;
-    options.bounds = {true, true, true};
+    BakeOptions options = {.flat_angle = 5.0, .bounds = {true, true, true}};
     const OpenedBlob empty(bake({}, options).bytes);
     CHECK(!empty.blob.has_edge_flags());
     CHECK(detail::data_of(empty.blob).bounds == nullptr);

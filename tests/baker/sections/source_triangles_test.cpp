@@ -1,16 +1,7 @@
 // Claims about the optional sections and the closed flag.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <utility>
-
-#include <espalier/original.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::source_triangles_test {
 namespace {
@@ -27,9 +18,7 @@ TEST_CASE("source triangle: ids lead to file and mesh and triangle whatever was 
         views[0].mesh = 1;
         views[2].file = 9;
         views[2].mesh = 2;
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const auto result = bake(views, options);
+        const auto result = bake(views, {.profile = profile, .original_ids = true});
         REQUIRE(result);
         const OpenedBlob opened(result.bytes);
         CHECK(opened.blob.has_original_ids());
@@ -61,12 +50,10 @@ TEST_CASE("source triangle: a blob without ids has the same tree") {
     for_each_profile([](Profile profile) {
         Mesh mesh = make_terrain(10, 1);
         BakeOptions options = with_profile(profile);
-        const auto without = bake_mesh(mesh, options);
+        const auto without = must_bake_mesh(mesh, options);
         options.original_ids = true;
         mesh.materials.assign(mesh.triangles.size(), 1);
-        const auto with = bake_mesh(mesh, options);
-        REQUIRE(without);
-        REQUIRE(with);
+        const auto with = must_bake_mesh(mesh, options);
         CHECK(!OpenedBlob(without.bytes).blob.has_original_ids());
         const std::size_t tree_end = without.bytes.size();
         CHECK(with.bytes.size() > tree_end);
@@ -101,10 +88,7 @@ TEST_CASE("source triangle: materials follow their triangles in 8 and 16 bits an
         const Mesh plain = make_cube(3.0f, 4.0f);
         for (const unsigned bits : {8u, 16u}) {
             if (bits == 16) mesh.materials[3] = 65535;
-            BakeOptions options = with_profile(profile);
-            options.original_ids = true;
-            const auto result = bake_meshes({&mesh, &plain}, options);
-            REQUIRE(result);
+            const auto result = must_bake_meshes({&mesh, &plain}, {.profile = profile, .original_ids = true});
             const OpenedBlob opened(result.bytes);
             CHECK(opened.blob.has_materials());
             const DecodedBlob decoded = decode(result.bytes);
@@ -118,13 +102,11 @@ TEST_CASE("source triangle: materials follow their triangles in 8 and 16 bits an
 
 TEST_CASE("source triangle: ids and materials of one triangle and of none are valid") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
+        const BakeOptions options = {.profile = profile, .original_ids = true};
         Mesh cube = make_cube(0.0f, 1.0f);
         cube.materials.assign(cube.triangles.size(), 300);
         for (const std::size_t count : {0u, 1u, 2u, 3u}) {
-            const auto result = bake_mesh(first_triangles(cube, count), options);
-            REQUIRE(result);
+            const auto result = must_bake_mesh(first_triangles(cube, count), options);
             const OpenedBlob opened(result.bytes);
             CHECK(opened.blob.triangle_count() == count);
         }
@@ -135,8 +117,7 @@ TEST_CASE("source triangle: ids and materials of one triangle and of none are va
 TEST_CASE("closed: closed meshes are and fewer or more or reversed triangles make them open") {
     for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(20, 12, 3.0, 1.0)}) {
         const auto is_closed = [](const Mesh& candidate) {
-            const auto result = bake_mesh(candidate);
-            REQUIRE(result);
+            const auto result = must_bake_mesh(candidate);
             return result.report.closed;
         };
         CHECK(is_closed(mesh));

@@ -1,25 +1,12 @@
 // Claims about how far boxes may end beyond the asset: what the baker makes of any extent, and blobs made to break it.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <espalier/bake.hpp>
 
 #include "baker/baking_support.hpp"
-#include "support/base/checksum.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/blobs/soundness.hpp"
-#include "support/format/edits.hpp"
 #include "support/format/encoder.hpp"
 
 namespace espalier::tests::box_ends_test {

@@ -1,22 +1,13 @@
 // Claims about verify on deformable blobs: each thing that it promises to find is planted and found.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
-#include <espalier/bake.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/checksum.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/format/node_edits.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::check_motion_test {
 namespace {
 
-using Bytes = std::vector<std::byte>;
 namespace at = format::header;
 
 std::string verdict(Bytes blob) {

@@ -1,16 +1,7 @@
 // Claims about verify: each thing that it promises to find is planted and found.
-#include <doctest/doctest.h>
-
-#include <array>
-
-#include <espalier/bake.hpp>
+#include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "support/base/checksum.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/node_edits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::verify_test {
 namespace {
@@ -86,9 +77,7 @@ TEST_CASE("verify: a wrong vertex count and extent and closed flag are found") {
 
 TEST_CASE("verify: a triangle without area and a duplicate are found") {
     // One leaf of two triangles: a byte for each corner, behind two for each coordinate of the four vertices.
-    Mesh quad;
-    quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    quad.triangles = {{0, 1, 2}, {0, 2, 3}};
+    Mesh quad = {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
     const auto good = bake_or_throw(quad, with_profile(Profile::fast, with_bits(1)));
     const DecodedBlob decoded = decode(good);
     REQUIRE(decoded.triangles.size() == 2);
@@ -115,9 +104,8 @@ TEST_CASE("verify: an unused vertex of a strip and a strip triangle without area
     const std::size_t marks_at = format::header::bytes + format::packed_node::bytes +
                                  format::strip_leaf::descriptors_at + format::strip_leaf::descriptor_bytes;
     // Three triangles over five vertices: the marks are two bits each of pivots, windows and first uses.
-    Mesh fan;
-    fan.positions = {{0, 0, 0}, {4, 0, 0}, {3, 3, 0}, {0, 4, 0}, {-3, 3, 0}};
-    fan.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    Mesh fan = {.positions = {{0, 0, 0}, {4, 0, 0}, {3, 3, 0}, {0, 4, 0}, {-3, 3, 0}},
+                .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
     const auto good = bake_or_throw(fan, with_profile(Profile::balanced, with_bits(3)));
     const DecodedBlob decoded = decode(good);
     REQUIRE(decoded.triangles.size() == 3);
@@ -133,9 +121,8 @@ TEST_CASE("verify: an unused vertex of a strip and a strip triangle without area
     CHECK(contains(with_marks(marks & ~0b1000u, 2), "vertices that none uses"));  // the last window is none
 
     // A path around a tetrahedron: three bits each, then the last two entries' vertices in two bits each.
-    Mesh tetrahedron;
-    tetrahedron.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
-    tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    Mesh tetrahedron = {.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}},
+                        .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
     auto bad = bake_or_throw(tetrahedron, with_profile(Profile::balanced, with_bits(3)));
     CHECK(verdict(bad) == "");
     const unsigned high = std::to_integer<unsigned>(bad[marks_at + 1]);

@@ -43,8 +43,7 @@ constexpr int no_registers = 0;
 constexpr int reads_and_writes = 3;
 
 struct Range {
-    std::uint64_t first = 0;
-    std::uint64_t size = 0;
+    std::uint64_t first = 0, size = 0;
     [[nodiscard]] bool holds(std::uint64_t address) const { return address - first < size; }
 };
 
@@ -53,8 +52,7 @@ constexpr unsigned end_mark = mark_count - 1;
 Range marks{0, mark_count * 4}, blob, stack;
 
 struct Sum {
-    std::uint64_t total = 0;
-    std::uint64_t most = 0;
+    std::uint64_t total = 0, most = 0;
     void add(std::uint64_t value) {
         total += value;
         most = std::max(most, value);

@@ -1,18 +1,9 @@
 // Claims about bounds as floats.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cmath>
 #include <memory>
-#include <vector>
-
-#include <espalier/espalier.hpp>
 
 #include "oracle/rational.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::asset_bounds_test {
 namespace {
@@ -48,9 +39,7 @@ void check_point(const Exact3& point, const Sphere& sphere, const OrientedBox& b
 }
 
 BakeOptions with_bounds(unsigned bits) {
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
-    options.bounds = {true, true, true};
+    BakeOptions options = {.resolution = Resolution::bits(bits), .bounds = {true, true, true}};
     return options;
 }
 
@@ -97,8 +86,7 @@ TEST_CASE("bounds: bounds as floats hold every corner exactly") {
 TEST_CASE("bounds: bounds that a blob does not store are refused") {
     for (unsigned which = 0; which < 8; ++which) {
         CAPTURE(which);
-        BakeOptions options;
-        options.bounds = {(which & 1) != 0, (which & 2) != 0, (which & 4) != 0};
+        const BakeOptions options = {.bounds = {(which & 1) != 0, (which & 2) != 0, (which & 4) != 0}};
         const OpenedBlob opened(make_cube(0.0f, 1.0f), options);
         const Result<OrientedBox> box = oriented_bounds(opened.blob);
         const Result<Sphere> sphere = bounding_sphere(opened.blob);

@@ -1,27 +1,11 @@
 // Claims about contacts: what slides over inner edges does not feel them, and what meets a real one does.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <cstdint>
-#include <vector>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/hostile_values.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests::contact_test {
 namespace {
 
 BakeOptions with_flags(Profile profile) {
-    BakeOptions options = with_profile(profile);
-    options.flat_angle = 5.0;
+    BakeOptions options = {.profile = profile, .flat_angle = 5.0};
     return options;
 }
 
@@ -50,8 +34,7 @@ TEST_CASE("contact: a sphere that slides over a floor gets the normal of the flo
         // The grid may lie in any plane: up is where it has no extent.
         const int up = side.x == 0.0f ? 0 : side.y == 0.0f ? 1 : 2;
         const float size = std::max({side.x, side.y, side.z});
-        std::uint64_t corrected = 0;
-        std::uint64_t slanted = 0;
+        std::uint64_t corrected = 0, slanted = 0;
         for (int step = 0; step <= 200; ++step) {
             const float at = 0.2f + 0.6f * static_cast<float>(step) / 200.0f;
             float center[3] = {low.x + at * side.x, low.y + (0.3f + 0.4f * at) * side.y, low.z + at * side.z};
@@ -134,9 +117,7 @@ TEST_CASE("contact: the feature names the edges of a contact and limits its norm
 
 TEST_CASE("contact: concave edges are internal and boundaries are not and without flags none is") {
     for_each_profile([](Profile profile) {
-        Mesh valley;
-        valley.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}};
-        valley.triangles = {{0, 1, 2}, {1, 0, 3}};
+        Mesh valley = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}}, .triangles = {{0, 1, 2}, {1, 0, 3}}};
         const OpenedBlob with(valley, with_flags(profile));
         const OpenedBlob without(valley, with_profile(profile));
         for (std::uint32_t i = 0; i < 2; ++i) {
@@ -166,8 +147,7 @@ TEST_CASE("contact: concave edges are internal and boundaries are not and withou
 TEST_CASE("contact: a corner between two internal edges is internal and one on a boundary is not") {
     for_each_profile([](Profile profile) {
         const OpenedBlob floor(make_plane_grid(4), with_flags(profile));
-        std::uint64_t inner = 0;
-        std::uint64_t outer = 0;
+        std::uint64_t inner = 0, outer = 0;
         for (std::uint32_t i = 0; i < floor.blob.triangle_count(); ++i) {
             const Result<EdgeKinds> found = edge_kinds(floor.blob, {i});
             REQUIRE(found);

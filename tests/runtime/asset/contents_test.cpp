@@ -1,15 +1,7 @@
 // Claims about what an opened blob contains: its properties and its triangles.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <espalier/blob.hpp>
-#include <espalier/walk.hpp>
+#include "support/testing.hpp"
 
 #include "every_triangle.hpp"
-#include "support/blobs/test_blobs.hpp"
 
 namespace espalier::tests::contents_test {
 namespace {

@@ -1,11 +1,7 @@
 // Every triangle of a blob, for tests.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
-#include <espalier/walk.hpp>
+#include "support/testing.hpp"
 
 namespace espalier::tests {
 

@@ -1,25 +1,8 @@
 // Claims about where a triangle came from and what it is made of.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <espalier/blob.hpp>
-#include <espalier/original.hpp>
-#include <espalier/ray.hpp>
-#include <espalier/walk.hpp>
+#include "support/testing.hpp"
 
 #include "every_triangle.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::identity_test {
 namespace {
@@ -48,9 +31,7 @@ Scene make_scene(Profile profile, bool ids, unsigned material_bits) {
         views.back().file = places[i].first;
         views.back().mesh = places[i].second;
     }
-    BakeOptions options = with_profile(profile);
-    options.original_ids = ids;
-    auto baked = bake(views, options);
+    auto baked = bake(views, {.profile = profile, .original_ids = ids});
     REQUIRE_MESSAGE(baked, baked.message);
     OpenedBlob opened(std::move(baked.bytes));
     DecodedBlob decoded = decode(opened.bytes);
@@ -125,9 +106,7 @@ TEST_CASE("source triangle: original_hit gives the triangle and the weights that
         for (TriangleVertices& triangle : mesh.triangles) {
             std::rotate(triangle.begin(), triangle.begin() + number++ % 3, triangle.end());
         }
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const OpenedBlob opened(mesh, options);
+        const OpenedBlob opened(mesh, {.profile = profile, .original_ids = true});
         const DecodedBlob decoded = decode(opened.bytes);
         const Remap remap = remap_of(decoded);
         QueryMaker maker(decoded, 77);
@@ -285,8 +264,7 @@ TEST_CASE("source triangle: the status of an original hit is the reason for none
 
 TEST_CASE("source triangle: ids of every width lead back with and without a first corner") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
+        const BakeOptions options = {.profile = profile, .original_ids = true};
         for (const unsigned side : {1u, 2u, 3u, 5u, 9u, 17u, 40u}) {
             Mesh mesh = make_plane_grid(side);
             if (side == 1) mesh.triangles.pop_back();  // ids of no bits
@@ -307,9 +285,8 @@ TEST_CASE("source triangle: ids of every width lead back with and without a firs
 
 TEST_CASE("source triangle: the last id is read within the blob") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const auto bytes = bake_or_throw(make_plane_grid(4), options);  // 32 ids of 5 bits: nothing pads them
+        const auto bytes = bake_or_throw(
+            make_plane_grid(4), {.profile = profile, .original_ids = true});  // 32 ids of 5 bits: nothing pads them
         const DecodedBlob decoded = decode(bytes);
         const GuardedPages pages(bytes, true);
         const Blob blob = open(pages.bytes());

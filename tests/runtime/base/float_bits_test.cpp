@@ -1,15 +1,7 @@
 // Claims about floats taken apart: each small function against the standard library's, which the runtime may not use.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <cmath>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/base/bits.hpp>
-
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::float_bits_test {
 namespace {

@@ -1,13 +1,9 @@
 // Claims about the runtime's wide integers, against the oracle's, which know no width.
-#include <doctest/doctest.h>
-
-#include <limits>
+#include "support/testing.hpp"
 
 #include <runtime/base/wide_integer.hpp>
 
 #include "oracle/rational.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::wide_integer_test {
 namespace {
@@ -30,18 +26,12 @@ BigInteger exact(const Unsigned256& value) {
 
 /// Of every length, with long runs of ones and zeros more often than chance would have it.
 std::uint64_t some_word(Random& random) {
-    switch (random.below(6)) {
-        case 0:
-            return 0;
-        case 1:
-            return ~std::uint64_t{0};
-        case 2:
-            return std::uint64_t{1} << random.below(64);
-        case 3:
-            return (std::uint64_t{1} << random.below(64)) - 1;
-        default:
-            return random.next() >> random.below(64);
-    }
+    const auto kind = random.below(6);
+    if (kind == 0) return 0;
+    if (kind == 1) return ~std::uint64_t{0};
+    if (kind == 2) return std::uint64_t{1} << random.below(64);
+    if (kind == 3) return (std::uint64_t{1} << random.below(64)) - 1;
+    return random.next() >> random.below(64);
 }
 std::int64_t some_signed(Random& random) { return static_cast<std::int64_t>(some_word(random)); }
 /// Below 2^126 in magnitude, so that sums stay inside.

@@ -1,22 +1,10 @@
 // Claims about batches over strided arrays: the answers of one call for each query, to the bit, wherever numbers lie.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <memory>
-#include <vector>
 
-#include <espalier/espalier.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/machine/exact_buffer.hpp"
 #include "support/queries/hostile_arguments.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::arrays_test {
 namespace {

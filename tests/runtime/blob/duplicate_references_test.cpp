@@ -1,11 +1,8 @@
 // Claims about the map of copies: who each storage index belongs to.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <espalier/espalier.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/format/encoder.hpp"
 #include "support/machine/guarded_pages.hpp"
 

@@ -1,25 +1,12 @@
 // Blobs to break, for tests of the verifier's rules.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstddef>
-#include <vector>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/meshes/mesh.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests::opening {
 
 namespace at = format::header;
 namespace feature = format::feature;
-using Bytes = std::vector<std::byte>;
-
 inline Bytes plain_blob(Profile profile) {
     return bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), with_profile(profile));
 }
@@ -32,9 +19,7 @@ inline Bytes three_sources(Profile profile) {
         mesh.triangles.resize(1);
         views.push_back(mesh.view());
     }
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    auto baked = bake(views, options);
+    auto baked = bake(views, {.profile = profile, .original_ids = true});
     REQUIRE(baked);
     return baked.bytes;
 }

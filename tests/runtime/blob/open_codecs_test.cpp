@@ -1,27 +1,12 @@
 // The verifier's rules for nodes, leaves, edge flags and bounds.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/checksum.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/exercise/exercise.hpp"
-#include "support/format/edits.hpp"
 #include "support/machine/exact_buffer.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/meshes/mesh.hpp"
 #include "support/meshes/strip_shapes.hpp"
 
 namespace espalier::tests::open_codecs_test {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 Mesh first_triangle_of_a_cube() {
     Mesh mesh = make_cube(0.0f, 1.0f);
@@ -31,9 +16,7 @@ Mesh first_triangle_of_a_cube() {
 
 TEST_CASE("open: each rule of edge flags and bounds is enforced and any flags are safe") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.flat_angle = 5.0;
-        options.bounds = {true, true, true};
+        const BakeOptions options = {.profile = profile, .flat_angle = 5.0, .bounds = {true, true, true}};
         const Bytes bytes = bake_or_throw(first_triangle_of_a_cube(), options);
         REQUIRE(status_of(bytes) == OpenStatus::ok);
         // From the end: 80 bytes of 26-DOP, 16 of sphere, 32 of oriented box, 8 of edge flags.
@@ -75,9 +58,7 @@ TEST_CASE("open: each rule of edge flags and bounds is enforced and any flags ar
 TEST_CASE("open: false edge flags and bounds leave queries safe") {
     Random random(77);
     for_each_profile([&](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.flat_angle = 5.0;
-        options.bounds = {true, true, true};
+        const BakeOptions options = {.profile = profile, .flat_angle = 5.0, .bounds = {true, true, true}};
         const Bytes good = bake_or_throw(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), options);
         unsigned opened = 0;
         for (std::uint64_t i = 0; i < scaled_share(3'000); ++i) {
@@ -124,8 +105,7 @@ TEST_CASE("open: each rule of plain nodes is enforced") {
     constexpr std::size_t root = format::header::bytes;
     for (const unsigned bits : {12u, 20u}) {
         CAPTURE(bits);
-        BakeOptions options = with_profile(Profile::fast);
-        options.resolution = Resolution::bits(bits);
+        const BakeOptions options = {.resolution = Resolution::bits(bits), .profile = Profile::fast};
         const Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // one node with one leaf
         REQUIRE(status_of(bytes) == OpenStatus::ok);
         REQUIRE(get(bytes, format::header::bits_at, 1) == bits);
@@ -209,14 +189,12 @@ TEST_CASE("open: each rule of strip leaves is enforced") {
     constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
     constexpr std::size_t marks_at = descriptor_at + leaf::descriptor_bytes;
     // Two tetrahedra, each a path of 4 triangles over 4 vertices: one node with one leaf of 12 entries.
-    Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}, {50, 0, 0}, {59, 0, 0}, {50, 9, 0}, {50, 0, 9}};
-    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {4, 6, 5}, {4, 5, 7}, {4, 7, 6}, {5, 6, 7}};
+    Mesh mesh = {
+        .positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}, {50, 0, 0}, {59, 0, 0}, {50, 9, 0}, {50, 0, 9}},
+        .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {4, 6, 5}, {4, 5, 7}, {4, 7, 6}, {5, 6, 7}}};
     for (const Profile profile : {Profile::balanced, Profile::small}) {
         CAPTURE(name_of(profile));
-        BakeOptions options = with_profile(profile);
-        options.build.byte_price = 1000.0f;
-        const Bytes bytes = bake_or_throw(mesh, options);
+        const Bytes bytes = bake_or_throw(mesh, {.profile = profile, .build = {.byte_price = 1000.0f}});
         REQUIRE(status_of(bytes) == OpenStatus::ok);
         REQUIRE(get(bytes, format::header::node_count_at, 4) == 1);
         REQUIRE(get(bytes, format::packed_node::children_at + format::header::bytes, 4) == 1u << 28);
@@ -281,8 +259,7 @@ TEST_CASE("open: each rule of strip leaves is enforced") {
 }
 
 TEST_CASE("open: a strip leaf may be as long as its profile allows and no longer") {
-    BakeOptions options = with_profile(Profile::small);
-    options.build.byte_price = 1000.0f;
+    const BakeOptions options = {.profile = Profile::small, .build = {.byte_price = 1000.0f}};
     const Bytes fits = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 2, false), options);
     const Bytes too_long = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 1, false), options);
     for (const Bytes* bytes : {&fits, &too_long}) {

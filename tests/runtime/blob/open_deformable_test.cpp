@@ -1,20 +1,9 @@
 // The verifier's rules for deformable blobs: each, broken alone, is the reason of the refusal.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "open_blobs.hpp"
-#include "support/base/random.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/exercise/exercise.hpp"
-#include "support/format/edits.hpp"
-#include "support/format/node_edits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_deformable_test {
 namespace {
@@ -49,7 +38,7 @@ TEST_CASE("open: each rule of the header of a deformable blob is enforced") {
     REQUIRE(blob.field(at::version_minor_at, 2) == 1);
     CHECK(blob.with(at::version_minor_at, 0, 2) == OpenStatus::bad_header);
     for (const float cost : {0.0f, -0.0f, -1.0f, std::numeric_limits<float>::denorm_min(),
-                             std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+                             std::numeric_limits<float>::infinity(), not_a_number})
         CHECK(blob.with(at::rest_cost_at, bits_of(cost)) == OpenStatus::bad_header);
     CHECK(blob.with(at::rest_cost_at, bits_of(std::numeric_limits<float>::max())) == OpenStatus::ok);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,27 +1,14 @@
 // Sections of original ids that no baker writes: each rule of their steps is why `open` refuses one, without a read
 // behind the blob's last byte, and what it accepts leads to the right triangles.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstdint>
-#include <utility>
-#include <vector>
-
-#include <espalier/espalier.hpp>
-#include <espalier/original.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_ids_test {
 namespace {
 
 namespace at = format::header;
 namespace ids = format::ids;
-using Bytes = std::vector<std::byte>;
-
 struct Kind {
     std::uint32_t offset = 0, width = 0, prefix = 0, from = 0, replaced = 0;
 };
@@ -60,9 +47,7 @@ struct Section {
     std::uint64_t source_triangles = 0;       // 0: as baked
 
     [[nodiscard]] Bytes blob() const {
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        Bytes bytes = bake_or_throw(make_plane_grid(side), options);
+        Bytes bytes = bake_or_throw(make_plane_grid(side), {.profile = profile, .original_ids = true});
         const std::size_t begin =
             leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
         bytes.resize(begin);

@@ -1,25 +1,14 @@
 // Claims about where leaves lie: what open says of one that is misplaced, and that those far back in their block are
 // read from there.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/format/encoder.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_leaves_test {
 namespace {
 
 namespace at = format::header;
-using Bytes = std::vector<std::byte>;
-
 /// 16 triangles about two corners of which one is 0 0 0, in a box of 15 steps.
 PlainLeaf make_fan(Profile profile) {
     PlainLeaf leaf;

@@ -1,19 +1,9 @@
 // The verifier's rules for predicted strips, each broken alone, and the largest ones. Blobs come from the encoder.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include <espalier/espalier.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 
-#include "support/base/random.hpp"
 #include "support/format/encoder.hpp"
-#include "support/format/node_edits.hpp"
 
 namespace espalier::tests::open_predicted_strips_test {
 namespace {
@@ -21,8 +11,6 @@ namespace {
 using namespace espalier::format::predicted_strip;
 
 namespace at = format::header;
-using Bytes = std::vector<std::byte>;
-
 /// Of one node, whose leaves have boxes of so many steps from 0 0 0 on.
 PlainBlob make_blob(unsigned bits, std::uint16_t planes, unsigned shift, const std::vector<PlainLeaf>& leaves) {
     PlainBlob blob;

@@ -1,19 +1,8 @@
 // The verifier's rules for the header and for what it counts: each, broken alone, is the reason of the refusal.
 // open_tree_test.cpp, open_codecs_test.cpp and open_sections_test.cpp have the others.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <utility>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "open_blobs.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/node_edits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_rules_test {
 namespace {
@@ -115,9 +104,7 @@ TEST_CASE("open: each part that ends too early is refused") {
         for (const std::uint32_t material : {7u, 700u}) {  // in 8 and in 16 bits
             Mesh mesh = make_cube(0.0f, 1.0f);
             mesh.materials.assign(mesh.triangles.size(), material);
-            BakeOptions options = with_profile(profile);
-            options.flat_angle = 5.0;
-            options.bounds = {true, true, true};
+            const BakeOptions options = {.profile = profile, .flat_angle = 5.0, .bounds = {true, true, true}};
             const Bytes bytes = bake_or_throw(mesh, options);
             REQUIRE(status_of(bytes) == OpenStatus::ok);
             for (std::size_t end = at::bytes; end < bytes.size(); end += 4)

@@ -1,21 +1,8 @@
 // The verifier's rules for the sections of ids, sources and copies: each, broken alone, is the reason of the refusal.
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "open_blobs.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/edits.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/meshes/mesh.hpp"
 
 namespace espalier::tests::open_sections_test {
 namespace {
@@ -23,10 +10,7 @@ namespace {
 using namespace espalier::tests::opening;
 
 Bytes blob_with_copies() {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const Bytes bytes = bake_or_throw(make_soup(60, 1), options);
+    const Bytes bytes = bake_or_throw(make_soup(60, 1), with_copies());
     REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
     return bytes;
 }
@@ -58,9 +42,7 @@ TEST_CASE("open: each rule of sources and ids is enforced") {
         for (std::size_t i = table; i < no_sources.size(); ++i) put(no_sources, i, 0, 1);
         CHECK(status_resized(no_sources) == OpenStatus::bad_section);
         CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == OpenStatus::bad_section);
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const auto nothing = bake({}, options);
+        const auto nothing = bake({}, {.profile = profile, .original_ids = true});
         REQUIRE(nothing);
         REQUIRE(get(nothing.bytes, at::source_count_at, 4) == 0);
         const GuardedPages pages(nothing.bytes, true);  // no source is looked at behind its end
@@ -72,9 +54,8 @@ TEST_CASE("open: each rule of sources and ids is enforced") {
 TEST_CASE("open: each rule of the steps of ids is enforced") {
     for_each_profile([](Profile profile) {
         namespace ids = format::ids;
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const Bytes bytes = bake_or_throw(make_plane_grid(10), options);  // 200 triangles: two blocks
+        const Bytes bytes = bake_or_throw(make_plane_grid(10),
+                                          {.profile = profile, .original_ids = true});  // 200 triangles: two blocks
         REQUIRE(status_of(bytes) == OpenStatus::ok);
         const std::size_t kinds = sections_of(bytes) + format::source::bytes;
         const std::uint64_t kind_bits = get(bytes, at::id_kind_bits_at, 1);
@@ -145,9 +126,7 @@ TEST_CASE("open: each rule of the steps of ids is enforced") {
 TEST_CASE("open: ids may have steps of every kind and width up to numbers of 32 bits") {
     for_each_profile([](Profile profile) {
         const std::uint64_t factor = profile == Profile::fast ? 1 : 3;
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
-        const Bytes bytes = bake_or_throw(make_cube(0.0f, 1.0f), options);
+        const Bytes bytes = bake_or_throw(make_cube(0.0f, 1.0f), {.profile = profile, .original_ids = true});
         const std::size_t kinds = sections_of(bytes) + format::source::bytes;
         REQUIRE(get(bytes, at::id_kind_bits_at, 1) == 0);
         const auto most = static_cast<std::uint32_t>((std::uint64_t{1} << 32) / factor - (factor == 1 ? 1 : 0));

@@ -1,27 +1,13 @@
 // Claims about opening: what is refused and why, and that nothing outside the bytes is read or written.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-#include <string>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/checksum.hpp"
-#include "support/base/profiles.hpp"
 #include "support/blobs/soundness.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/exact_buffer.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_test {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 bool is_empty(const Blob& blob) {
     return blob.triangle_count() == 0 && blob.size() == 0 && detail::data_of(blob).bytes == nullptr &&
@@ -81,7 +67,7 @@ TEST_CASE("open: a baked blob opens at every misalignment with the same answers"
             const Blob blob = open(buffer.bytes());
             REQUIRE(blob);
             Random random(1);
-            const std::uint64_t answers = exercise(blob, random, 50);
+            const std::uint64_t answers = exercise(blob, random, rounds_per_case(50));
             if (misalignment == 0) expected = answers;
             REQUIRE(answers == expected);
         }
@@ -97,7 +83,8 @@ TEST_CASE("open: a blob in read-only memory between unreadable pages gives the s
             REQUIRE(blob);
             Random random(2);
             Random same_random(2);
-            CHECK(exercise(blob, random, 30) == exercise(test_blob.opened.blob, same_random, 30));
+            const unsigned rounds = rounds_per_case(30);
+            CHECK(exercise(blob, random, rounds) == exercise(test_blob.opened.blob, same_random, rounds));
         }
     }
 }
@@ -196,7 +183,7 @@ TEST_CASE("open: bytes of one value behind a valid header are refused or leave q
                 return;
             }
             Random random(from);
-            REQUIRE_NOTHROW(exercise(blob, random, 2, is_sound(buffer.bytes())));
+            REQUIRE_NOTHROW(exercise(blob, random, rounds_per_case(2), is_sound(buffer.bytes())));
         };
         for (const std::byte value : {std::byte{0x00}, std::byte{0xFF}}) {
             for (const Bytes& good : {make_blob_with_every_section(profile), blob_of_one_triangle(profile)}) {
@@ -285,7 +272,7 @@ TEST_CASE("open: each header field at its extremes is refused or leaves queries 
                         continue;
                     }
                     Random random(3);
-                    REQUIRE_NOTHROW(exercise(blob, random, 4, is_sound(buffer.bytes())));
+                    REQUIRE_NOTHROW(exercise(blob, random, rounds_per_case(4), is_sound(buffer.bytes())));
                 }
             }
         }

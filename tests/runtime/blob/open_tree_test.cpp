@@ -1,19 +1,9 @@
 // The verifier's rules for the tree: nodes in order, leaves within their blocks. Each, broken alone, is the reason of
 // the refusal.
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "open_blobs.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/edits.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/guarded_pages.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_tree_test {
 namespace {
@@ -88,9 +78,7 @@ TEST_CASE("open: a leaf beyond the blob is refused before it is read") {
     for_each_profile([](Profile profile) {
         namespace plain = format::plain_leaf;
         namespace strips = format::strip_leaf;
-        BakeOptions options = with_profile(profile);
-        options.resolution = Resolution::bits(24);
-        const Bytes bytes = bake_or_throw(make_plane_grid(1), options);
+        const Bytes bytes = bake_or_throw(make_plane_grid(1), {.resolution = Resolution::bits(24), .profile = profile});
         const std::size_t descriptor_at = descriptor_of(bytes, at::bytes, 0);
         const unsigned size = descriptor_bytes_of(bytes);
         const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, size));
@@ -149,9 +137,8 @@ TEST_CASE("open: the last of many leaves beyond the blob is refused before it is
     for_each_profile([](Profile profile) {
         namespace plain = format::plain_leaf;
         namespace strips = format::strip_leaf;
-        BakeOptions options = with_profile(profile);
-        options.resolution = Resolution::bits(24);
-        const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), options);
+        const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}),
+                                          {.resolution = Resolution::bits(24), .profile = profile});
         std::size_t block = 0, last = 0;  // the block that lies last, and its node
         for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node_bytes(profile)) {
             if (counts_of(bytes, node).leaves == 0 || leaf_block_of(bytes, node) < block) continue;
@@ -204,8 +191,7 @@ TEST_CASE("open: bad planes of the first absent child are refused") {
 TEST_CASE("open: each rule of plain leaves is enforced in each leaf") {
     namespace leaf = format::plain_leaf;
     for (const unsigned bits : {12u, 20u}) {
-        BakeOptions options = with_profile(Profile::fast);
-        options.resolution = Resolution::bits(bits);
+        const BakeOptions options = {.resolution = Resolution::bits(bits), .profile = Profile::fast};
         const Bytes bytes = bake_or_throw(make_icosphere(4, 1.0, {0.0f, 0.0f, 0.0f}), options);
         REQUIRE(get(bytes, at::bits_at, 1) == bits);
         std::size_t blocks = 0, without_block = 0, gaps = 0, later = 0;
@@ -216,7 +202,7 @@ TEST_CASE("open: each rule of plain leaves is enforced in each leaf") {
                 ++without_block;
                 continue;
             }
-            ++blocks;
+            if (++blocks % 8 != 0 && !takes_every_case()) continue;
             for (std::size_t number = 0; number < leaves; ++number) {
                 const std::size_t descriptor_at = descriptor_of(bytes, node, number);
                 const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 3));
@@ -251,8 +237,7 @@ TEST_CASE("open: each rule of plain leaves is enforced in each leaf") {
 TEST_CASE("open: a plain leaf wholly beyond the extent is refused in each bit") {
     namespace leaf = format::plain_leaf;
     for (const unsigned bits : {7u, 16u, 17u, 24u}) {
-        BakeOptions options = with_profile(Profile::fast);
-        options.resolution = Resolution::bits(bits);
+        const BakeOptions options = {.resolution = Resolution::bits(bits), .profile = Profile::fast};
         const Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // 4 vertices whose z is 0, 2 triangles
         REQUIRE(get(bytes, at::bits_at, 1) == bits);
         REQUIRE(get(bytes, at::extent_at + 8, 4) == 0);

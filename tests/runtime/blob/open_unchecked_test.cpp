@@ -1,36 +1,19 @@
 // Claims about opening without the proof: it is what open would say of sound bytes, from the header alone.
 // No fuzz target opens like this: on bytes that the baker did not write it promises nothing.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-
-#include <espalier/espalier.hpp>
 #include <runtime/base/bits.hpp>
 
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/format/node_edits.hpp"
 #include "support/machine/exact_buffer.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::open_unchecked_test {
 namespace {
 
 namespace at = format::header;
-using Bytes = std::vector<std::byte>;
-
-Bytes with_copies() {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    return bake_or_throw(make_soup(60, 1), options);
-}
+Bytes blob_with_copies() { return bake_or_throw(make_soup(60, 1), with_copies()); }
 
 bool are_equal(const detail::BlobData& a, const detail::BlobData& b) {
     const auto same = [&](auto member) { return a.*member == b.*member; };
@@ -92,7 +75,7 @@ TEST_CASE("unchecked: it opens as open does with every section and misalignment"
         for (std::size_t misalignment = 0; misalignment < 16; ++misalignment)
             check_opens_alike(ExactBuffer(bytes, misalignment).bytes());
     });
-    const Bytes copies = with_copies();
+    const Bytes copies = blob_with_copies();
     const Blob blob = open(copies);
     REQUIRE(blob);
     REQUIRE(blob.duplicate_reference_count() > 0);
@@ -113,8 +96,7 @@ TEST_CASE("unchecked: nothing behind the header is read") {
 
 TEST_CASE("unchecked: padding of sections and bytes after the nodes are not read") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.original_ids = true;
+        const BakeOptions options = {.profile = profile, .original_ids = true};
         Bytes bytes;
         Blob blob;
         std::uint64_t step_bytes = 0;

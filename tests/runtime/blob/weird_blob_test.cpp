@@ -1,21 +1,15 @@
 // Claims about blobs that follow the format and that no baker would make.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <set>
-
-#include <espalier/espalier.hpp>
 #include <runtime/base/options.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/answers/loop_answers.hpp"
 #include "support/answers/path_answers.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/soundness.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/blobs/weird_blobs.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/machine/exact_buffer.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::weird_blob_test {
 namespace {
@@ -32,8 +26,7 @@ TEST_CASE("format: any blob that follows the rules opens and equals the loop ove
         REQUIRE(blob);
         const bool is_this_sound = is_sound(buffer.bytes());
         REQUIRE_NOTHROW(exercise(blob, random, 1, is_this_sound));
-        const auto difference = path_difference(blob, random, is_this_sound);
-        REQUIRE_MESSAGE(!difference, *difference);
+        require_none(path_difference(blob, random, is_this_sound));
         features.insert(detail::data_of(blob).features);
         depths.insert(blob.depth());
         if (!is_this_sound || blob.triangle_count() == 0) continue;
@@ -43,16 +36,13 @@ TEST_CASE("format: any blob that follows the rules opens and equals the loop ove
         const TriangleLoop loop(decoded);
         QueryMaker maker(decoded, seed);
         for (int i = 0; i < 4; ++i) {
-            const auto of_ray = ray_difference(blob, loop, maker.any_ray(), hits);
-            REQUIRE_MESSAGE(!of_ray, *of_ray);
-            const auto of_sphere = sphere_difference(blob, loop, maker.sphere(), hits);
-            REQUIRE_MESSAGE(!of_sphere, *of_sphere);
+            require_none(ray_difference(blob, loop, maker.any_ray(), hits));
+            require_none(sphere_difference(blob, loop, maker.sphere(), hits));
         }
         ShapeMaker shapes(decoded, seed);
         SweepMaker sweeps(decoded, seed);
         for (int i = 0; i < 2; ++i) {
-            const auto of_shape = loop_difference(blob, loop, shapes, sweeps);
-            REQUIRE_MESSAGE(!of_shape, *of_shape);
+            require_none(loop_difference(blob, loop, shapes, sweeps));
         }
     }
     MESSAGE(sound, " of ", count, " sound, ", hits, " hits");

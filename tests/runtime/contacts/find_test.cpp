@@ -1,24 +1,7 @@
 // Claims about contacts: those of a body are those of a loop over all triangles, each by the reference in double.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <espalier/contact.hpp>
-#include <espalier/rounding.hpp>
+#include "support/testing.hpp"
 
 #include "oracle/minkowski.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 #include "support/queries/winding_points.hpp"
@@ -254,9 +237,7 @@ TEST_CASE("contact: a hull on a floor keeps the rim that it stands on") {
 
 TEST_CASE("contact: on a floor with edge flags every contact has the normal of the floor") {
     for_each_profile([](Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.flat_angle = 5.0;
-        const OpenedBlob floor(make_plane_grid(6), options);
+        const OpenedBlob floor(make_plane_grid(6), {.profile = profile, .flat_angle = 5.0});
         const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
         std::uint64_t at_edges = 0;
         for (int step = 1; step < 100; ++step) {
@@ -284,9 +265,7 @@ TEST_CASE("contact: on a floor with edge flags every contact has the normal of t
 }
 
 TEST_CASE("contact: a box that overlaps inner edges of a floor leaves it along the contact") {
-    BakeOptions options;
-    options.flat_angle = 5.0;
-    const OpenedBlob floor(make_plane_grid(6), options);
+    const OpenedBlob floor(make_plane_grid(6), {.flat_angle = 5.0});
     const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
     Random random(4);
     std::uint64_t at_edges = 0;
@@ -321,7 +300,7 @@ TEST_CASE("contact: a box that overlaps inner edges of a floor leaves it along t
 
 TEST_CASE("contact: a reduction keeps a contact where no lever is a number") {
     std::vector<Contact> contacts(3);
-    contacts[1].point.x = std::numeric_limits<float>::quiet_NaN();
+    contacts[1].point.x = not_a_number;
     contacts[2].distance = -1.0f;
     const std::size_t kept = reduce_contacts(contacts);
     CHECK(kept > 0);
@@ -386,9 +365,7 @@ TEST_CASE("contact: a body in a corner keeps a contact with each wall") {
                                               return walls == 0;
                                           }),
                            corner.triangles.end());
-    BakeOptions options;
-    options.flat_angle = 5.0;
-    const OpenedBlob walls(corner, options);
+    const OpenedBlob walls(corner, {.flat_angle = 5.0});
     std::vector<Contact> contacts(50);
     const Filled found = find_contacts(walls.blob, Sphere{{0.4f, 0.45f, 0.48f}, 0.5f}, 0.0f, contacts);
     REQUIRE(found.status == QueryStatus::ok);
@@ -409,23 +386,23 @@ TEST_CASE("contact: a body in a corner keeps a contact with each wall") {
 TEST_CASE("contact: refusals are those of overlaps and of the margin") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
     std::vector<Contact> contacts(4);
-    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    const float infinity = std::numeric_limits<float>::infinity();
     const Sphere sphere = {{0.0f, 0.0f, 1.2f}, 0.5f};
     CHECK(find_contacts(Blob(), sphere, 0.0f, contacts).status == QueryStatus::not_open);
     CHECK(find_contacts(Blob(), OrientedBox{}, 0.0f, contacts).status == QueryStatus::not_open);
     CHECK(find_contacts(Blob(), ConvexHull{}, 0.0f, contacts).status == QueryStatus::not_open);
-    for (const float margin : {nan, infinity, -1.0f}) {
+    for (const float margin : {not_a_number, infinity, -1.0f}) {
         CHECK(find_contacts(cube.blob, sphere, margin, contacts).status == QueryStatus::invalid_argument);
         CHECK(find_contacts(cube.blob, Capsule{}, margin, contacts).status == QueryStatus::invalid_argument);
         CHECK(find_contacts(cube.blob, OrientedBox{}, margin, contacts).status == QueryStatus::invalid_argument);
         CHECK(find_contacts(cube.blob, ConvexHull{}, margin, contacts).status == QueryStatus::invalid_argument);
     }
-    for (const float radius : {nan, infinity, -1.0f}) {
+    for (const float radius : {not_a_number, infinity, -1.0f}) {
         CHECK(find_contacts(cube.blob, Sphere{{}, radius}, 0.0f, contacts).status == QueryStatus::invalid_argument);
         CHECK(find_contacts(cube.blob, Capsule{{}, {}, radius}, 0.0f, contacts).status ==
               QueryStatus::invalid_argument);
     }
-    CHECK(find_contacts(cube.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, 0.0f, contacts).status ==
+    CHECK(find_contacts(cube.blob, Sphere{{not_a_number, 0.0f, 0.0f}, 1.0f}, 0.0f, contacts).status ==
           QueryStatus::invalid_argument);
     CHECK(find_contacts(cube.blob, Capsule{{}, {1e30f, 0.0f, 0.0f}, 1.0f}, 0.0f, contacts).status ==
           QueryStatus::out_of_range);
@@ -435,7 +412,7 @@ TEST_CASE("contact: refusals are those of overlaps and of the margin") {
     std::vector<Vec3> vertices(max_hull_vertices, Vec3{0.0f, 0.0f, 1.0f});
     const auto status_of_hull = [&] { return find_contacts(cube.blob, ConvexHull{vertices}, 0.0f, contacts).status; };
     CHECK(status_of_hull() == QueryStatus::ok);
-    vertices[5].y = nan;
+    vertices[5].y = not_a_number;
     CHECK(status_of_hull() == QueryStatus::invalid_argument);
     vertices[5].y = 1e20f;
     CHECK(status_of_hull() == QueryStatus::out_of_range);

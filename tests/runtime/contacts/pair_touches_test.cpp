@@ -1,22 +1,7 @@
 // Claims about where two placed blobs touch: the pairs of the list of contacts, each with the places and the depth of
 // the reference in double.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
-#include <espalier/pair.hpp>
-#include <espalier/walk.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 
 #include "touched.hpp"

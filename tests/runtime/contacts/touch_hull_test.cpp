@@ -1,18 +1,8 @@
 // Claims about contacts of convex hulls: their faces by exact planes, distance, depth and direction by the reference.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <set>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/contacts/hull_body.hpp>
 
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 

@@ -1,19 +1,10 @@
 // Claims about where two triangles touch: their common points by exact crossings and by clipping, the way out by the
 // reference in double.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/contacts/touch_pair.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 
-#include "oracle/exact_geometry.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 

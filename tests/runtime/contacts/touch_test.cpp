@@ -1,16 +1,9 @@
 // Claims about the kernels of contacts: distance, depth and direction against a reference in double that tries every
 // plane through three differences of vertices.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/contacts/touch.hpp>
 
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 

@@ -2,17 +2,11 @@
 // three differences of vertices.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/contacts/touch.hpp>
 
 #include "oracle/minkowski.hpp"
-#include "support/base/random.hpp"
 #include "support/exact/grid_triangles.hpp"
 
 namespace espalier::tests {

@@ -1,24 +1,16 @@
 // After a refit, every query answers as the loop over the moved triangles does.
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include "runtime/pairs/placement_check.hpp"
 #include "support/answers/differences.hpp"
 #include "support/answers/loop_answers.hpp"
 #include "support/answers/path_answers.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/soundness.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 #include "support/queries/placement_maker.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 
@@ -76,11 +68,9 @@ TEST_CASE("deformation: rays and segments equal the loop over the moved triangle
         QueryMaker maker(decoded, seed);
         for (std::uint64_t i = 0; i < scaled(24); ++i) {
             const Ray ray = maker.any_ray();
-            const auto difference = ray_difference(moving.deformable.blob(), loop, ray, hits);
-            REQUIRE_MESSAGE(!difference, *difference);
+            require_none(ray_difference(moving.deformable.blob(), loop, ray, hits));
             const Segment segment = {ray.origin, maker.any_ray().origin};
-            const auto other = segment_difference(moving.deformable.blob(), loop, segment);
-            REQUIRE_MESSAGE(!other, *other);
+            require_none(segment_difference(moving.deformable.blob(), loop, segment));
         }
     });
     if (asks_enough()) CHECK(hits > 2000);
@@ -93,9 +83,8 @@ TEST_CASE("deformation: spheres and closest points equal the loop over the moved
         const TriangleLoop loop(decoded);
         QueryMaker maker(decoded, seed);
         for (std::uint64_t i = 0; i < scaled(12); ++i) {
-            const auto difference = sphere_difference(moving.deformable.blob(), loop,
-                                                      i % 2 == 0 ? maker.sphere() : maker.random_sphere(), hits);
-            REQUIRE_MESSAGE(!difference, *difference);
+            require_none(sphere_difference(moving.deformable.blob(), loop,
+                                           i % 2 == 0 ? maker.sphere() : maker.random_sphere(), hits));
         }
     });
     if (asks_enough()) CHECK(hits > 2000);
@@ -108,8 +97,7 @@ TEST_CASE("deformation: volumes and distances and sweeps equal the loop over the
         ShapeMaker shapes(decoded, seed);
         SweepMaker sweeps(decoded, seed + 1);
         for (std::uint64_t i = 0; i < scaled(6); ++i) {
-            const auto difference = loop_difference(moving.deformable.blob(), loop, shapes, sweeps);
-            REQUIRE_MESSAGE(!difference, *difference);
+            require_none(loop_difference(moving.deformable.blob(), loop, shapes, sweeps));
         }
     });
 }
@@ -118,8 +106,7 @@ TEST_CASE("deformation: every instruction set gives the same answers in a pose")
     for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>&, std::uint64_t seed) {
         Random random(seed);
         for (std::uint64_t i = 0; i < scaled(4); ++i) {
-            const auto difference = path_difference(moving.deformable.blob(), random, true);
-            REQUIRE_MESSAGE(!difference, *difference);
+            require_none(path_difference(moving.deformable.blob(), random, true));
         }
     });
 }

@@ -1,19 +1,8 @@
 // What a refit writes: the same bytes for the same positions, the baked ones for those of the bake.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <vector>
-
-#include <espalier/deformation.hpp>
-#include <espalier/ray.hpp>
-
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/machine/exact_buffer.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::refit_test {

@@ -1,17 +1,7 @@
 // What create_deformable(), refit() and seal() refuse. A refused call changes nothing.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/deformation.hpp>
-
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::refusals_test {
@@ -37,8 +27,7 @@ TEST_CASE("deformation: a position that is not finite is refused by its number a
     for (const unsigned bits : {16u, 24u}) {
         DeformedMesh moving(mesh, bits);
         moving.move_to(posed(mesh, Motion::wave));
-        for (const float bad :
-             {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::quiet_NaN(), infinity, -infinity})
+        for (const float bad : {not_a_number, -not_a_number, infinity, -infinity})
             for (std::uint32_t position = 0; position < count; ++position)
                 for (unsigned axis = 0; axis < 3; ++axis) {
                     std::vector<Vec3> positions = mesh.positions;

@@ -1,30 +1,18 @@
 // Instances of deformable meshes in scenes: after a refit, one call renews their boxes.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
-#include <espalier/scenes/pairs.hpp>
+#include "support/testing.hpp"
 
 #include "runtime/moving_scenes/made_scene.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
 #include "support/loops/scene_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::scenes_test {
 namespace {
 
 Transform any_place(Random& random) {
-    Transform place;
-    place.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
-    place.translation = random.in_cube(8.0f);
-    place.scale = 0.5f + random.unit();
-    return place;
+    return {{random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()},
+            random.in_cube(8.0f),
+            0.5f + random.unit()};
 }
 
 /// A moving scene of instances of two deformable meshes.
@@ -118,8 +106,7 @@ TEST_CASE("deformation: a pose that is small in a large range is found in a movi
             moving.move_to(pose);
             const std::vector<Blob> meshes = {moving.deformable.blob()};
             MadeScene made(4, -20, meshes);  // so fine that boxes are hardly larger
-            Instance instance;
-            instance.transform = any_place(random);
+            Instance instance = {.transform = any_place(random)};
             REQUIRE(insert(made.scene, instance));
             refit(made.scene);
             std::size_t found = 0;

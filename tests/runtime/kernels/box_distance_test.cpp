@@ -1,19 +1,10 @@
 // Claims about the distance of boxes and triangles: exact decisions and distances within 6 ulp, against the oracle,
 // which cuts the box into tetrahedra.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/triangle_distance.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/exact/as_rationals.hpp"
+#include "support/exact/grid_triangles.hpp"
 
 namespace espalier::tests::box_distance_test {
 namespace {
@@ -21,7 +12,6 @@ namespace {
 using detail::RoundedSegment;
 using detail::SegmentDistance;
 using oracle::Point;
-using oracle::Rational;
 
 struct Case {
     GridTriangle triangle;
@@ -32,27 +22,7 @@ struct Case {
 Case some_case(Random& random) {
     Case result;
     const unsigned bits = 1 + random.below(random.coin() ? 4 : 24);
-    const std::int32_t limit = (1 << bits) - 1;
-    const auto some_point = [&] {
-        const std::int32_t x = random.between(0, limit);
-        const std::int32_t y = random.between(0, limit);
-        const std::int32_t z = random.below(3) == 0 ? 0 : random.between(0, limit);
-        return GridPoint{x, y, z};
-    };
-    GridTriangle& triangle = result.triangle;
-    triangle = {some_point(), some_point(), some_point()};
-    switch (random.below(6)) {
-        case 0:
-            for (unsigned k = 0; k < 3; ++k)
-                triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
-            break;
-        case 1:
-            triangle.c = random.coin() ? triangle.a : triangle.b;
-            if (random.below(3) == 0) triangle.b = triangle.a;
-            break;
-        default:
-            break;
-    }
+    const GridTriangle& triangle = result.triangle = any_triangle(random, bits);
     const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
     float low[3], high[3];
     const float reach =
@@ -60,14 +30,10 @@ Case some_case(Random& random) {
     for (unsigned k = 0; k < 3; ++k) {
         const auto some_coordinate = [&] {
             const auto at = static_cast<float>(corners[random.below(3)][k]);
-            switch (random.below(4)) {
-                case 0:
-                    return at;
-                case 1:
-                    return 0.5f * (at + static_cast<float>(corners[random.below(3)][k]));
-                default:
-                    return at + reach * random.signed_unit();
-            }
+            const auto kind = random.below(4);
+            if (kind == 0) return at;
+            if (kind == 1) return 0.5f * (at + static_cast<float>(corners[random.below(3)][k]));
+            return at + reach * random.signed_unit();
         };
         low[k] = some_coordinate();
         high[k] = random.below(6) == 0 ? low[k] : some_coordinate();
@@ -122,22 +88,17 @@ TEST_CASE("kernel: the squared distance of box and triangle is within 6 ulp and 
         REQUIRE(distance.u >= 0.0f);
         REQUIRE(distance.v >= 0.0f);
         const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
-        const Point at = triangle.a + (triangle.b - triangle.a) * Rational::of(distance.u) +
-                         (triangle.c - triangle.a) * Rational::of(distance.v);
-        Rational size = 0;
-        Rational squared = 0;
+        const Point at = weighted(triangle, distance.u, distance.v);
+        Rational size = size_of(triangle), squared = 0;
         for (int k = 0; k < 3; ++k) {
             const Rational low = Rational::of(c.box.from[k], -c.box.fraction_bits);
             const Rational high = Rational::of(c.box.to[k], -c.box.fraction_bits);
-            size += oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]) +
-                    high - low;
+            size += high - low;
             const Rational gap = at[k] < low ? low - at[k] : at[k] > high ? at[k] - high : Rational(0);
             squared += gap * gap;
         }
         const Rational allowed = expected * (Rational(1) + Rational::of(6, -23));
-        const Rational slack = size * Rational::of(1, -21);
-        const Rational above = squared - allowed - slack * slack;
-        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * slack * slack * allowed));
+        REQUIRE(is_root_within(squared, allowed, size * Rational::of(1, -21)));
     }
     CHECK(touching > count / 10);
     CHECK(touching < count * 9 / 10);
@@ -154,19 +115,11 @@ TEST_CASE("kernel: a box within a radius of a triangle is decided exactly") {
         const auto triangle = tests::lattice_triangle(c.triangle);
         const SegmentDistance distance = detail::distance_to_box(c.box, triangle);
         const Rational squared = exact_square(c);
-        float radius = std::sqrt(distance.squared);
-        for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
-        for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
-            if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
-            const Rational square = Rational::of(radius) * Rational::of(radius);
-            CAPTURE(i);
-            CAPTURE(radius);
+        CAPTURE(i);
+        exactly += check_radii(distance.squared, squared, [&](float radius) {
             ++decided;
-            REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, radius) == (squared <= square));
-            if (squared == square) ++exactly;
-        }
-        REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, 1e30f));
-        REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, std::numeric_limits<float>::infinity()));
+            return detail::is_within_radius_of_box(c.box, triangle, distance, radius);
+        });
     }
     CHECK(exactly > count / 100);
     MESSAGE(decisions_made("box and triangle within a radius", decided));

@@ -1,15 +1,6 @@
 // The kernel of moving boxes: the tick of the first contact, exactly, and the contact itself, against the oracle,
 // which solves linear programs in rational numbers.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/point_triangle.hpp>
@@ -17,23 +8,13 @@
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::moving_box_test {
 namespace {
 
 using namespace espalier::tests::moving;
-using detail::Integer3;
 using detail::MovingBox;
-using detail::no_contact;
-using detail::SweepContact;
-using detail::SweepStep;
-using detail::whole_way;
 using oracle::BigInteger;
-using oracle::Point;
-using oracle::Rational;
 
 Case<MovingBox> some_box(Random& random) {
     for (;;) {
@@ -109,22 +90,13 @@ TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
         const std::optional<Rational> time = exact_first_contact(c);
         CAPTURE(i);
         ++decided;
-        REQUIRE(time.has_value() == (step != no_contact));
         require_right_limits(c, step, random);
         ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-        if (!time) continue;
-        REQUIRE((time->sign() == 0) == (step == 0));
-        if (step == 0) continue;
-        REQUIRE(*time <= ticks(step));
-        REQUIRE(*time > ticks(step - 1));
+        if (!require_tick(time, step)) continue;
 
         // The normal separates, and looks against the way.
         const SweepContact contact = contact_at(c.moving, c.triangle, step);
-        const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
-                           Rational::of(contact.normal.z));
-        const Point way = exact(c.moving.displacement);
-        REQUIRE(normal.dot(way).sign() < 0);
-        REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+        const Point way = exact(c.moving.displacement), normal = require_normal(contact, way);
         const Point moved = way * ticks(step - 1);
         Rational of_box = normal.dot(moved);
         Rational size = 0;

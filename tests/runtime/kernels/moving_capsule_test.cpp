@@ -1,31 +1,18 @@
 // The kernel of moving capsules: the tick of the first contact, exactly, and the contact itself, against the oracle,
 // which measures distances between hulls in rational numbers.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdint>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/moving_shapes.hpp>
 
 #include "moving_scene.hpp"
+#include "support/exact/grid_triangles.hpp"
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::moving_capsule_test {
 namespace {
 
 using namespace espalier::tests::moving;
-using detail::Integer3;
-using detail::MovingCapsule;
-using detail::no_contact;
-using detail::SweepContact;
-using detail::SweepStep;
-using detail::whole_way;
-using oracle::Point;
-using oracle::Rational;
 
 Case<MovingCapsule> some_capsule(Random& random) {
     for (;;) {
@@ -33,19 +20,12 @@ Case<MovingCapsule> some_capsule(Random& random) {
         const std::int64_t radius = scene.some_radius();
         const Integer3 way = scene.some_way();
         Integer3 axis = scene.some_point(scene.bits);
-        switch (random.below(5)) {
-            case 0:
-                axis = {0, 0, 0};
-                break;
-            case 1:
-                axis = minus(scene.triangle.corner[1], scene.triangle.corner[0]);
-                break;
-            case 2:
-                axis.*axes[random.below(3)] = 0;
-                axis.*axes[random.below(3)] = 0;
-                break;
-            default:
-                break;
+        const auto kind = random.below(5);
+        if (kind == 0) axis = {0, 0, 0};
+        else if (kind == 1) axis = minus(scene.triangle.corner[1], scene.triangle.corner[0]);
+        else if (kind == 2) {
+            axis.*axes[random.below(3)] = 0;
+            axis.*axes[random.below(3)] = 0;
         }
         Integer3 start = scene.some_start(scene.some_target(), way, radius);
         if (random.coin()) start = minus(start, axis);
@@ -86,11 +66,8 @@ TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
         if (is_zero(c.moving.axis)) REQUIRE(moving::is_smallest_part(axis, c.triangle, contact.feature));
         // The other end of the shortest connection: along the normal.
         const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
-        // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.
-        const Rational way = length_bound(c.moving.sphere.displacement) * ticks(1);
-        const Rational more = slack + way;
-        const Rational above = from_point - distance - more * more;
-        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * more * more * distance));
+        const Rational way_of_tick = length_bound(c.moving.sphere.displacement) * ticks(1);
+        REQUIRE(is_root_within(from_point, distance, slack + way_of_tick));
     }
     for (const std::uint64_t number : seen) CHECK(number > count / 20);
     MESSAGE(decisions_made("capsule that moves", decided));

@@ -1,15 +1,8 @@
 // The kernel of convex hulls that move: the tick of the first contact, exactly, and the contact itself, against the
 // oracle, which tries all triangles of differences.
-#include <doctest/doctest.h>
-#include <Eigen/Geometry>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
+#include <Eigen/Geometry>
 
 #include <runtime/kernels/moving_hull.hpp>
 #include <runtime/kernels/point_triangle.hpp>
@@ -18,23 +11,13 @@
 #include "oracle/convex_hull.hpp"
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::moving_hull_test {
 namespace {
 
 using namespace espalier::tests::moving;
-using detail::Integer3;
 using detail::MovingHull;
-using detail::no_contact;
-using detail::SweepContact;
-using detail::SweepStep;
-using detail::whole_way;
 using oracle::BigInteger;
-using oracle::Point;
-using oracle::Rational;
 
 Integer3 point_of(const MovingHull& hull, unsigned i) { return {hull.point[i][0], hull.point[i][1], hull.point[i][2]}; }
 void add(MovingHull& hull, const Integer3& point) {
@@ -184,22 +167,13 @@ TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
         CAPTURE(i);
         CAPTURE(describe(c));
         ++decided;
-        REQUIRE(time.has_value() == (step != no_contact));
         require_right_limits(c, step, random);
         ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-        if (!time) continue;
-        REQUIRE((time->sign() == 0) == (step == 0));
-        if (step == 0) continue;
-        REQUIRE(*time <= ticks(step));
-        REQUIRE(*time > ticks(step - 1));
+        if (!require_tick(time, step)) continue;
 
         // The normal separates, and looks against the way.
         const SweepContact contact = contact_at(c.moving, c.triangle, step);
-        const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
-                           Rational::of(contact.normal.z));
-        const Point way = exact(c.moving.displacement);
-        REQUIRE(normal.dot(way).sign() < 0);
-        REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+        const Point way = exact(c.moving.displacement), normal = require_normal(contact, way);
         const Point moved = way * *time;
         std::optional<Rational> of_hull, of_triangle;
         Rational size = 0;
@@ -292,11 +266,7 @@ TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at t
         }
         const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
         const std::optional<Rational> time = exact_first_contact(c);
-        REQUIRE(time.has_value() == (step != no_contact));
-        if (!time || step == 0) continue;
-        REQUIRE(*time <= ticks(step));
-        REQUIRE(*time > ticks(step - 1));
-        ++hits;
+        hits += require_tick(time, step) ? 1u : 0u;
     }
     if (asks_enough()) CHECK(hits > 0);
 }

@@ -1,19 +1,12 @@
 // Triangles and shapes that move towards them, for tests of the kernels of sweeps.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/moving_shapes.hpp>
 
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/random.hpp"
 
 namespace espalier::tests::moving {
 
@@ -52,24 +45,16 @@ struct Scene {
 
     explicit Scene(Random& generator) : random(generator), bits(1 + generator.below(24)) {
         for (Integer3& corner : triangle.corner) corner = some_point(bits);
-        switch (random.below(8)) {
-            case 0:
-                for (Integer3& corner : triangle.corner) corner.z = triangle.corner[0].z;
-                break;
-            case 1:
-                triangle.corner[2] = middle(triangle.corner[0], triangle.corner[1]);
-                break;
-            case 2:
-                triangle.corner[1] = triangle.corner[0];
-                break;
-            case 3:  // one right angle along the axes
-                triangle.corner[1] = {triangle.corner[0].x + 1 + random.below(1u << bits), triangle.corner[0].y,
-                                      triangle.corner[0].z};
-                triangle.corner[2] = {triangle.corner[0].x, triangle.corner[0].y + 1 + random.below(1u << bits),
-                                      triangle.corner[0].z};
-                break;
-            default:
-                break;
+        const auto kind = random.below(8);
+        if (kind == 0)
+            for (Integer3& corner : triangle.corner) corner.z = triangle.corner[0].z;
+        else if (kind == 1) triangle.corner[2] = middle(triangle.corner[0], triangle.corner[1]);
+        else if (kind == 2) triangle.corner[1] = triangle.corner[0];
+        else if (kind == 3) {  // one right angle along the axes
+            triangle.corner[1] = {triangle.corner[0].x + 1 + random.below(1u << bits), triangle.corner[0].y,
+                                  triangle.corner[0].z};
+            triangle.corner[2] = {triangle.corner[0].x, triangle.corner[0].y + 1 + random.below(1u << bits),
+                                  triangle.corner[0].z};
         }
     }
 
@@ -85,16 +70,11 @@ struct Scene {
     /// A corner, the middle of a side, a point of the face, or somewhere near.
     Integer3 some_target() {
         const auto& c = triangle.corner;
-        switch (random.below(4)) {
-            case 0:
-                return c[random.below(3)];
-            case 1:
-                return middle(c[random.below(3)], c[random.below(3)]);
-            case 2:
-                return middle(middle(c[0], c[1]), c[2]);
-            default:
-                return some_point(bits);
-        }
+        const auto kind = random.below(4);
+        if (kind == 0) return c[random.below(3)];
+        if (kind == 1) return middle(c[random.below(3)], c[random.below(3)]);
+        if (kind == 2) return middle(middle(c[0], c[1]), c[2]);
+        return some_point(bits);
     }
     /// Along an axis, along a side, in any direction, far or short, or nowhere.
     Integer3 some_way() {
@@ -122,37 +102,26 @@ struct Scene {
         }
     }
     std::int64_t some_radius() {
-        switch (random.below(6)) {
-            case 0:
-                return 0;
-            case 1:
-                return 1;
-            case 2:
-                return 5 * std::int64_t{1 + random.below(1u << bits)};
-            case 3:
-                return std::int64_t{random.below(1u << bits)} << random.below(34 - bits);
-            default:
-                return std::int64_t{random.below(1u << bits)};
-        }
+        const auto kind = random.below(6);
+        if (kind == 0) return 0;
+        if (kind == 1) return 1;
+        if (kind == 2) return 5 * std::int64_t{1 + random.below(1u << bits)};
+        if (kind == 3) return std::int64_t{random.below(1u << bits)} << random.below(34 - bits);
+        return std::int64_t{random.below(1u << bits)};
     }
     /// So far from the target that it may just be touched on the way: a multiple of (3, 4, 0) for the sphere of a
     /// multiple of 5, the radius along an axis, or anything.
     Integer3 some_offset(std::int64_t radius) {
         Integer3 off = {0, 0, 0};
         const unsigned k = random.below(3);
-        switch (random.below(4)) {
-            case 0:
-                off.*axes[k] = random.coin() ? radius / 5 * 3 : -radius / 5 * 3;
-                off.*axes[(k + 1) % 3] = random.coin() ? radius / 5 * 4 : -radius / 5 * 4;
-                break;
-            case 1:
-                off.*axes[k] = random.coin() ? radius : -radius;
-                break;
-            case 2:
-                off = some_point(bits);
-                break;
-            default:
-                break;
+        const auto kind = random.below(4);
+        if (kind == 0) {
+            off.*axes[k] = random.coin() ? radius / 5 * 3 : -radius / 5 * 3;
+            off.*axes[(k + 1) % 3] = random.coin() ? radius / 5 * 4 : -radius / 5 * 4;
+        } else if (kind == 1) {
+            off.*axes[k] = random.coin() ? radius : -radius;
+        } else if (kind == 2) {
+            off = some_point(bits);
         }
         return off;
     }
@@ -229,6 +198,25 @@ void require_right_limits(const Case<Moving>& c, SweepStep step, Random& random)
     const SweepStep near = step == no_contact ? whole_way : step;
     for (const SweepStep most : {near, near == 0 ? 0 : near - 1, random.below(whole_way + 1)})
         REQUIRE(first_contact(c.moving, c.triangle, most) == (step <= most ? step : no_contact));
+}
+
+/// Requires the tick in which an exact time lies. Returns whether that is after the start.
+inline bool require_tick(const std::optional<Rational>& time, SweepStep step) {
+    REQUIRE(time.has_value() == (step != no_contact));
+    if (!time) return false;
+    REQUIRE((time->sign() == 0) == (step == 0));
+    if (step == 0) return false;
+    REQUIRE(*time <= ticks(step));
+    REQUIRE(*time > ticks(step - 1));
+    return true;
+}
+
+/// Returns the normal of a contact, which must be of unit length and look against the way.
+inline Point require_normal(const SweepContact& contact, const Point& way) {
+    const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y), Rational::of(contact.normal.z));
+    REQUIRE(normal.dot(way).sign() < 0);
+    REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+    return normal;
 }
 
 /// The corners of a part of the triangle.

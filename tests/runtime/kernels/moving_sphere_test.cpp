@@ -1,10 +1,6 @@
 // The kernel of moving spheres: the tick of the first contact, exactly, and the contact itself, against the oracle,
 // which measures distances between hulls in rational numbers.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
@@ -12,22 +8,11 @@
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::moving_sphere_test {
 namespace {
 
 using namespace espalier::tests::moving;
-using detail::Integer3;
-using detail::MovingSphere;
-using detail::no_contact;
-using detail::SweepContact;
-using detail::SweepStep;
-using detail::whole_way;
-using oracle::Point;
-using oracle::Rational;
 
 Case<MovingSphere> some_sphere(Random& random) {
     for (;;) {
@@ -59,8 +44,7 @@ TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
 
 TEST_CASE("kernel: a moving sphere touches exactly where its segment comes within its radius") {
     Random random(2);
-    std::uint64_t touched = 0;
-    std::uint64_t tried = 0;
+    std::uint64_t touched = 0, tried = 0;
     const std::uint64_t count = scaled(40'000);
     for (std::uint64_t i = 0; i < count; ++i) {
         const Case<MovingSphere> c = some_sphere(random);

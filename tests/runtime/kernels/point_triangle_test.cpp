@@ -1,18 +1,8 @@
 // Claims about the distance kernel: exact squared distances and exact decisions, against the oracle's projections.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <optional>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/point_triangle.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 
@@ -22,7 +12,6 @@ namespace {
 using detail::PointDistance;
 using detail::RoundedPoint;
 using oracle::BigInteger;
-using oracle::Rational;
 
 Rational exact(detail::Int128 value) {
     const BigInteger low = BigInteger(static_cast<std::int64_t>(value.low >> 32)).shifted_left(32) +
@@ -58,17 +47,9 @@ struct Case {
 /// At all sizes; nothing if a triangle without area was drawn.
 std::optional<GridTriangle> triangle_with_area(Random& random, unsigned bits) {
     const std::int32_t limit = (1 << bits) - 1;
-    const auto some_point = [&] {
-        const std::int32_t x = random.between(0, limit);
-        const std::int32_t y = random.between(0, limit);
-        const std::int32_t z = random.below(3) == 0 ? 0 : random.between(0, limit);
-        return GridPoint{x, y, z};
-    };
-    GridTriangle triangle = {some_point(), some_point(), some_point()};
-    if (random.below(3) == 0) {
-        for (unsigned k = 0; k < 3; ++k)
-            triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
-    }
+    const GridPoint a = some_low_point(random, limit), b = some_low_point(random, limit);
+    GridTriangle triangle = {a, b, some_low_point(random, limit)};
+    if (random.below(3) == 0) make_sliver(random, limit, triangle);
     if (oracle::normal_of(tests::exact_triangle(triangle)) == oracle::Point(0, 0, 0)) return std::nullopt;
     return triangle;
 }
@@ -101,9 +82,7 @@ bool some_case(Random& random, Case& result) {
 TEST_CASE("kernel: the squared distance of point and triangle is exact as a quotient and within 6 ulp") {
     Random random(1);
     Rational worst = 0;
-    std::uint64_t zero = 0;
-    std::uint64_t face = 0;
-    std::uint64_t checked = 0;
+    std::uint64_t zero = 0, face = 0, checked = 0;
     std::array<std::uint64_t, 7> features{};
     const std::uint64_t count = scaled(20'000);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -117,9 +96,7 @@ TEST_CASE("kernel: the squared distance of point and triangle is exact as a quot
         REQUIRE(distance.feature == exact_feature(triangle, closest.point));
         ++features.at(static_cast<std::size_t>(distance.feature));
         // The weights lead to the closest point, to the precision of the triangle's size.
-        const Rational u = Rational::of(distance.u);
-        const Rational v = Rational::of(distance.v);
-        const oracle::Point at = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
+        const oracle::Point at = weighted(triangle, distance.u, distance.v);
         for (int k = 0; k < 3; ++k) {
             const Rational size =
                 oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]);
@@ -157,35 +134,15 @@ TEST_CASE("kernel: the distance of a point from a triangle without area is that 
         // The feature that is named has the closest point.
         const std::vector<oracle::Point> features[] = {{t.a, t.b, t.c}, {t.a, t.b}, {t.b, t.c}, {t.c, t.a},
                                                        {t.a},           {t.b},      {t.c}};
-        const auto named = [&]() -> std::size_t {
-            switch (distance.feature) {
-                case Feature::edge_ab:
-                    return 1;
-                case Feature::edge_bc:
-                    return 2;
-                case Feature::edge_ca:
-                    return 3;
-                case Feature::vertex_a:
-                    return 4;
-                case Feature::vertex_b:
-                    return 5;
-                case Feature::vertex_c:
-                    return 6;
-                default:
-                    return 0;
-            }
-        }();
+        static_assert(Feature::edge_ab == Feature{1} && Feature::vertex_c == Feature{6});
+        const auto named = static_cast<std::size_t>(distance.feature);
         REQUIRE(named != 0);
         REQUIRE(from(features[named]) == expected);
-        // The weights lead there: sqrt(reached) <= sqrt(expected) + off, squared twice.
+        // The weights lead there.
         REQUIRE(distance.u >= 0.0f);
         REQUIRE(distance.v >= 0.0f);
-        const oracle::Point at = t.a + (t.b - t.a) * Rational::of(distance.u) + (t.c - t.a) * Rational::of(distance.v);
-        Rational size = 0;
-        for (int k = 0; k < 3; ++k) size += oracle::absolute(t.b[k] - t.a[k]) + oracle::absolute(t.c[k] - t.a[k]);
-        const Rational off = size * Rational::of(1, -22);
-        const Rational above = from({at}) - expected - off * off;
-        REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * off * off * expected));
+        const Rational reached = from({weighted(t, distance.u, distance.v)});
+        REQUIRE(is_root_within(reached, expected, size_of(t) * Rational::of(1, -22)));
         if (expected.sign() == 0) ++zero;
         ++checked;
     }
@@ -207,19 +164,10 @@ TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
         if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) continue;
         const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
         const Rational squared = exact_square(distance, c.point.fraction_bits);
-        float radius = std::sqrt(distance.squared);
-        for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
-        for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
-            if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
-            const Rational exact_radius = Rational::of(radius);
-            const bool expected = squared <= exact_radius * exact_radius;
-            CAPTURE(radius);
+        touching += check_radii(distance.squared, squared, [&](float radius) {
             ++decided;
-            REQUIRE(detail::is_within_radius(c.point, distance, radius) == expected);
-            if (squared == exact_radius * exact_radius) ++touching;
-        }
-        REQUIRE(detail::is_within_radius(c.point, distance, 1e30f));
-        REQUIRE(detail::is_within_radius(c.point, distance, std::numeric_limits<float>::infinity()));
+            return detail::is_within_radius(c.point, distance, radius);
+        });
     }
     CHECK(touching > count / 100);
     MESSAGE(decisions_made("point and triangle within a radius", decided));

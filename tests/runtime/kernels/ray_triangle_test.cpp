@@ -1,17 +1,10 @@
 // Claims about the ray kernel: on the rounded ray its yes and no are those of exact rational arithmetic, its numbers
 // close.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/kernels/small_ray_triangle.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 
@@ -19,7 +12,6 @@ namespace espalier::tests::ray_triangle_test {
 namespace {
 
 using detail::LatticeRay;
-using oracle::Rational;
 
 /// Also by the kernel of small cores: all that the caller sees of a hit must have the same bits.
 bool both_intersect(const LatticeRay& ray, const detail::LatticeTriangle& triangle, detail::TriangleHit& hit) {
@@ -65,8 +57,7 @@ Vec3 some_target(Random& random, const GridTriangle& triangle) {
 /// In lattice steps. Differences of small multiples of 1/64 are exact, so that many rays go exactly where they aim.
 Ray some_ray(Random& random, unsigned bits, const GridTriangle& triangle) {
     const Vec3 target = some_target(random, triangle);
-    Ray ray;
-    ray.origin = to_vec3(some_grid_point(random, bits));
+    Ray ray = {.origin = to_vec3(some_grid_point(random, bits)), .direction = {}};
     if (random.below(4) == 0) {
         const float size = std::ldexp(1.0f, static_cast<int>(bits + random.below(12)));
         ray.origin = random.in_cube(size);
@@ -95,12 +86,8 @@ bool faces_match(FaceCulling culling, bool front) {
 TEST_CASE("kernel: a ray hits a triangle exactly where exact arithmetic does") {
     std::uint64_t decided = 0;
     Random random(1);
-    std::uint64_t hits = 0;
-    std::uint64_t touches = 0;
-    std::uint64_t wide = 0;
-    std::uint64_t widest = 0;
-    Rational worst_tau = 0;
-    Rational worst_weight = 0;
+    std::uint64_t hits = 0, touches = 0, wide = 0, widest = 0;
+    Rational worst_tau = 0, worst_weight = 0;
     const std::uint64_t count = scaled(30'000);
     for (std::uint64_t i = 0; i < count; ++i) {
         const unsigned bits = 1 + random.below(24);

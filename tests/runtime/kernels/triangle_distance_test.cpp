@@ -1,23 +1,15 @@
 // Claims about the distance of two triangles, against the oracle: ends against faces, and sides against sides.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/triangle_distance.hpp>
 
 #include "oracle/convex_hull.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::triangle_distance_test {
 namespace {
 
 using detail::LatticeTriangle;
-using oracle::Rational;
 
 oracle::Point corner_of(const LatticeTriangle& t, int corner) {
     const auto& c = t.corner[corner];

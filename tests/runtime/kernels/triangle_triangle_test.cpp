@@ -1,16 +1,12 @@
 // Claims about the kernel of two triangles, against the convex hull of their differences in exact arithmetic.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 #include <runtime/kernels/triangle_triangle.hpp>
 
 #include "oracle/big_integer.hpp"
 #include "oracle/convex_hull.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::triangle_triangle_test {
 namespace {
@@ -107,8 +103,7 @@ TEST_CASE("kernel: every pair of triangles in the smallest grids equals the hull
         const std::uint32_t points = grid.x * grid.y * grid.z;
         const std::uint32_t count = points * points * points;
         const std::uint64_t stride = std::max<std::uint64_t>(grid.stride / scaled(1), 1);
-        std::uint64_t meeting = 0;
-        std::uint64_t checked = 0;
+        std::uint64_t meeting = 0, checked = 0;
         for (std::uint64_t i = 0; i < std::uint64_t{count} * count; i += stride) {
             const auto first = static_cast<std::uint32_t>(i / count);
             const auto second = static_cast<std::uint32_t>(i % count);

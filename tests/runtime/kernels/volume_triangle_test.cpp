@@ -1,17 +1,9 @@
 // Claims about the kernels of volumes, against exact arithmetic that knows nothing of separating axes.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <set>
-#include <string>
+#include "support/testing.hpp"
 
 #include <runtime/overlap/rounded_shapes.hpp>
 
-#include "oracle/big_integer.hpp"
 #include "oracle/convex_hull.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::volume_triangle_test {
@@ -20,7 +12,6 @@ namespace {
 using detail::Integer3;
 using detail::LatticeTriangle;
 using oracle::BigInteger;
-using oracle::Rational;
 
 /// Corners of a parallelepiped and of a triangle, in units of 2^-fraction_bits steps.
 template <class Number>
@@ -104,8 +95,7 @@ Vec3 difference(const std::int32_t* a, const std::int32_t* b) {
 Integer3 to_integer3(const std::int64_t* a) { return {a[0], a[1], a[2]}; }
 
 struct Counts {
-    std::uint64_t yes = 0;
-    std::uint64_t no = 0;
+    std::uint64_t yes = 0, no = 0;
     void add(bool answer) { ++(answer ? yes : no); }
     void check() const {
         CHECK(yes > (yes + no) / 10);
@@ -162,36 +152,28 @@ TEST_CASE("kernel: oriented boxes and triangles overlap as in exact arithmetic")
             const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(2));
             OrientedBox box = {maker.point(bits, fraction), {}};
             for (Vec3& half : box.half_axes) half = maker.point(bits, fraction);
-            switch (maker.random.below(8)) {
-                case 0:  // in the triangle's plane, or on it
-                    box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
-                    box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
-                    if (maker.random.coin()) box.half_axes[2] = {};
-                    box.center = to_vec3(triangle.corner[0]);
-                    box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
-                    box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
-                    box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
-                    break;
-                case 1:
-                    box.half_axes[2] = {};
-                    break;
-                case 2:
-                    box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
-                    break;
-                case 3:
-                    box.half_axes[1] = box.half_axes[2] = {};
-                    break;
-                case 4:
-                    box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
-                    break;
-                case 5:  // touching by a corner
-                    box.center = to_vec3(triangle.corner[1]);
-                    box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
-                    box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
-                    box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
-                    break;
-                default:
-                    break;
+            const auto kind = maker.random.below(8);
+            if (kind == 0) {  // in the triangle's plane, or on it
+                box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
+                box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
+                if (maker.random.coin()) box.half_axes[2] = {};
+                box.center = to_vec3(triangle.corner[0]);
+                box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
+                box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
+                box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
+            } else if (kind == 1) {
+                box.half_axes[2] = {};
+            } else if (kind == 2) {
+                box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
+            } else if (kind == 3) {
+                box.half_axes[1] = box.half_axes[2] = {};
+            } else if (kind == 4) {
+                box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
+            } else if (kind == 5) {  // touching by a corner
+                box.center = to_vec3(triangle.corner[1]);
+                box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
+                box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
+                box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
             }
             detail::Rounded<OrientedBox> rounded;
             const QueryStatus status = round_volume(asset, box, rounded);

@@ -1,23 +1,12 @@
 // Claims about the one rounding of a point and a radius.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <bit>
-#include <cmath>
-#include <limits>
-
-#include <runtime/lattice/round_point.hpp>
-
-#include "oracle/rational.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::round_point_test {
 namespace {
 
 using detail::RoundedPoint;
-using oracle::Rational;
 
 TEST_CASE("rounding: a point near the asset moves by at most half a 64th of a step and half an ulp") {
     Random random(1);
@@ -49,16 +38,15 @@ TEST_CASE("rounding: a point near the asset moves by at most half a 64th of a st
 
 TEST_CASE("rounding: invalid points and radii are refused") {
     const detail::BlobData data = tests::lattice_asset(16);
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     RoundedPoint point;
     const Vec3 good{1.0f, 2.0f, 3.0f};
     CHECK(detail::round_point(data, good, 0.0f, point) == QueryStatus::ok);
     CHECK(detail::round_point(data, good, -0.0f, point) == QueryStatus::ok);
     CHECK(detail::round_point(data, good, infinity, point) == QueryStatus::ok);
-    CHECK(detail::round_point(data, good, nan, point) == QueryStatus::invalid_argument);
+    CHECK(detail::round_point(data, good, not_a_number, point) == QueryStatus::invalid_argument);
     CHECK(detail::round_point(data, good, -1.0f, point) == QueryStatus::invalid_argument);
     CHECK(detail::round_point(data, good, -infinity, point) == QueryStatus::invalid_argument);
-    for (const float bad : {nan, infinity, -infinity}) {
+    for (const float bad : {not_a_number, infinity, -infinity}) {
         for (float Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
             Vec3 broken = good;
             broken.*axis = bad;

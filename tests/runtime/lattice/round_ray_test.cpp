@@ -1,23 +1,12 @@
 // Claims about the one rounding of a ray: how little it moves, and the invariants that the exact kernels build on.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <bit>
-#include <cmath>
-#include <limits>
-
-#include <runtime/lattice/round_ray.hpp>
-
-#include "oracle/rational.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::round_ray_test {
 namespace {
 
 using detail::LatticeRay;
-using oracle::Rational;
 
 /// An asset somewhere, of some size, as the header of a blob would describe it.
 detail::BlobData some_asset(Random& random) {
@@ -38,9 +27,8 @@ Ray some_ray(const detail::BlobData& data, Random& random, float sizes_away) {
     const float size = std::ldexp(1.0f, data.step_exponent + data.bits);
     const Vec3 from = random.in_cube(size * sizes_away);
     const Vec3 to = random.in_cube(size);
-    Ray ray;
-    ray.origin = {data.origin[0] + from.x, data.origin[1] + from.y, data.origin[2] + from.z};
-    ray.direction = {to.x - from.x, to.y - from.y, to.z - from.z};
+    Ray ray = {.origin = {data.origin[0] + from.x, data.origin[1] + from.y, data.origin[2] + from.z},
+               .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
     if (random.below(4) == 0) ray.direction.x = 0.0f;
     return ray;
 }
@@ -152,11 +140,10 @@ TEST_CASE("rounding: an origin from far away moves along its ray within float pr
 
 TEST_CASE("rounding: invalid rays and empty windows are refused") {
     const detail::BlobData data = tests::lattice_asset(16);
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const Ray good{{1.0f, 2.0f, -3.0f}, {0.0f, 0.0f, 1.0f}};
     LatticeRay ray;
     REQUIRE(detail::round_ray(data, good, ray));
-    for (const float bad : {nan, -nan, infinity, -infinity}) {
+    for (const float bad : {not_a_number, -not_a_number, infinity, -infinity}) {
         for (float Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
             Ray broken = good;
             broken.origin.*axis = bad;
@@ -172,8 +159,8 @@ TEST_CASE("rounding: invalid rays and empty windows are refused") {
         windowed.t_max = t_max;
         return detail::round_ray(data, windowed, ray);
     };
-    CHECK_FALSE(with_window(nan, 1.0f));
-    CHECK_FALSE(with_window(0.0f, nan));
+    CHECK_FALSE(with_window(not_a_number, 1.0f));
+    CHECK_FALSE(with_window(0.0f, not_a_number));
     CHECK_FALSE(with_window(2.0f, 1.0f));
     CHECK_FALSE(with_window(0.0f, -1.0f));
     CHECK_FALSE(with_window(infinity, infinity));

@@ -1,14 +1,7 @@
 // Claims about how far a query moves when it is rounded: the bound holds, in exact arithmetic, and is not far above
 // what happens.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include <espalier/rounding.hpp>
-#include <espalier/sweep.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/round_segment.hpp>
@@ -16,17 +9,12 @@
 #include <runtime/sweeps/round_sweep.hpp>
 
 #include "oracle/rational.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests::rounding_error_test {
 namespace {
 
 using oracle::Rational;
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 using Exact = std::array<Rational, 3>;
 
@@ -56,8 +44,7 @@ Exact from_units(const detail::Integer3& units, int fraction_bits) {
 
 /// What was seen of one kind of query: the bound holds at each, and some come near it.
 struct Held {
-    std::uint64_t queries = 0;
-    std::uint64_t above_an_eighth = 0;
+    std::uint64_t queries = 0, above_an_eighth = 0;
 
     /// The shape also grows or shrinks by `growth` steps.
     void check(const detail::BlobData& blob, const Result<float>& bound, const Rational& squared_move,
@@ -117,8 +104,8 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
             const Blob& blob = test.opened.blob;
             const detail::BlobData& data = detail::data_of(blob);
             for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
-                const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent),
-                           c = some_place(blob, random, exponent);
+                const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent);
+                const Vec3 c = some_place(blob, random, exponent), places[3] = {a, b, c};
                 detail::RoundedPoint point{};
                 REQUIRE(detail::round_point(data, a, infinity, point) == QueryStatus::ok);
                 points.check(data, rounding_error(blob, a),
@@ -136,16 +123,11 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                     Rational most;
                     for (int k = 0; k < 3; ++k)
                         most = std::max(most,
-                                        square(minus(in_steps(data, k == 0   ? a
-                                                                    : k == 1 ? b
-                                                                             : c),
+                                        square(minus(in_steps(data, places[k]),
                                                      from_units(corners.triangle.corner[k], corners.fraction_bits))));
                     triangles.check(data, rounding_error(blob, Triangle{a, b, c}), most);
                 }
-                const OrientedBox world = {a,
-                                           {{b.x - a.x, b.y - a.y, b.z - a.z},
-                                            {c.x - a.x, c.y - a.y, c.z - a.z},
-                                            {a.x - c.z, b.y - c.x, c.z - a.y}}};
+                const OrientedBox world = {a, {difference(b, a), difference(c, a), {a.x - c.z, b.y - c.x, c.z - a.y}}};
                 detail::Rounded<OrientedBox> box;
                 const QueryStatus status = detail::round_volume(data, world, box);
                 if (is_refused(status)) REQUIRE(rounding_error(blob, world).status == status);
@@ -213,10 +195,7 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
                         most = std::max(most, squared_move(data, hull, vertices[vertex], way, point_of(hull, vertex)));
                     hulls.check(data, rounding_error(blob, ConvexHull{vertices}, way), most);
                 }
-                const OrientedBox world = {a,
-                                           {{b.x - a.x, b.y - a.y, b.z - a.z},
-                                            {c.x - a.x, c.y - a.y, c.z - a.z},
-                                            {a.x - c.z, b.y - c.x, c.z - a.y}}};
+                const OrientedBox world = {a, {difference(b, a), difference(c, a), {a.x - c.z, b.y - c.x, c.z - a.y}}};
                 if (is_answered(world, hull)) {
                     Rational most;
                     for (unsigned corner = 0; corner < 8; ++corner) {

@@ -1,16 +1,5 @@
 // Tests that rounding_error returns the bounds that docs/numerics.md derives (section 2), and refuses where it ends.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <espalier/rounding.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests::rounding_formula_test {
 namespace {
@@ -19,8 +8,7 @@ constexpr float extent = 8.0f;  // of the blob, whose lattice has the whole numb
 
 /// The coordinates of a shape.
 struct Shape {
-    float largest = 0.0f;
-    float reach = 0.0f;
+    float largest = 0.0f, reach = 0.0f;
 
     Shape& add(const Vec3& point, float spread = 0.0f) {
         for (const float at : {point.x, point.y, point.z}) {
@@ -54,9 +42,7 @@ void require_bound(const Result<float>& moved, const Shape& shape, int grid, int
 }
 
 TEST_CASE("rounding: the error is the documented bound at every distance") {
-    BakeOptions options;
-    options.resolution = Resolution::step(0);
-    const OpenedBlob opened(make_cube(0.0f, extent), options);
+    const OpenedBlob opened(make_cube(0.0f, extent), {.resolution = Resolution::step(0)});
     const Blob& blob = opened.blob;
     Random random(2710);
     for (int exponent = 2; exponent <= 40; ++exponent) {
@@ -94,9 +80,7 @@ TEST_CASE("rounding: the error is the documented bound at every distance") {
 }
 
 TEST_CASE("rounding: a ray from 2^120 steps away is out of range and from just before it is not") {
-    BakeOptions options;
-    options.resolution = Resolution::step(0);
-    const OpenedBlob opened(make_cube(0.0f, extent), options);
+    const OpenedBlob opened(make_cube(0.0f, extent), {.resolution = Resolution::step(0)});
     for (const float sign : {-1.0f, 1.0f}) {
         const auto status_from = [&](float x) {
             const Ray ray = {.origin = {0.0f, sign * x, 0.0f}, .direction = {1.0f, 2.0f, 3.0f}};

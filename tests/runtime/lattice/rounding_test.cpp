@@ -18,15 +18,11 @@ using platform::Fingerprint;
 
 void add(Fingerprint& sum, const detail::LatticeRay& ray, const detail::RaySlope& slope) {
     for (int k = 0; k < 3; ++k) {
-        sum.add(static_cast<std::uint32_t>(ray.origin[k]));
-        sum.add(static_cast<std::uint32_t>(ray.direction[k]));
-        sum.add(std::uint32_t{ray.axis[k]});
-        sum.add(slope.inverse[k]);
-        sum.add(detail::origin_steps(ray, static_cast<unsigned>(k)));
+        sum.add(static_cast<std::uint32_t>(ray.origin[k]), static_cast<std::uint32_t>(ray.direction[k]),
+                std::uint32_t{ray.axis[k]}, slope.inverse[k], detail::origin_steps(ray, static_cast<unsigned>(k)));
     }
-    sum.add(slope.slack_steps);
-    sum.add(static_cast<std::uint32_t>(ray.fraction_bits));
-    sum.add(static_cast<std::uint32_t>(ray.t_exponent));
+    sum.add(slope.slack_steps, static_cast<std::uint32_t>(ray.fraction_bits),
+            static_cast<std::uint32_t>(ray.t_exponent));
     for (const float number : {ray.tau_min, ray.tau_max, ray.tau_offset, ray.shear[0], ray.shear[1], ray.shear_error})
         sum.add(number);
 }
@@ -77,30 +73,24 @@ TEST_CASE("rounding: points and radii and bounds round to the recorded bits") {
             ++rounded;
             far += point.distance_offset > 0.0f ? 1u : 0u;
             for (int k = 0; k < 3; ++k) {
-                sum.add(static_cast<std::uint32_t>(point.origin[k]));
-                sum.add(static_cast<std::uint32_t>(point.origin[k] >> 32));
-                sum.add(point.steps[k]);
+                sum.add(static_cast<std::uint32_t>(point.origin[k]), static_cast<std::uint32_t>(point.origin[k] >> 32),
+                        point.steps[k]);
             }
-            sum.add(point.steps[3]);
-            sum.add(static_cast<std::uint32_t>(point.fraction_bits));
+            sum.add(point.steps[3], static_cast<std::uint32_t>(point.fraction_bits));
             for (const float number : {point.radius, point.limit, point.inner_limit, point.distance_offset})
                 sum.add(number);
         }
         for (int i = 0; i < 50; ++i) {
             const float x = random.coin() ? some_hostile(random) : some_component(random);
             if (!detail::is_nan(x)) {
-                sum.add(detail::next_above(x));
-                sum.add(detail::next_below(x));
+                sum.add(detail::next_above(x), detail::next_below(x));
             }
             const auto steps = i == 0 ? 1 << 24 : static_cast<std::int32_t>(random.below(i % 2 == 0 ? 1u << 27 : 300u));
             for (int axis = 0; axis < 3; ++axis) {
-                sum.add(detail::world_above(asset, axis, steps));
-                sum.add(detail::world_below(asset, axis, steps));
+                sum.add(detail::world_above(asset, axis, steps), detail::world_below(asset, axis, steps));
             }
             const Vec3 a = some_place(asset, random), b = some_place(asset, random);
-            sum.add(detail::is_empty({a, b}));
-            sum.add(detail::is_empty({a, a}));
-            sum.add(detail::is_nan(a) || detail::is_finite(b));
+            sum.add(detail::is_empty({a, b}), detail::is_empty({a, a}), detail::is_nan(a) || detail::is_finite(b));
         }
     }
     CHECK(rounded > 30'000);

@@ -1,23 +1,17 @@
 // Claims about queries in lattice steps: the kernel is exact, every query equals the loop over all triangles, and what
 // is out of range is refused.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
 #include <climits>
 
-#include <espalier/espalier.hpp>
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/rays/whole_segment.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
 
 #include "oracle/convex_hull.hpp"
-#include "support/base/calls.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/steps_maker.hpp"
 
@@ -25,7 +19,6 @@ namespace espalier::tests::step_queries_test {
 namespace {
 
 using oracle::BigInteger;
-using oracle::Rational;
 
 LatticePoint steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
@@ -40,22 +33,18 @@ LatticeSegment some_segment(Random& random, unsigned bits, const GridTriangle& t
     GridPoint target = p;
     if (random.coin())
         for (unsigned k = 0; k < 3; ++k) target[k] = (p[k] + q[k]) / 2 + random.between(-1, 1);
-    switch (random.below(4)) {
-        case 0:
-            to = target;
-            break;
-        case 1:
-        case 2:  // as far behind it as before it
-            to = target;
-            for (unsigned k = 0; k < 3; ++k)
-                to[k] = std::clamp(2 * target[k] - from[k], -max_lattice_coordinate, max_lattice_coordinate);
-            break;
-        default:
-            if (random.coin()) {  // along an axis
-                const std::uint32_t axis = random.below(3);
-                to = from = target;
-                from[axis] = far(), to[axis] = far();
-            }
+    const auto kind = random.below(4);
+    if (kind == 0) to = target;
+    else if (kind == 1 || kind == 2) {  // as far behind it as before it
+        to = target;
+        for (unsigned k = 0; k < 3; ++k)
+            to[k] = std::clamp(2 * target[k] - from[k], -max_lattice_coordinate, max_lattice_coordinate);
+    } else {
+        if (random.coin()) {  // along an axis
+            const std::uint32_t axis = random.below(3);
+            to = from = target;
+            from[axis] = far(), to[axis] = far();
+        }
     }
     return random.coin() ? LatticeSegment{steps(from), steps(to)} : LatticeSegment{steps(to), steps(from)};
 }
@@ -81,10 +70,7 @@ Rational quotient(const detail::Crossing& crossing) {
 }
 
 struct Tally {
-    std::uint64_t segments = 0;
-    std::uint64_t hits = 0;
-    std::uint64_t boxes = 0;
-    std::uint64_t overlapping = 0;
+    std::uint64_t segments = 0, hits = 0, boxes = 0, overlapping = 0;
 };
 
 void check_segment(const TestBlob& test_blob, const TriangleLoop& loop, const LatticeSegment& segment, Tally& tally) {
@@ -266,10 +252,7 @@ TEST_CASE("lattice query: a box overlaps the triangles that exact arithmetic giv
 }
 
 TEST_CASE("lattice query: the lowest storage index wins at one place also with copies") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    OpenedBlob opened(make_soup(300, 1), options);
+    OpenedBlob opened(make_soup(300, 1), with_copies());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     DecodedBlob decoded = decode(opened.bytes);
     const TestBlob blob = {"with copies", std::move(opened), std::move(decoded)};

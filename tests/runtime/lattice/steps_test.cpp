@@ -1,18 +1,9 @@
 // Claims about going from the world to lattice steps and back: exactly rounded, for all floats and every lattice.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <bit>
 #include <climits>
-#include <cmath>
-#include <limits>
-
-#include <espalier/format.hpp>
-#include <espalier/lattice.hpp>
 
 #include "oracle/rational.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::steps_test {
 namespace {
@@ -55,25 +46,13 @@ float some_coordinate(Random& random, const Lattice& lattice) {
     const float origin = lattice.origin.x;
     const auto beside = [&](float steps) { return origin + std::ldexp(steps, lattice.step_exponent); };
     float x = 0.0f;
-    switch (random.below(6)) {
-        case 0:
-            x = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-            break;
-        case 1:
-            x = hostile_values[random.below(hostile_values.size())];
-            break;
-        case 2:
-            x = beside(static_cast<float>(random.between(-100, 100)) * 0.5f);
-            break;
-        case 3:
-            x = beside(std::ldexp(random.signed_unit(), random.between(-60, 30)));
-            break;
-        case 4:
-            x = random.coin() ? origin : -origin;
-            break;
-        default:
-            x = beside(random.coin() ? 0x1p29f : -0x1p29f);
-    }
+    const auto kind = random.below(6);
+    if (kind == 0) x = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+    else if (kind == 1) x = hostile_values[random.below(hostile_values.size())];
+    else if (kind == 2) x = beside(static_cast<float>(random.between(-100, 100)) * 0.5f);
+    else if (kind == 3) x = beside(std::ldexp(random.signed_unit(), random.between(-60, 30)));
+    else if (kind == 4) x = random.coin() ? origin : -origin;
+    else x = beside(random.coin() ? 0x1p29f : -0x1p29f);
     if (random.below(3) == 0) x = std::nextafter(x, random.coin() ? 1e38f : -1e38f);
     return x;
 }
@@ -181,7 +160,6 @@ TEST_CASE("lattice: a lattice point converts to its place within two roundings o
 }
 
 TEST_CASE("lattice: a lattice that no blob has is answered or refused without overflow") {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const float endless = std::numeric_limits<float>::infinity();
     for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})
         for (const float origin : {0.0f, 1.0f, -1e30f, 1e-45f}) {
@@ -191,7 +169,7 @@ TEST_CASE("lattice: a lattice that no blob has is answered or refused without ov
             CHECK(to_lattice(lattice, Box{place, place}).status == QueryStatus::invalid_argument);
             (void)to_local(lattice, {INT32_MIN, INT32_MAX, 1});
         }
-    for (const float origin : {nan, endless, -endless}) {
+    for (const float origin : {not_a_number, endless, -endless}) {
         const Lattice lattice = {{0.0f, origin, 0.0f}, 0, {1, 1, 1}};
         CHECK(to_lattice(lattice, Vec3{}).status == QueryStatus::invalid_argument);
         CHECK(to_lattice(lattice, Box{}).status == QueryStatus::invalid_argument);

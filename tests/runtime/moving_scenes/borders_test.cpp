@@ -1,8 +1,6 @@
 // Claims about the borders of a block's rules: open_moving_scene() keeps what is just within, and refuses what is just
 // beyond, also where the rest of the block fits to it.
-#include <doctest/doctest.h>
-
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>

@@ -1,11 +1,7 @@
 // Rules of a block of a moving scene, and edits that break them.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 

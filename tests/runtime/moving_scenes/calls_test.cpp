@@ -1,20 +1,10 @@
 // Claims about calls of moving scenes: which do not compile, and which instance the id of a result names.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/access.hpp>
 
 #include "made_scene.hpp"
 #include "runtime/scenes/maker.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::calls_test {
 namespace {
@@ -80,9 +70,7 @@ TEST_CASE("scene: the id of a result names its instance in a moving scene and in
     CHECK(instance_at(MovingScene(), InstanceId{0}).status == QueryStatus::not_open);
     CHECK(instance_at(scene, InstanceId{0}).status == QueryStatus::out_of_range);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        Instance instance;
-        instance.mesh = i == 1 ? 1 : 0;
-        instance.user = 10 + i;
+        Instance instance = {.transform = {}, .mesh = i == 1 ? 1u : 0u, .user = 10 + i};
         instance.transform.translation.y = 4.0f * static_cast<float>(i);
         REQUIRE(insert(scene, instance));
     }
@@ -121,11 +109,7 @@ TEST_CASE("scene: changes and insertions that repack leave a scene that waits fo
     MadeScene made(capacity, -12, meshes, {}, true);
     MovingScene& scene = made.scene;
     Random random(3);
-    const auto place = [&] {
-        Instance instance;
-        instance.transform.translation = random.in_cube(50.0f);
-        return instance;
-    };
+    const auto place = [&] { return Instance{.transform = {{}, random.in_cube(50.0f)}}; };
     const Result<InstanceHandle> first = insert(scene, place()), second = insert(scene, place());
     REQUIRE(first);
     REQUIRE(second);

@@ -1,10 +1,6 @@
 // Claims about changes of a moving scene that only its bytes or many steps reveal.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
-#include <espalier/scenes/pairs.hpp>
 #include <runtime/moving_scenes/access.hpp>
 
 #include "made_bytes.hpp"

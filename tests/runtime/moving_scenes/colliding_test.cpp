@@ -1,17 +1,8 @@
 // Claims about colliding pairs: those whose meshes overlap(), among moving instances and with a baked scene.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
-#include <espalier/scenes/pairs.hpp>
+#include "support/testing.hpp"
 
 #include "made_scene.hpp"
 #include "runtime/scenes/maker.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::colliding_test {
 namespace {
@@ -217,8 +208,7 @@ TEST_CASE("scene: a pair is out of range where no floats hold the place of one i
     const OpenedScene baked(cubes, instances, tiles);
     REQUIRE(baked.scene);
     MadeScene made(4, -12, baked.meshes, baked.tiles);
-    Instance small;
-    small.transform.scale = 0x1p-100f;
+    Instance small = {.transform = {{}, {}, 0x1p-100f}};
     REQUIRE(insert(made.scene, small));
     refit(made.scene);
     BakedPair pairs[4];

@@ -1,19 +1,13 @@
 // Claims about the counters of pairs of moving instances.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstdint>
 #include <tuple>
-#include <vector>
 
 #include <espalier/scenes/statistics.hpp>
 #include <runtime/moving_scenes/access.hpp>
 
 #include "made_scene.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::moving_scenes_counters_test {
 namespace {
@@ -90,10 +84,9 @@ struct Crowd {
         Random random(seed);
         std::vector<InstanceHandle> handles;
         for (std::uint32_t i = 0; i < count; ++i) {
-            Instance instance;
-            instance.transform = some_place(random, count);
-            instance.mesh = i % 2;
-            instance.mask = 1u << random.below(2) | 1u << random.below(2);
+            Instance instance = {.transform = some_place(random, count),
+                                 .mesh = i % 2,
+                                 .mask = 1u << random.below(2) | 1u << random.below(2)};
             handles.push_back(*insert(made.scene, instance));
         }
         if (random.coin()) repack(made.scene);

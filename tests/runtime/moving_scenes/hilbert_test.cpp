@@ -1,8 +1,7 @@
 // Claims about Hilbert's curve.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
 #include <cstdlib>
-#include <vector>
 
 #include <runtime/moving_scenes/box_tree/hilbert.hpp>
 

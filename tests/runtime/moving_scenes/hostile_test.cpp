@@ -1,24 +1,12 @@
 // Claims about blocks of any bytes: open_moving_scene() refuses them, or every call on them is safe, leaves a block
 // that opens, and answers as a loop over all instances does.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstring>
-#include <string>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
-#include <espalier/scenes/pairs.hpp>
+#include "support/testing.hpp"
 
 #include "made_bytes.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
 
 namespace espalier::tests::moving_scenes_hostile_test {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 /// Ends the test case where something does not hold. REQUIRE takes longer than what it is asked for here.
 void require(bool holds, const char* what) {
@@ -180,14 +168,12 @@ TEST_CASE("scene: every flipped bit of a moving scene is refused or safe and exa
     for (const bool must_refit : {false, true}) {
         const Bytes original = make_bytes(14, 13, must_refit);
         Tally tally;
-        for (std::size_t byte = 0; byte < original.size(); ++byte)
-            for (unsigned bit = 0; bit < 8; ++bit) {
-                CAPTURE(byte);
-                CAPTURE(bit);
-                Bytes bytes = original;
-                bytes[byte] ^= static_cast<std::byte>(1u << bit);
-                tally.add(bytes);
-            }
+        for (const std::size_t bit : sampled(8 * original.size(), 8)) {
+            CAPTURE(bit);
+            Bytes bytes = original;
+            bytes[bit / 8] ^= static_cast<std::byte>(1u << bit % 8);
+            tally.add(bytes);
+        }
         tally.require_both();
     }
 }
@@ -198,15 +184,15 @@ TEST_CASE("scene: every word of a moving scene may hold any number") {
         Tally tally;
         for (std::size_t at = 0; at + 4 <= original.size(); at += 4) {
             const std::uint32_t word = word_of(original, at);
-            for (const std::uint32_t value :
-                 {0u,          1u,          2u,          7u,          13u,         14u,
-                  15u,         1u << 24,    0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu,
-                  0xFFFFFFFFu, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7FC00000u, 0xFF800000u,
-                  word + 1,    word - 1,    word + 8,    word - 8,    ~word}) {
+            const std::uint32_t values[] = {
+                0u,          1u,          2u,          7u,          13u,         14u,         15u,         1u << 24,
+                0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu, 0xFFFFFFFFu, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u,
+                0x7FC00000u, 0xFF800000u, word + 1,    word - 1,    word + 8,    word - 8,    ~word};
+            for (const std::size_t number : sampled(std::size(values), 6, at)) {
                 CAPTURE(at);
-                CAPTURE(value);
+                CAPTURE(values[number]);
                 Bytes bytes = original;
-                set_word(bytes, at, value);
+                set_word(bytes, at, values[number]);
                 tally.add(bytes);
             }
         }
@@ -219,7 +205,7 @@ TEST_CASE("scene: every byte of the head of a moving scene may hold any number")
         const Bytes original = make_bytes(14, count, false);
         Tally tally;
         for (std::size_t at = 0; at < sizeof(detail::BlockHead); ++at)
-            for (unsigned value = 0; value < 256; ++value) {
+            for (const std::size_t value : sampled(256, 8, at)) {
                 CAPTURE(at);
                 CAPTURE(value);
                 Bytes bytes = original;

@@ -1,14 +1,10 @@
 // A moving scene's block for tests, with the operations on instances that are only boxes.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
-
-#include "support/base/random.hpp"
 
 namespace espalier::tests {
 

@@ -1,20 +1,13 @@
 // Bytes of moving scenes for tests that damage them.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
+#include "support/testing.hpp"
 
-#include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
 #include "made_scene.hpp"
 #include "runtime/scenes/maker.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/machine/aligned_buffer.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests {
 
@@ -41,12 +34,10 @@ inline const CubesAndTile& cubes_and_tile() {
 }
 
 inline Instance any_cube(Random& random) {
-    Instance instance;
-    instance.transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f};
-    instance.transform.translation = random.in_cube(2.0f);
-    instance.mesh = random.below(3);
-    instance.mask = 1u << random.below(3) | 1u << random.below(3);
-    return instance;
+    return {
+        .transform = {{random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f}, random.in_cube(2.0f)},
+        .mesh = random.below(3),
+        .mask = 1u << random.below(3) | 1u << random.below(3)};
 }
 
 /// Returns a scene into which so many instances were inserted, and of which every third was removed again. One of the

@@ -1,12 +1,7 @@
 // Moving scenes for tests, in memory of their own.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
+#include "support/testing.hpp"
 
 namespace espalier::tests {
 

@@ -1,14 +1,10 @@
 // Claims about pairs of instances whose boxes touch.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/check.hpp>
 #include <runtime/moving_scenes/pairs.hpp>
 
 #include "made_block.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::pairs_test {
 namespace {

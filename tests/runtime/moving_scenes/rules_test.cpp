@@ -1,8 +1,5 @@
 // Claims about the rules of a block: open_moving_scene() refuses one that breaks a single rule and keeps the others.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
@@ -13,8 +10,6 @@ namespace espalier::tests::moving_scenes_rules_test {
 namespace {
 
 using namespace espalier::detail;
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Swaps the first child of a node of nodes with a place that has none.
 void free_first_place(SceneBlock& block, std::uint32_t node) {

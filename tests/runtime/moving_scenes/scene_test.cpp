@@ -1,28 +1,11 @@
 // Claims about moving scenes: what each call changes and refuses, and what a snapshot continues with.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <map>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
-#include <espalier/scenes/pairs.hpp>
+#include "support/testing.hpp"
 
 #include "made_scene.hpp"
 #include "runtime/scenes/maker.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::moving_scenes_scene_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Two meshes, an empty one, and two tiles of which one is empty.
 struct Parts {
@@ -51,18 +34,13 @@ const Parts& parts() {
 constexpr int step_exponent = -12;
 
 Instance instance_at_place(const Vec3& translation, std::uint32_t mesh = 0) {
-    Instance instance;
-    instance.transform.translation = translation;
-    instance.mesh = mesh;
-    return instance;
+    return {.transform = {{}, translation}, .mesh = mesh};
 }
 
 Transform random_transform(Random& random) {
-    Transform transform;
-    transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.5f};
-    transform.translation = random.in_cube(8.0f);
-    transform.scale = std::ldexp(1.0f + random.unit(), random.between(-3, 1));
-    return transform;
+    return {{random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.5f},
+            random.in_cube(8.0f),
+            std::ldexp(1.0f + random.unit(), random.between(-3, 1))};
 }
 
 std::vector<std::byte> snapshot_of(const MovingScene& scene) {
@@ -118,11 +96,10 @@ struct Trial {
 
     void insert_any() {
         MovingScene& scene = made.scene;
-        Instance instance;
-        instance.transform = random_transform(random);
-        instance.mesh = random.below(8) == 0 ? 3 : random.below(2);
-        instance.mask = 1u << random.below(4);
-        instance.user = random.below(1000);
+        Instance instance = {.transform = random_transform(random),
+                             .mesh = random.below(8) == 0 ? 3 : random.below(2),
+                             .mask = 1u << random.below(4),
+                             .user = random.below(1000)};
         const Result<InstanceHandle> handle = insert(scene, instance);
         if (model.live.size() == scene.capacity()) {
             REQUIRE(handle.status == QueryStatus::no_room);
@@ -211,8 +188,7 @@ TEST_CASE("scene: a moving scene makes all room that it states in the fewest byt
             REQUIRE(made.scene);
             Random random(capacity);
             for (std::uint32_t i = 0; i < capacity; ++i) {
-                Instance instance;
-                instance.transform.translation = random.in_cube(50.0f);
+                Instance instance = {.transform = {{}, random.in_cube(50.0f)}};
                 REQUIRE(insert(made.scene, instance));
             }
             CHECK(insert(made.scene, {}).status == QueryStatus::no_room);
@@ -283,8 +259,7 @@ TEST_CASE("scene: bad instances and places are refused and change nothing") {
     for (const std::uint32_t mesh : {2u, 4u, 5u, 0xFFFFFFFFu})
         CHECK(insert(scene, instance_at_place({}, mesh)).status == QueryStatus::invalid_argument);
     const auto refuses = [&](const Transform& transform, QueryStatus status) {
-        Instance instance;
-        instance.transform = transform;
+        Instance instance = {.transform = transform};
         CHECK(insert(scene, instance).status == status);
         CHECK(move(scene, handle, transform) == status);
         const Movement movements[] = {{handle, transform}};

@@ -1,19 +1,10 @@
 // Claims about the boxes of moving instances in whole steps.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include <espalier/blob.hpp>
-#include <espalier/walk.hpp>
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 #include "random_place.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/machine/float_mode.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::steps_box_test {
 namespace {
@@ -65,7 +56,7 @@ TEST_CASE("scene: an instance that leaves the world or has no sound place has no
         transform.translation.y = x > 0.0f ? end : -end;
         CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
     }
-    for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float bad : {std::numeric_limits<float>::infinity(), not_a_number}) {
         Transform transform;
         transform.translation.z = bad;
         CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
@@ -76,8 +67,7 @@ TEST_CASE("scene: an instance that leaves the world or has no sound place has no
         transform.scale = bad;
         CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
     }
-    Transform transform;
-    transform.rotation = {0.0f, 0.0f, 0.0f, 0.0f};
+    Transform transform = {{0.0f, 0.0f, 0.0f, 0.0f}, {}};
     CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
 }
 

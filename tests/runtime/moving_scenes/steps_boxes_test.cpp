@@ -1,21 +1,11 @@
 // Claims about the boxes of eight moving instances, found side by side.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 
 #include "made_scene.hpp"
 #include "random_place.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::steps_boxes_test {
 namespace {
@@ -29,7 +19,7 @@ constexpr std::int32_t step_exponent = -12;
 Transform awkward_place(Random& random) {
     Transform place = random_place(random);
     const float number = std::array{0.0f,  -0.0f,     std::ldexp(random.signed_unit(), random.between(-149, 127)),
-                                    1e30f, -infinity, std::numeric_limits<float>::quiet_NaN()}[random.below(6)];
+                                    1e30f, -infinity, not_a_number}[random.below(6)];
     float* const numbers[8] = {&place.rotation.x,    &place.rotation.y,    &place.rotation.z,    &place.rotation.w,
                                &place.translation.x, &place.translation.y, &place.translation.z, &place.scale};
     *numbers[random.below(8)] = number;

@@ -1,24 +1,15 @@
 // Claims about sweeps of moving scenes: which of the instances that a shape touches at once is the one that counts.
-#include <doctest/doctest.h>
-
-#include <vector>
-
-#include <espalier/scenes/moving_scene.hpp>
+#include "support/testing.hpp"
 
 #include "made_scene.hpp"
-#include "support/blobs/baking.hpp"
 
 namespace espalier::tests::moving_scenes_sweeps_test {
 namespace {
 
 TEST_CASE("scene: an instance that is touched at the start comes before one in the first tick of the way") {
     // A corner that is 0.06 steps from the sphere, on a way whose ticks are half a step long.
-    Mesh mesh;
-    mesh.positions = {{8, 1, 0}, {12, 1, 0}, {12, 5, 3}};
-    mesh.triangles = {{0, 1, 2}};
-    BakeOptions options;
-    options.resolution = Resolution::step(0);
-    const OpenedBlob baked(mesh, options);
+    Mesh mesh = {.positions = {{8, 1, 0}, {12, 1, 0}, {12, 5, 3}}, .triangles = {{0, 1, 2}}};
+    const OpenedBlob baked(mesh, {.resolution = Resolution::step(0)});
     const std::vector<Blob> meshes = {baked.blob};
     MadeScene made(4, -2, meshes);
     Instance touched_later, touched_at_start;

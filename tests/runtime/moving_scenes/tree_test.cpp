@@ -1,17 +1,11 @@
 // Claims about the tree over moving instances: it stays sound whatever is done to it, and misses no pair.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstring>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/check.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 
 #include "made_block.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::moving_scenes_tree_test {
 namespace {

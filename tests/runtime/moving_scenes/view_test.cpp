@@ -1,17 +1,11 @@
 // Claims about a moving scene in the place of a baked one, as queries and espalier_moving_scene_view() take it: what
 // has no records of instances refuses it.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/moving_scenes/queries.hpp>
 
 #include "made_scene.hpp"
 #include "runtime/scenes/maker.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::view_test {
 namespace {
@@ -48,8 +42,7 @@ TEST_CASE("scene: the bounds of a moving scene in the place of a baked one hold 
     CHECK(nothing.min.x == 0.0f);
     CHECK(nothing.max.x == 0.0f);
     for (const float x : {-3.0f, 5.0f}) {
-        Instance instance;
-        instance.transform.translation = {x, 0.0f, 1.0f};
+        Instance instance = {.transform = {{}, {x, 0.0f, 1.0f}}};
         REQUIRE(insert(made.scene, instance));
     }
     const Box bounds = MovingSceneQuery(made.scene).scene().bounds();
@@ -71,9 +64,7 @@ TEST_CASE("scene: the bounds of a moving scene far from its origin hold all boxe
         MadeScene made(4, -1, meshes);
         const float reach = std::ldexp(1.0f, random.between(10, 28));
         for (int i = 0; i < 4; ++i) {
-            Instance instance;
-            instance.transform.translation = random.in_cube(reach);
-            instance.transform.scale = 1.0f + 9.0f * random.unit();
+            Instance instance = {.transform = {{}, random.in_cube(reach), 1.0f + 9.0f * random.unit()}};
             REQUIRE(insert(made.scene, instance));
         }
         const Box bounds = MovingSceneQuery(made.scene).scene().bounds();

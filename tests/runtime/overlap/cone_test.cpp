@@ -1,32 +1,14 @@
 // Claims about cones, against rationals that share nothing with the kernel: not even the rounding.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include <espalier/overlap.hpp>
+#include "support/testing.hpp"
 
 #include "oracle/cone.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/blobs/weird_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::cone_test {
 namespace {
-
-using oracle::Rational;
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 float flushed(float x) { return std::fabs(x) < std::numeric_limits<float>::min() ? 0.0f : x; }
 
@@ -68,8 +50,7 @@ std::string describe(const Cone& cone) {
 }
 
 struct Tally {
-    std::uint64_t yes = 0;
-    std::uint64_t no = 0;
+    std::uint64_t yes = 0, no = 0;
 };
 
 /// Compares the triangles that a cone overlaps with the oracle, all of them or some of each kind.
@@ -202,10 +183,7 @@ Cone large_cone(const DecodedBlob& decoded, Random& random) {
 }
 
 Mesh make_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Mesh mesh;
-    mesh.positions = {a, b, c};
-    mesh.triangles = {{0, 1, 2}};
-    return mesh;
+    return {.positions = {a, b, c}, .triangles = {{0, 1, 2}}};
 }
 
 QueryStatus status_of(const Blob& blob, const Cone& cone) {
@@ -219,8 +197,7 @@ QueryStatus status_of(const Blob& blob, const Cone& cone) {
 }
 
 TEST_CASE("overlap: a cone touches with its apex and slope and rim and base and axis") {
-    BakeOptions options;
-    options.resolution = Resolution::step(-8);
+    const BakeOptions options = {.resolution = Resolution::step(-8)};
     const float hair = 0x1p-14f;  // of the grid, here
     // Flat in z = 0, from (0, 0) to (8, 0) and (0, 8).
     const OpenedBlob opened(make_triangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}), options);
@@ -341,9 +318,7 @@ TEST_CASE("overlap: cones of small whole numbers equal exact arithmetic where th
     Random random(1);
     for (std::uint64_t i = 0; i < scaled(150); ++i) {
         const unsigned bits = 1 + random.below(4);
-        BakeOptions options;
-        options.resolution = Resolution::step(0);
-        const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
+        const OpenedBlob opened(make_whole_soup(bits, 20, random), {.resolution = Resolution::step(0)});
         const DecodedBlob decoded = decode(opened.bytes);
         for (int k = 0; k < 8; ++k) {
             Cone cone = random.coin() ? small_cone(bits, random) : touching_cone(decoded, random);
@@ -362,9 +337,7 @@ TEST_CASE("overlap: cones of all sizes and from all distances equal exact arithm
     Tally tally;
     Random random(2);
     for (const unsigned bits : {3u, 12u, 17u, 24u}) {
-        BakeOptions options;
-        options.resolution = Resolution::step(0);
-        const OpenedBlob opened(make_whole_soup(bits, 20, random), options);
+        const OpenedBlob opened(make_whole_soup(bits, 20, random), {.resolution = Resolution::step(0)});
         const DecodedBlob decoded = decode(opened.bytes);
         for (std::uint64_t i = 0; i < scaled(100); ++i) {
             const Cone cone = large_cone(decoded, random);

@@ -1,21 +1,7 @@
 // Claims about enumerating the triangles of a blob with duplicate references: each one comes once, whatever the shape.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <set>
-#include <vector>
-
-#include <espalier/lattice.hpp>
-#include <espalier/overlap.hpp>
-#include <espalier/ray.hpp>
-#include <espalier/walk.hpp>
-
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::overlap_duplicate_references_test {
@@ -31,13 +17,7 @@ struct SplitBlob {
         : opened(crossed_by_beams(40, 400, seed), options()), decoded(decode(opened.bytes)), loop(decoded) {
         REQUIRE(opened.blob.duplicate_reference_count() > 100);
     }
-    static BakeOptions options() {
-        BakeOptions options;
-        options.build.builder = Builder::spatial_splits;
-        options.profile = Profile::fast;
-        options.build.duplicate_budget = 1.0;
-        return options;
-    }
+    static BakeOptions options() { return with_copies(); }
 
     OpenedBlob opened;
     DecodedBlob decoded;
@@ -45,8 +25,7 @@ struct SplitBlob {
 };
 
 struct Tally {
-    std::uint64_t shapes = 0;
-    std::uint64_t overlapping = 0;
+    std::uint64_t shapes = 0, overlapping = 0;
     std::uint64_t reordered = 0;  ///< not in ascending order: a duplicate reference was the first one
 };
 

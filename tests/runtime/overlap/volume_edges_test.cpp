@@ -1,30 +1,16 @@
 // Claims about volumes at the edges, as the header words them, and about the boxes of nodes as bytes.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/approximate.hpp>
-#include <espalier/overlap.hpp>
-#include <espalier/walk.hpp>
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/plane_nodes.hpp>
 
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
 #include "support/blobs/node_kinds.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::volume_edges_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 template <class Shape>
 QueryStatus status_of(const Blob& blob, const Shape& shape) {

@@ -1,21 +1,13 @@
 // Volumes: every query equals the loop over all triangles, page by page too.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <limits>
-
-#include <espalier/overlap.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/overlap/rounded_shapes.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::volume_test {
@@ -59,8 +51,7 @@ std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, std::
 }
 
 struct Tally {
-    std::uint64_t asked = 0;
-    std::uint64_t awkward = 0;
+    std::uint64_t asked = 0, awkward = 0;
     std::uint64_t overlapping = 0;  ///< queries with an overlap
     std::uint64_t out_of_range = 0;
 };

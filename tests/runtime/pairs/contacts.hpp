@@ -1,11 +1,7 @@
 // Lists of contacts of two blobs, for tests.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
-#include <espalier/pair.hpp>
+#include "support/testing.hpp"
 
 namespace espalier::tests {
 

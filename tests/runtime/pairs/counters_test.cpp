@@ -1,18 +1,11 @@
 // Claims about the counters of queries of two blobs.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstdint>
 #include <tuple>
-#include <vector>
 
 #include <espalier/statistics.hpp>
 
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/decoder.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 
 namespace espalier::tests::pairs_counters_test {
@@ -59,8 +52,7 @@ void for_each_place(Profile profile, std::uint64_t count, Call call) {
 }
 
 OpenedBlob with_leaves_of(const Mesh& mesh, unsigned triangles) {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.max_leaf_triangles = triangles;
+    const BakeOptions options = {.profile = Profile::fast, .build = {.max_leaf_triangles = triangles}};
     return {mesh, options};
 }
 

@@ -1,14 +1,6 @@
 // Claims about the work that the distance of two blobs is, which is counted alike on every machine.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cstdint>
-
-#include <espalier/pair.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 #include "support/queries/test_pair_frame.hpp"
 
@@ -34,7 +26,7 @@ Outcome nearest_of(const InstructionPath& path, const detail::PairFrame& frame, 
 
 /// Calls for places of a mesh beside itself.
 template <class Call>
-void for_each_frame_apart(const Mesh& mesh, Profile profile, int count, Call call) {
+void for_each_frame_apart(const Mesh& mesh, Profile profile, unsigned count, Call call) {
     const OpenedBlob blob(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(blob.bytes);
     PlacementMaker maker(decoded, decoded, 11);
@@ -54,7 +46,7 @@ void for_each_frame_apart(const Mesh& mesh, Profile profile, int count, Call cal
 
 TEST_CASE("work: a distance takes the same work on every instruction set") {
     for_each_profile([](Profile profile) {
-        for_each_frame_apart(make_terrain(30, 5), profile, 8, [](const detail::PairFrame& frame) {
+        for_each_frame_apart(make_terrain(30, 5), profile, rounds_per_case(8), [](const detail::PairFrame& frame) {
             const Outcome whole = nearest_of(instruction_paths().front(), frame, no_limit);
             REQUIRE(whole.status == QueryStatus::ok);
             REQUIRE(whole.found);

@@ -1,20 +1,13 @@
 // Claims about the common grid of two blobs: how far placing moves a vertex, in rational arithmetic.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
+#include "support/testing.hpp"
 
 #include <runtime/pairs/frame.hpp>
 
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/queries/placement_maker.hpp"
 
 namespace espalier::tests::frame_test {
 namespace {
-
-using oracle::Rational;
 
 using Exact3 = std::array<Rational, 3>;
 

@@ -1,16 +1,7 @@
 // Two blobs: walking both trees changes nothing, on any instruction set.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include "placement_check.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 
 namespace espalier::tests::pairs_loop_test {
@@ -50,10 +41,7 @@ TestBlob make_test_blob(const Mesh& mesh, const BakeOptions& options) {
 
 /// Long triangles through many small ones, with as many references as splits can make.
 TestBlob make_split_blob(std::uint64_t seed) {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    TestBlob blob = make_test_blob(crossed_by_beams(30, 150, seed), options);
+    TestBlob blob = make_test_blob(crossed_by_beams(30, 150, seed), with_copies());
     REQUIRE(blob.opened.blob.duplicate_reference_count() > 50);
     return blob;
 }

@@ -1,17 +1,7 @@
 // Claims about lists of contacts of two blobs: pages, cursors and work limits.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
-#include <espalier/pair.hpp>
-#include <espalier/walk.hpp>
+#include "support/testing.hpp"
 
 #include "contacts.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/test_pair_frame.hpp"
 
 namespace espalier::tests::pages_test {
@@ -160,10 +150,7 @@ TEST_CASE("pair: a work limit is kept and the contacts found are part of the who
 }
 
 TEST_CASE("pair: a work limit counts the walks for duplicate references and pages resume behind it") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob split(make_soup(400, 21), options);
+    const OpenedBlob split(make_soup(400, 21), with_copies());
     const PlacedBlob other(split.blob, {{0.1f, 0.2f, 0.3f, 1.0f}, {0.25f, 0.125f, 0.0f}, 1.0f});
     const Contacts all = all_contacts(split.blob, other);
     const auto list = [&](std::uint64_t visits, Contacts& contacts) {

@@ -1,18 +1,7 @@
 // Claims about two blobs as the header words them; loop_test.cpp compares them with the loop.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/pair.hpp>
+#include "support/testing.hpp"
 
 #include "contacts.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/format/decoder.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/queries/placement_maker.hpp"
 
 namespace espalier::tests::pair_test {
@@ -20,11 +9,7 @@ namespace {
 
 /// A triangle mesh of its own is a mesh of one triangle.
 Mesh one_triangle(Vec3 a, Vec3 b, Vec3 c) {
-    Mesh mesh;
-    mesh.name = "triangle";
-    mesh.positions = {a, b, c};
-    mesh.triangles = {{0, 1, 2}};
-    return mesh;
+    return {.name = "triangle", .positions = {a, b, c}, .triangles = {{0, 1, 2}}};
 }
 
 bool touch(const Blob& a, const Blob& b, const Transform& placement) {
@@ -126,7 +111,6 @@ TEST_CASE("pair: surfaces that pierce each other have distance 0 and one common 
 TEST_CASE("pair: invalid calls are refused and a refusal is not a no") {
     const OpenedBlob cube(make_cube(0.0f, 1.0f));
     const Blob& blob = cube.blob;
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     // The same for either blob, since the other one stands at the origin.
     const auto status = [&](const Transform& placement) {
         const YesNo answer = overlaps(blob, {blob, placement}, unlimited);
@@ -136,13 +120,13 @@ TEST_CASE("pair: invalid calls are refused and a refusal is not a no") {
         return answer.status();
     };
     CHECK(status({{0.0f, 0.0f, 0.0f, 0.0f}, {}, 1.0f}) == QueryStatus::invalid_argument);
-    CHECK(status({{0.0f, nan, 0.0f, 1.0f}, {}, 1.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({{0.0f, not_a_number, 0.0f, 1.0f}, {}, 1.0f}) == QueryStatus::invalid_argument);
     CHECK(status({{0.0f, infinity, 0.0f, 1.0f}, {}, 1.0f}) == QueryStatus::invalid_argument);
     CHECK(status({{}, {0.0f, 0.0f, -infinity}, 1.0f}) == QueryStatus::invalid_argument);
-    CHECK(status({{}, {0.0f, nan, 0.0f}, 1.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({{}, {0.0f, not_a_number, 0.0f}, 1.0f}) == QueryStatus::invalid_argument);
     CHECK(status({{}, {}, 0.0f}) == QueryStatus::invalid_argument);
     CHECK(status({{}, {}, -1.0f}) == QueryStatus::invalid_argument);
-    CHECK(status({{}, {}, nan}) == QueryStatus::invalid_argument);
+    CHECK(status({{}, {}, not_a_number}) == QueryStatus::invalid_argument);
     CHECK(status({{}, {1e35f, 0.0f, 0.0f}, 1.0f}) == QueryStatus::out_of_range);
     CHECK(status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}) == QueryStatus::not_found);
     CHECK(overlaps(blob, {blob, {{}, {}, 1e35f}}, unlimited).status() == QueryStatus::out_of_range);
@@ -155,7 +139,7 @@ TEST_CASE("pair: invalid calls are refused and a refusal is not a no") {
         CHECK(distance(blob, other, unlimited, most).status == decided);
         return decided;
     };
-    CHECK(distance_status({}, nan) == QueryStatus::invalid_argument);
+    CHECK(distance_status({}, not_a_number) == QueryStatus::invalid_argument);
     CHECK(distance_status({}, -1.0f) == QueryStatus::invalid_argument);
     CHECK(distance_status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}, infinity) == QueryStatus::out_of_range);
     CHECK(distance_status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}, 1.0f) == QueryStatus::not_found);
@@ -171,7 +155,7 @@ TEST_CASE("pair: a blob that was never opened is refused and one without triangl
     const OpenedBlob empty(Mesh{}, {});
     REQUIRE(empty.blob.triangle_count() == 0);
     const Blob never_opened;
-    const Transform invalid = {{}, {}, std::numeric_limits<float>::quiet_NaN()};
+    const Transform invalid = {{}, {}, not_a_number};
     const auto check = [](const PlacedBlob& a, const PlacedBlob& b, QueryStatus one, QueryStatus list) {
         PairContact page[1];
         CHECK(overlaps(a, b, unlimited).status() == one);
@@ -191,10 +175,7 @@ TEST_CASE("pair: a blob that was never opened is refused and one without triangl
 }
 
 TEST_CASE("pair: blobs with duplicate references answer as those without") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob split(make_soup(400, 21), options);
+    const OpenedBlob split(make_soup(400, 21), with_copies());
     REQUIRE(split.blob.duplicate_reference_count() > 0);
     const OpenedBlob plain(make_soup(400, 21), with_profile(Profile::fast));
     const DecodedBlob split_decoded = decode(split.bytes);

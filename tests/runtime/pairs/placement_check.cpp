@@ -1,20 +1,8 @@
 #include "placement_check.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <espalier/pair.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/pairs/queries.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/same_bits.hpp"
 #include "support/loops/pair_loop.hpp"
 #include "support/machine/instruction_paths.hpp"
 #include "support/queries/placement_maker.hpp"

@@ -1,12 +1,8 @@
 // Every question about one placement of two blobs, held against the loop over all pairs of triangles.
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "support/testing.hpp"
 
-#include <espalier/pair.hpp>
-
-#include "support/blobs/test_blobs.hpp"
 #include "support/loops/placed_groups.hpp"
 
 namespace espalier::tests {
@@ -19,9 +15,7 @@ struct PairedBlob {
 };
 
 struct PlacementCounts {
-    std::uint64_t asked = 0;
-    std::uint64_t touching = 0;
-    std::uint64_t pairs = 0;
+    std::uint64_t asked = 0, touching = 0, pairs = 0;
     std::uint64_t repeated = 0;   ///< pairs of references that stand for a pair again
     std::uint64_t refused = 0;    ///< out of range
     std::uint64_t too_far = 0;    ///< for a distance only

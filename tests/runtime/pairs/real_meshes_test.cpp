@@ -1,15 +1,7 @@
 // Two blobs, one or both of them read from a file: walking both trees changes nothing, on any instruction set.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include "placement_check.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/placement_maker.hpp"
 

@@ -1,23 +1,11 @@
 // Claims about the closest points of a segment or a box and the surface, as the header words them.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-
-#include <espalier/distance.hpp>
-#include <espalier/overlap.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/shape_maker.hpp"
 
@@ -51,9 +39,7 @@ bool equals_loop(const TestBlob& blob, const TriangleLoop& loop, Shape& shape, f
 }
 
 struct Tally {
-    std::uint64_t found = 0;
-    std::uint64_t touching = 0;
-    std::uint64_t nothing = 0;
+    std::uint64_t found = 0, touching = 0, nothing = 0;
 
     void count(const ClosestPoint& pair) {
         if (pair.triangle == no_triangle) ++nothing;
@@ -301,7 +287,6 @@ TEST_CASE("closest point: feature and side of segments and boxes are exact") {
 
 TEST_CASE("closest point: shapes that are refused are no misses") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const Vec3 near{2.0f, 0.0f, 0.0f};
     const Vec3 far{1e30f, 0.0f, 0.0f};
     const auto check_status = [](const ClosestPoint& pair, QueryStatus status) {
@@ -310,22 +295,23 @@ TEST_CASE("closest point: shapes that are refused are no misses") {
         expected.status = status;
         CHECK(same_bits(pair, expected));
     };
-    check_status(closest_point(cube.blob, Segment{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, {not_a_number, 0.0f, 0.0f}}, 1.0f),
+                 QueryStatus::invalid_argument);
     check_status(closest_point(cube.blob, Segment{near, {0.0f, infinity, 0.0f}}), QueryStatus::invalid_argument);
-    check_status(closest_point(cube.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Segment{near, near}, not_a_number), QueryStatus::invalid_argument);
     check_status(closest_point(cube.blob, Segment{near, near}, -1.0f), QueryStatus::invalid_argument);
     check_status(closest_point(cube.blob, Segment{near, far}), QueryStatus::out_of_range);
-    check_status(closest_point(cube.blob, Box{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+    check_status(closest_point(cube.blob, Box{near, {not_a_number, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
     check_status(closest_point(cube.blob, Box{near, near}, -infinity), QueryStatus::invalid_argument);
     check_status(closest_point(cube.blob, Box{near, far}), QueryStatus::out_of_range);
     check_status(closest_point(Blob(), Segment{near, near}), QueryStatus::not_open);
-    check_status(closest_point(Blob(), Box{near, {nan, 0.0f, 0.0f}}), QueryStatus::not_open);
+    check_status(closest_point(Blob(), Box{near, {not_a_number, 0.0f, 0.0f}}), QueryStatus::not_open);
     check_status(closest_point(cube.blob, Segment{near, near}, 0.5f), QueryStatus::not_found);
     check_status(closest_point(cube.blob, Box{{1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 1.0f}}), QueryStatus::not_found);
     const OpenedBlob empty(Mesh{});
     check_status(closest_point(empty.blob, Segment{near, near}), QueryStatus::not_found);
     check_status(closest_point(empty.blob, Box{near, near}), QueryStatus::not_found);
-    check_status(closest_point(empty.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
+    check_status(closest_point(empty.blob, Segment{near, near}, not_a_number), QueryStatus::invalid_argument);
 }
 
 }  // namespace

@@ -1,22 +1,11 @@
 // Inside and outside: winding numbers and signed distances equal the loop over all triangles.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <espalier/distance.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
 #include <runtime/proximity/winding.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/checksum.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/loops/triangle_loop.hpp"
 #include "support/meshes/real_meshes.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
 namespace espalier::tests::inside_loop_test {
@@ -103,9 +92,7 @@ float some_limit(const TestBlob& blob, Random& random) {
 }
 
 struct Tally {
-    std::uint64_t random = 0;
-    std::uint64_t awkward = 0;
-    std::uint64_t inside = 0;
+    std::uint64_t random = 0, awkward = 0, inside = 0;
 };
 
 void check_points(const TestBlob& blob, std::uint64_t seed, std::uint64_t count, unsigned awkward_of_ten,

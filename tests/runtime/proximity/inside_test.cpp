@@ -1,30 +1,13 @@
 // Claims about inside and outside as the header words them; that they equal the loop, inside_loop_test.cpp shows.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <espalier/distance.hpp>
-#include <espalier/walk.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
 #include <runtime/proximity/winding.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
 namespace espalier::tests::inside_test {
@@ -34,9 +17,6 @@ using detail::AxisDirection;
 using detail::RoundedPoint;
 using detail::Winding;
 using detail::WindingRay;
-using oracle::Rational;
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 constexpr AxisDirection all_directions[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
 
@@ -76,9 +56,7 @@ std::optional<int> exact_winding(const DecodedBlob& blob, const oracle::Point& p
 }
 
 TEST_CASE("inside: contains is true where the exact winding number is not 0 and on the surface") {
-    std::uint64_t decided = 0;
-    std::uint64_t inside_count = 0;
-    std::uint64_t on_surface = 0;
+    std::uint64_t decided = 0, inside_count = 0, on_surface = 0;
     const std::uint64_t count = std::max<std::uint64_t>(scaled_share(60), 10);
     for (const TestBlob& blob : closed_blobs()) {
         CAPTURE(blob.name);
@@ -238,9 +216,6 @@ TEST_CASE("inside: open surfaces and invalid points are refused") {
 }
 
 TEST_CASE("inside: a blob with duplicate references counts each triangle once") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
     Mesh mesh;
     Random random(1300);
     for (std::uint32_t i = 0; i < 200; ++i) {  // tetrahedra of all sizes, which the builder splits
@@ -258,7 +233,7 @@ TEST_CASE("inside: a blob with duplicate references counts each triangle once") 
         const float half = 0.5f + 0.005f * static_cast<float>(i);
         mesh = joined(mesh, make_cube(-half, half));
     }
-    const OpenedBlob opened(mesh, options);
+    const OpenedBlob opened(mesh, with_copies());
     REQUIRE(opened.blob.is_closed());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     const DecodedBlob decoded = decode(opened.bytes);

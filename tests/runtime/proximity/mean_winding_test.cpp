@@ -1,20 +1,6 @@
 // Claims about winding_number(): whole numbers where the surface is closed, and elsewhere near the solid angle of all
 // triangles, which a reference sums up in double.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/distance.hpp>
-#include <espalier/walk.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests::mean_winding_test {
 namespace {
@@ -112,7 +98,7 @@ TEST_CASE("inside: a winding number refuses what it cannot answer") {
         CHECK(winding_number(opened.blob, middle, directions).status == QueryStatus::invalid_argument);
     CHECK(*winding_number(opened.blob, middle, 3) == 1.0f);
     CHECK(*winding_number(opened.blob, middle, max_winding_directions) == 1.0f);
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    for (const float bad : {not_a_number, std::numeric_limits<float>::infinity()})
         CHECK(winding_number(opened.blob, {0.0f, bad, 0.0f}).status == QueryStatus::invalid_argument);
     CHECK(*winding_number(opened.blob, {1e6f, 0.0f, 0.0f}) == 0.0f);
 }

@@ -1,27 +1,11 @@
 // Claims about closest points as the header words them.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-
-#include <espalier/distance.hpp>
-#include <espalier/overlap.hpp>
+#include "support/testing.hpp"
 
 #include "support/answers/differences.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::nearest_test {
 namespace {
-
-using oracle::Rational;
 
 /// |a - sqrt(square)| <= allowed, without a square root.
 bool near_square_root(const Rational& a, const Rational& square, const Rational& allowed) {
@@ -124,20 +108,19 @@ TEST_CASE("closest point: the limit is closed and exact and a miss is no triangl
 
 TEST_CASE("closest point: a refusal is not a miss") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto check = [](const ClosestPoint& nearest, QueryStatus status) {
         CHECK_FALSE(nearest);
         ClosestPoint expected;
         expected.status = status;
         CHECK(same_bits(nearest, expected));
     };
-    check(closest_point(cube.blob, Vec3{nan, 0.0f, 0.0f}), QueryStatus::invalid_argument);
+    check(closest_point(cube.blob, Vec3{not_a_number, 0.0f, 0.0f}), QueryStatus::invalid_argument);
     check(closest_point(cube.blob, Vec3{0.0f, -infinity, 0.0f}), QueryStatus::invalid_argument);
-    check(closest_point(cube.blob, Vec3{0.0f, 0.0f, 1.0f}, nan), QueryStatus::invalid_argument);
+    check(closest_point(cube.blob, Vec3{0.0f, 0.0f, 1.0f}, not_a_number), QueryStatus::invalid_argument);
     check(closest_point(cube.blob, Vec3{0.0f, 0.0f, 1.0f}, -1.0f), QueryStatus::invalid_argument);
     check(closest_point(cube.blob, Vec3{3e38f, 0.0f, 0.0f}), QueryStatus::out_of_range);
     check(closest_point(Blob(), Vec3{0.0f, 0.0f, 0.0f}), QueryStatus::not_open);
-    check(closest_point(Blob(), Vec3{nan, 0.0f, 0.0f}), QueryStatus::not_open);
+    check(closest_point(Blob(), Vec3{not_a_number, 0.0f, 0.0f}), QueryStatus::not_open);
     check(ClosestPoint{}, QueryStatus::not_open);
     const OpenedBlob empty(Mesh{});
     check(closest_point(empty.blob, Vec3{0.0f, 0.0f, 0.0f}), QueryStatus::not_found);
@@ -258,18 +241,14 @@ TEST_CASE("closest point: the few closest are sorted and end with the array or t
 }
 
 TEST_CASE("closest point: a triangle with copies is among the few closest once") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob opened(make_soup(400, 3), options);
+    const OpenedBlob opened(make_soup(400, 3), with_copies());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 960);
     std::uint64_t hits = 0;
     for (std::uint64_t i = 0; i < scaled(500); ++i) {
-        const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), hits);
-        REQUIRE_MESSAGE(!difference, *difference);
+        require_none(sphere_difference(opened.blob, loop, maker.sphere(), hits));
     }
     CHECK(hits > 1000);
 }

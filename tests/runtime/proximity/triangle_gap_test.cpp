@@ -1,16 +1,9 @@
 // Claims about the float bounds of distances for walks without lanes: they are never above the exact distance, and
 // mostly close to it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include "support/testing.hpp"
 
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/proximity/triangle_gap.hpp>
-
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::triangle_gap_test {
 namespace {
@@ -28,22 +21,12 @@ public:
         const Integer3 low = some_point(0, std::int64_t{1} << bits_);
         Integer3 corner[3];
         for (Integer3& c : corner) c = low + some_point(-(std::int64_t{1} << size_) / 2, std::int64_t{1} << size_);
-        switch (random_.below(8)) {
-            case 0:
-                for (Integer3& c : corner) c.z = corner[0].z;
-                break;
-            case 1:
-                corner[2] = corner[1];
-                break;
-            case 2:
-                corner[2] = corner[1] + some_point(-1, 3);
-                break;
-            case 3:
-                corner[1] = corner[2] = corner[0];
-                break;
-            default:
-                break;
-        }
+        const auto kind = random_.below(8);
+        if (kind == 0)
+            for (Integer3& c : corner) c.z = corner[0].z;
+        else if (kind == 1) corner[2] = corner[1];
+        else if (kind == 2) corner[2] = corner[1] + some_point(-1, 3);
+        else if (kind == 3) corner[1] = corner[2] = corner[0];
         LatticeTriangle triangle;
         const std::int64_t most = (std::int64_t{1} << bits_) - 1;
         for (unsigned i = 0; i < 3; ++i)

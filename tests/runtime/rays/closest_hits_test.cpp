@@ -1,38 +1,15 @@
 // Claims about the first few hits of a ray and about segments; that they equal the loop, traversal_test.cpp shows.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/ray.hpp>
+#include "support/testing.hpp"
 
 #include "support/answers/differences.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::closest_hits_test {
 namespace {
 
 /// A vertical ray through two cubes, one in the other: four faces.
 struct NestedCubes {
-    NestedCubes(Profile profile) : opened(mesh(), with_profile(profile)) {}
-    static Mesh mesh() {
-        Mesh both = make_cube(-2.0f, 2.0f);
-        const Mesh inner = make_cube(-1.0f, 1.0f);
-        const auto first = static_cast<std::uint32_t>(both.positions.size());
-        both.positions.insert(both.positions.end(), inner.positions.begin(), inner.positions.end());
-        for (TriangleVertices triangle : inner.triangles) {
-            for (auto& vertex : triangle) vertex += first;
-            both.triangles.push_back(triangle);
-        }
-        return both;
-    }
+    NestedCubes(Profile profile)
+        : opened(joined(make_cube(-2.0f, 2.0f), make_cube(-1.0f, 1.0f)), with_profile(profile)) {}
     OpenedBlob opened;
     Ray down = {.origin = {0.25f, 0.5f, 4.0f}, .direction = {0.0f, 0.0f, -1.0f}};
 };
@@ -72,24 +49,20 @@ TEST_CASE("ray: the first of the first hits is the closest hit and unused slots 
     CHECK(closest_hits(cubes.opened.blob, up, {}).status == QueryStatus::ok);
     CHECK(closest_hits(Blob(), cubes.down, one).count == 0);
     CHECK(closest_hits(Blob(), cubes.down, one).status == QueryStatus::not_open);
-    up.origin.x = std::numeric_limits<float>::quiet_NaN();
+    up.origin.x = not_a_number;
     CHECK(closest_hits(cubes.opened.blob, up, one).count == 0);
     CHECK(closest_hits(cubes.opened.blob, up, one).status == QueryStatus::invalid_argument);
 }
 
 TEST_CASE("ray: a triangle with copies appears once and hits equal the loop") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob opened(make_soup(400, 3), options);
+    const OpenedBlob opened(make_soup(400, 3), with_copies());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 403);
     std::uint64_t hits = 0;
     for (std::uint64_t i = 0; i < scaled(2000); ++i) {
-        const auto difference = ray_difference(opened.blob, loop, maker.any_ray(), hits);
-        REQUIRE_MESSAGE(!difference, *difference);
+        require_none(ray_difference(opened.blob, loop, maker.any_ray(), hits));
     }
     if (asks_enough()) CHECK(hits > 1000);
 }
@@ -132,13 +105,12 @@ TEST_CASE("ray: a ray between two points has their difference as direction and a
 
 TEST_CASE("ray: a ray between points that are not finite or the same or too far apart is refused") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float most = std::numeric_limits<float>::max();
     const auto status = [&](const Vec3& from, const Vec3& to) {
         return occluded(cube.blob, Ray::between(from, to)).status();
     };
-    CHECK(status({nan, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
-    CHECK(status({0.0f, 0.0f, 0.0f}, {0.0f, nan, 0.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({not_a_number, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
+    CHECK(status({0.0f, 0.0f, 0.0f}, {0.0f, not_a_number, 0.0f}) == QueryStatus::invalid_argument);
     CHECK(status({-most, 0.0f, 0.0f}, {most, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
     CHECK(status({2.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f}) == QueryStatus::invalid_argument);
 }

@@ -1,33 +1,15 @@
 // Claims about crossings: of the hits around an edge or a vertex, those of a ray that is moved a little, in rationals.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <vector>
-
-#include <espalier/ray.hpp>
-#include <espalier/rounding.hpp>
 #include <runtime/kernels/crossing.hpp>
-#include <runtime/lattice/round_ray.hpp>
 
 #include "oracle/winding.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/exact/grid_triangles.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
 namespace espalier::tests::crossing_test {
 namespace {
-
-using oracle::Rational;
 
 /// The line with its origin moved by 2^-100 along x, 2^-200 along y and 2^-300 along z: by less than any distance
 /// between a line and a corner of the lattice.
@@ -47,8 +29,7 @@ Ray ray_at_border(Random& random, unsigned bits, const GridTriangle& triangle) {
     const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
     const Vec3 p = to_vec3(corners[random.below(3)]), q = to_vec3(corners[random.below(3)]);
     const Vec3 target = {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
-    Ray ray;
-    ray.origin = to_vec3(some_grid_point(random, bits));
+    Ray ray = {.origin = to_vec3(some_grid_point(random, bits)), .direction = {}};
     if (random.coin()) {
         ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
         return ray;
@@ -164,9 +145,7 @@ TEST_CASE("crossing: a ray leaves a closed surface as often as the winding numbe
                             static_cast<float>(static_cast<double>(lattice.origin.z) + p[2] * step)};
             };
             const Vec3 to = in_world(corners[random.below(3)]);
-            Ray ray;
-            ray.origin = from;
-            ray.direction = {to.x - from.x, to.y - from.y, to.z - from.z};
+            Ray ray = {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
             detail::LatticeRay rounded;
             const bool may_hit = detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded);
             if (!may_hit || rounded.tau_offset != 0.0f || rounded.fraction_bits == 0) continue;

@@ -1,9 +1,7 @@
 // Every hit of a ray, for tests.
 #pragma once
 
-#include <vector>
-
-#include <espalier/ray.hpp>
+#include "support/testing.hpp"
 
 namespace espalier::tests {
 

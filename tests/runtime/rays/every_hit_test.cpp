@@ -1,27 +1,11 @@
 // Claims about every hit of a ray: against exact arithmetic over all triangles.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <vector>
-
-#include <espalier/ray.hpp>
-#include <espalier/rounding.hpp>
+#include "support/testing.hpp"
 
 #include "every_hit.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::every_hit_test {
 namespace {
-
-using oracle::Rational;
 
 struct ExactHit {
     std::uint32_t index;
@@ -52,8 +36,7 @@ Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
 TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
     // Times a scale of 100 these are more than 10^5 rays.
     const std::uint64_t count = scaled_share(100);
-    Rational worst_t = 0;
-    Rational worst_weight = 0;
+    Rational worst_t = 0, worst_weight = 0;
     std::uint64_t hits = 0;
     for (const TestBlob& blob : small_test_blobs()) {
         CAPTURE(blob.name);

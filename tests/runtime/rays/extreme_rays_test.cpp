@@ -1,20 +1,13 @@
 // Rays at the ends of what floats hold, at meshes at the ends of what floats hold: none gets through a closed surface,
 // and each finds what the loop over all triangles finds. With subnormal numbers flushed and not.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <string>
 #include <string_view>
 
-#include <espalier/ray.hpp>
-
 #include "support/answers/differences.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/extreme_shapes.hpp"
 #include "support/machine/float_mode.hpp"
-#include "support/machine/instruction_paths.hpp"
 #include "support/queries/aimed_rays.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::extreme_rays_test {
 namespace {

@@ -1,14 +1,7 @@
 // Queries from far away and from a hair outside: where rounding, ties and subnormal numbers meet.
+#include "support/testing.hpp"
+
 #include <cfenv>
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <espalier/espalier.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/mesh.hpp"
 
 namespace espalier::tests::far_query_test {
 namespace {
@@ -61,9 +54,7 @@ TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps awa
     const float top = 16777215.0f;
     add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
     add_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
-    BakeOptions options;
-    options.resolution = Resolution::bits(24);
-    const OpenedBlob blob(mesh, options);
+    const OpenedBlob blob(mesh, {.resolution = Resolution::bits(24)});
     const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
     const ClosestPoint nearest = closest_point(blob.blob, point);
     REQUIRE(nearest);

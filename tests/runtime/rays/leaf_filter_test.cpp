@@ -1,20 +1,12 @@
 // The filter of a leaf's triangles: it sees vertices as coarse as 16 bits, and must not reject what the kernel hits.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <cstdlib>
 
-#include <espalier/blob.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/rays/queries.hpp>
 
 #include "support/answers/differences.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/format/encoder.hpp"
 
 namespace espalier::detail::scalar {
@@ -116,10 +108,10 @@ std::int64_t cross(const GridPair& p, const GridPair& q) {
 }
 
 /// The filter of leaves with many vertices, which keeps each as two small integers.
-class PairFilter {
+class PairsFilter {
 public:
     /// Of a leaf of 2^size_bits steps, 13 for integers of one step each.
-    PairFilter(unsigned size_bits, float shear_error) {
+    PairsFilter(unsigned size_bits, float shear_error) {
         leaf_.size_bits = static_cast<std::uint8_t>(size_bits);
         ray_.shear_error = shear_error;
     }
@@ -153,9 +145,7 @@ TEST_SUITE("leaf filter") {
                     const DecodedBlob decoded = decode(opened.bytes);
                     const TriangleLoop loop(decoded);
                     for (int ray = 0; ray < 60; ++ray, ++asked) {
-                        const auto difference =
-                            ray_difference(opened.blob, loop, make_ray(random, decoded.triangles), hits);
-                        REQUIRE_MESSAGE(!difference, *difference);
+                        require_none(ray_difference(opened.blob, loop, make_ray(random, decoded.triangles), hits));
                     }
                 }
             }
@@ -202,7 +192,7 @@ TEST_SUITE("leaf filter") {
             const double error = double(shear_error + 0.5f);
             const double share = 34.0 / 32.0 * error;
             const int height = static_cast<int>(4.0 * share) + 8;
-            const PairFilter filter(13, shear_error);
+            const PairsFilter filter(13, shear_error);
             for (const int length : {1, 2, 7, 30, 500, 12000, 16383}) {
                 for (int times = 0; times < 3 * share + 3; times += 1 + times / 16) {
                     // Where the edge function of b and c, length * times + rest, is the bound.
@@ -237,7 +227,7 @@ TEST_SUITE("leaf filter") {
     TEST_CASE("ray: the filter of small integers rejects nothing from an error of 512 on") {
         for (const float error : {511.0f, 511.9375f, 512.0f, 512.0625f, 70000.0f, 0x1p40f}) {
             // Edge functions of half the largest integers.
-            const PairFilter filter(13, error - 0.5f);
+            const PairsFilter filter(13, error - 0.5f);
             for (const bool is_mirrored : {false, true})
                 CHECK(filter.allows({20000, -20000}, {20000, 20000}, {1, -30000}, is_mirrored) == (error >= 512.0f));
         }

@@ -1,32 +1,13 @@
 // Claims about the ray queries as the header words them; every_hit_test.cpp compares them with exact arithmetic.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <span>
-#include <vector>
-
-#include <espalier/approximate.hpp>
-#include <espalier/ray.hpp>
-#include <espalier/rounding.hpp>
 #include <espalier/statistics.hpp>
 
 #include "every_hit.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::ray_test {
 namespace {
-
-using oracle::Rational;
 
 TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
@@ -148,7 +129,6 @@ TEST_CASE("ray: a reported t is inside the window after rounding") {
 
 TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither a hit nor a no") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const Ray down{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, up{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
     const auto none = [](TriangleId) { return false; };
     const auto check = [&](const Blob& blob, const Ray& ray, QueryStatus status) {
@@ -189,15 +169,15 @@ TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither 
     CHECK(raycast(cube.blob, down, TriangleFilter()));
     for (const Blob& blob : {cube.blob, empty.blob}) {
         for (int number = 0; number < 8; ++number) {
-            for (const float bad : {nan, -nan, infinity, -infinity}) {
+            for (const float bad : {not_a_number, -not_a_number, infinity, -infinity}) {
                 if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
                 Ray ray = down;
                 float* numbers[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
                                      &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
                 *numbers[number] = bad;
                 check(blob, ray, QueryStatus::invalid_argument);
-                ray.t_min = std::isnan(ray.t_min) ? nan : 2.0f;  // an empty window is no excuse
-                ray.t_max = std::isnan(ray.t_max) ? nan : 1.0f;
+                ray.t_min = std::isnan(ray.t_min) ? not_a_number : 2.0f;  // an empty window is no excuse
+                ray.t_max = std::isnan(ray.t_max) ? not_a_number : 1.0f;
                 check(blob, ray, QueryStatus::invalid_argument);
             }
         }
@@ -208,7 +188,7 @@ TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither 
         Ray far = down;
         far.origin.y = std::numeric_limits<float>::max();
         check(blob, far, QueryStatus::out_of_range);
-        far.direction.x = nan;
+        far.direction.x = not_a_number;
         check(blob, far, QueryStatus::invalid_argument);
     }
     for (const float end : {-1.0f, -infinity}) {

@@ -1,23 +1,7 @@
 // Tests of rounded rays at the borders of what is taken: the words of a handle, and regions.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-
-#include <espalier/rounding.hpp>
+#include "support/testing.hpp"
 
 #include "rounded_ray_loop.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/profiles.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::rounded_ray_borders_test {
 namespace {
@@ -73,7 +57,6 @@ TEST_CASE("seams: a rounded ray is taken up to each border of what kernels rely 
     constexpr std::int32_t most_units = 1 << 24;
     constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
     constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto below = [](float number) { return std::nextafter(number, 0.0f); };
     const auto above = [](float number) { return std::nextafter(number, INFINITY); };
     const Mesh mesh = make_cube(-1.0f, 1.0f);
@@ -177,8 +160,8 @@ TEST_CASE("seams: a rounded ray is taken up to each border of what kernels rely 
                                   Tau{&Data::tau_offset, 0x1p121f}}) {
             const auto with = [&](float value) { return is_taken([&](Data& d) { d.*border.tau = value; }); };
             for (const float value : {0.0f, -0.0f, 0x1p-100f, 1.0f, border.most}) CHECK(with(value));
-            for (const float value :
-                 {below(0x1p-100f), std::numeric_limits<float>::denorm_min(), -0x1p-100f, -1.0f, -INFINITY, nan, -nan})
+            for (const float value : {below(0x1p-100f), std::numeric_limits<float>::denorm_min(), -0x1p-100f, -1.0f,
+                                      -INFINITY, not_a_number, -not_a_number})
                 CHECK_FALSE(with(value));
             CHECK_FALSE(with(std::bit_cast<float>(std::bit_cast<std::uint32_t>(border.most) + 1)));
         }
@@ -187,7 +170,7 @@ TEST_CASE("seams: a rounded ray is taken up to each border of what kernels rely 
         for (float Data::*window : {&Data::t_min, &Data::t_max}) {
             for (const float value : {-INFINITY, -1.0f, 0.0f, std::numeric_limits<float>::denorm_min(), INFINITY})
                 CHECK(is_taken([&](Data& d) { d.*window = value; }));
-            for (const float value : {nan, -nan, std::bit_cast<float>(0x7F800001u)})
+            for (const float value : {not_a_number, -not_a_number, std::bit_cast<float>(0x7F800001u)})
                 CHECK_FALSE(is_taken([&](Data& d) { d.*window = value; }));
         }
     }
@@ -252,9 +235,7 @@ TEST_CASE("seams: a ray that is rounded at a border of numbers is taken again") 
 }
 
 TEST_CASE("seams: a ray from just below 2^120 steps away is rounded and from there on it is out of range") {
-    BakeOptions options;
-    options.resolution = Resolution::step(0);
-    const OpenedBlob cube(make_cube(0.0f, 8.0f), options);
+    const OpenedBlob cube(make_cube(0.0f, 8.0f), {.resolution = Resolution::step(0)});
     const Lattice region = cube.blob.lattice();
     for (const float sign : {-1.0f, 1.0f}) {
         for (int k = 0; k < 3; ++k) {
@@ -274,8 +255,7 @@ TEST_CASE("seams: a ray from just below 2^120 steps away is rounded and from the
 }
 
 TEST_CASE("seams: a region is as long as 2^24 - 1 steps and no longer") {
-    BakeOptions options;
-    options.resolution = Resolution::step(0);
+    const BakeOptions options = {.resolution = Resolution::step(0)};
     const auto placed = [&](int axis, float from, float to) {  // flat where both are the same
         Mesh mesh;
         for (const Vec3& p : {Vec3{from, 0, 0}, Vec3{to, 4, 0}, Vec3{from, 0, 4}})

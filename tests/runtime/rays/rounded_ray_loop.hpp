@@ -1,20 +1,9 @@
 // A rounded ray against every triangle: what the public calls and every instruction set must return.
 #pragma once
 
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
-#include <espalier/rounding.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
-
-#include "support/base/same_bits.hpp"
-#include "support/format/decoder.hpp"
-#include "support/machine/instruction_paths.hpp"
 
 namespace espalier::tests {
 
@@ -49,9 +38,7 @@ inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t
         if (!detail::intersect(ray, triangle, hit)) continue;
         if (best.triangle != no_triangle && !(hit.whole_tau < nearest.whole_tau)) continue;
         nearest = hit;
-        Ray window;
-        window.t_min = data.t_min;
-        window.t_max = data.t_max;
+        Ray window = {.origin = {}, .direction = {}, .t_min = data.t_min, .t_max = data.t_max};
         best = detail::to_ray_hit(ray, window, hit, i);
     }
     return best;

@@ -1,23 +1,7 @@
 // Tests of rays that are rounded once for a region: against the loop over all triangles, and what is refused.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <string>
-
-#include <espalier/rounding.hpp>
+#include "support/testing.hpp"
 
 #include "rounded_ray_loop.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::rounded_ray_test {
 namespace {
@@ -95,9 +79,9 @@ TEST_CASE("seams: what is no ray or no region is refused") {
     const Lattice good = cube.blob.lattice();
     const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
     CHECK(raycast(cube.blob, round_ray(good, ray)).t == 2.0f);
-    const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
+    const float huge = std::numeric_limits<float>::max();
     for (int number = 0; number < 8; ++number) {
-        for (const float bad : {nan, INFINITY, -INFINITY}) {
+        for (const float bad : {not_a_number, INFINITY, -INFINITY}) {
             if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
             Ray broken = ray;
             float* numbers[8] = {&broken.origin.x,    &broken.origin.y,    &broken.origin.z, &broken.direction.x,
@@ -136,7 +120,7 @@ TEST_CASE("seams: what is no ray or no region is refused") {
         const Lattice region = {{}, exponent, {1, 1, 1}};
         CHECK(status_of(region, ray) == QueryStatus::invalid_argument);
     }
-    CHECK(with([&](Lattice& r) { r.origin.y = nan; }) == QueryStatus::invalid_argument);
+    CHECK(with([&](Lattice& r) { r.origin.y = not_a_number; }) == QueryStatus::invalid_argument);
     CHECK(with([](Lattice& r) { r.origin.y = INFINITY; }) == QueryStatus::invalid_argument);
     CHECK(with([](Lattice& r) { r.origin.y += std::ldexp(0.5f, r.step_exponent); }) == QueryStatus::invalid_argument);
 
@@ -149,8 +133,7 @@ TEST_CASE("seams: what is no ray or no region is refused") {
 }
 
 TEST_CASE("seams: a blob with another step or outside of the region is refused and an empty one is not hit") {
-    BakeOptions options;
-    options.resolution = Resolution::step(-8);
+    BakeOptions options = {.resolution = Resolution::step(-8)};
     const OpenedBlob here(make_cube(-1.0f, 1.0f), options), there(make_cube(2.0f, 3.0f), options);
     options.resolution = Resolution::step(-9);
     const OpenedBlob finer(make_cube(-1.0f, 1.0f), options), nothing(Mesh{}, options);
@@ -177,8 +160,7 @@ TEST_CASE("seams: a blob with another step or outside of the region is refused a
 }
 
 TEST_CASE("seams: the region of several blobs holds each of them and no more") {
-    BakeOptions options;
-    options.resolution = Resolution::step(-8);
+    BakeOptions options = {.resolution = Resolution::step(-8)};
     const OpenedBlob a(make_cube(-1.0f, 1.0f), options), b(make_cube(2.0f, 3.0f), options);
     const OpenedBlob far(make_cube(65536.0f, 65537.0f), options), nothing(Mesh{}, options);
     options.resolution = Resolution::step(-9);

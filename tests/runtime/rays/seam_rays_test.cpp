@@ -1,20 +1,7 @@
 // Claims about the parts of a mesh that were baked apart on one lattice: a ray rounded once passes between no two.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
-
-#include <espalier/rounding.hpp>
-
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/meshes/splits.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::seam_rays_test {
 namespace {

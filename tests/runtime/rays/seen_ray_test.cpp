@@ -1,11 +1,7 @@
 // Claims about what a small core sees along a ray (seen_ray.hpp): to the bit as it was, never less than the ray meets,
 // and at their slack to the last unit.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 #include <runtime/rays/small_code/seen_boxes.hpp>
@@ -53,8 +49,7 @@ TEST_CASE("small code: rays and boxes and vertices convert to the recorded bits"
         ++rays;
         for (const std::int32_t slope : ray.slope) sum.add(static_cast<std::uint32_t>(slope));
         sum.add(static_cast<std::uint32_t>(ray.first_ahead));
-        sum.add(static_cast<std::uint32_t>(ray.base_shift));
-        sum.add(ray.ahead_per_tau);
+        sum.add(static_cast<std::uint32_t>(ray.base_shift), ray.ahead_per_tau);
         for (const float tau : {0.0f, 0x1p-24f, 1.0f, ray.tau_min, ray.tau_max})
             sum.add(static_cast<std::uint32_t>(ray.last_ahead(tau)));
         for (int k = 0; k < 2; ++k) {
@@ -66,8 +61,7 @@ TEST_CASE("small code: rays and boxes and vertices convert to the recorded bits"
             (Seen::children(seen) != 0 ? met : missed) += 1;
         }
         const detail::SeenLeaf leaf(random.between(0, 31));
-        sum.add(static_cast<std::uint32_t>(leaf.finer));
-        sum.add(static_cast<std::uint32_t>(leaf.error));
+        sum.add(static_cast<std::uint32_t>(leaf.finer), static_cast<std::uint32_t>(leaf.error));
         std::int32_t place[3];
         for (std::int32_t& coordinate : place) coordinate = random.between(-(1 << 24), 1 << 24);
         sum.add(leaf.vertex(ray, place[ray.axis[0]], place[ray.axis[1]], place[ray.axis[2]]));

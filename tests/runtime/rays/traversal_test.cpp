@@ -1,18 +1,9 @@
 // The tree changes nothing: every query, on every instruction set, gives the bits that the loop over all triangles
 // gives.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
 #include "support/answers/differences.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/machine/instruction_paths.hpp"
 #include "support/meshes/real_meshes.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::traversal_test {
 namespace {
@@ -23,11 +14,9 @@ constexpr const char* batch_queries = "rays: many in one call";
 constexpr const char* sphere_queries = "spheres: any, all; closest point, k nearest";
 
 void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
-    const auto difference = ray_difference(blob, loop, ray, hits);
-    REQUIRE_MESSAGE(!difference, *difference);
+    require_none(ray_difference(blob, loop, ray, hits));
     const Vec3 &from = ray.origin, &way = ray.direction;
-    const auto along_segment = segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}});
-    REQUIRE_MESSAGE(!along_segment, *along_segment);
+    require_none(segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}}));
 }
 
 /// Many rays in one call against one call for each, which are held against the loop; a few in bundles, which share
@@ -54,8 +43,7 @@ void check_batch(const Blob& blob, std::vector<Ray> rays, Random& random) {
 }
 
 void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, std::uint64_t& overlaps) {
-    const auto difference = sphere_difference(blob, loop, sphere, overlaps);
-    REQUIRE_MESSAGE(!difference, *difference);
+    require_none(sphere_difference(blob, loop, sphere, overlaps));
 }
 
 void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::uint64_t count) {
@@ -103,8 +91,7 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 300 + static_cast<std::uint64_t>(profile));
     const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 10 : 101);
-    std::uint64_t hits = 0;
-    std::uint64_t overlaps = 0;
+    std::uint64_t hits = 0, overlaps = 0;
     std::vector<Ray> rays;
     for (std::uint64_t i = 0; i < count; ++i) {
         for (const RayKind kind :

@@ -1,16 +1,7 @@
 // The gap between two instances that share an edge and are turned differently: each rounds the ray for itself.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::gap_test {
 namespace {
@@ -51,10 +42,7 @@ Quaternion turned_about_x(const Quaternion& q, double angle) {
 
 /// A unit square in the plane z = 0, with an edge on the x axis.
 Mesh make_sheet() {
-    Mesh sheet;
-    sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
-    return sheet;
+    return {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
 }
 
 /// Two sheets in the world that meet along an edge, and rays that cross it.

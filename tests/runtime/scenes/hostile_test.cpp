@@ -1,19 +1,10 @@
 // Claims about scenes of any bytes: open_scene() refuses them, or every query on them is safe.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <cmath>
-#include <span>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/format.hpp>
-#include <espalier/scene.hpp>
 #include <runtime/blob/checksum.hpp>
 
 #include "maker.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::scenes_hostile_test {
 namespace {
@@ -108,7 +99,7 @@ TEST_CASE("scene: every flipped bit is refused and with its checksum repaired re
     for (std::size_t byte = 0; byte < original.size(); ++byte) {
         // The meshes have a test of their own: open_test.
         if (byte > format::scene::header_bytes + 64 && byte + 64 < nodes_at) continue;
-        for (unsigned bit = 0; bit < 8; ++bit) {
+        for (const std::size_t bit : sampled(8, 4, byte)) {
             std::vector<std::byte> bytes = original;
             bytes[byte] ^= static_cast<std::byte>(1u << bit);
             std::vector<Blob> meshes(64);
@@ -120,7 +111,7 @@ TEST_CASE("scene: every flipped bit is refused and with its checksum repaired re
             accepted += exercise(bytes) ? 1u : 0u;
         }
     }
-    CHECK(tried > 4000);
+    CHECK(tried > (takes_every_case() ? 4000 : 1000));
     CHECK(accepted > 0);
     CHECK(accepted < tried);
 }

@@ -1,15 +1,6 @@
 #include "maker.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
 #include <stdexcept>
-#include <utility>
-
-#include <espalier/walk.hpp>
-
-#include "support/base/profiles.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests {
 
@@ -28,9 +19,7 @@ std::vector<std::byte> bake_or_throw(const std::vector<OpenedBlob>& blobs, const
 std::vector<OpenedBlob> make_meshes(unsigned bits) {
     std::vector<OpenedBlob> blobs;
     const auto add = [&](const Mesh& mesh, Profile profile) {
-        BakeOptions options = with_profile(profile);
-        options.resolution = Resolution::bits(bits);
-        blobs.emplace_back(mesh, options);
+        blobs.emplace_back(mesh, BakeOptions{.resolution = Resolution::bits(bits), .profile = profile});
     };
     add(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), Profile::balanced);
     add(make_torus(16, 8, 2.0, 0.5), Profile::fast);
@@ -41,8 +30,8 @@ std::vector<OpenedBlob> make_meshes(unsigned bits) {
 }
 
 Transform any_transform(Random& random, float place, int most_exponent) {
-    Transform transform;
-    transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
+    Transform transform = {{random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()},
+                           {}};
     if (random.below(4) == 0) transform.rotation = {};
     transform.translation = random.in_cube(place);
     const int exponent = random.between(-most_exponent, most_exponent);  // drawn first by every compiler
@@ -67,9 +56,8 @@ std::vector<Instance> ground(int side, std::uint32_t mesh, float width) {
     std::vector<Instance> pieces;
     for (int z = 0; z < side; ++z)
         for (int x = 0; x < side; ++x) {
-            Instance piece;
-            piece.mesh = mesh;
-            piece.transform.translation = {width * static_cast<float>(x), 0.0f, width * static_cast<float>(z)};
+            Instance piece = {.transform = {{}, {width * static_cast<float>(x), 0.0f, width * static_cast<float>(z)}},
+                              .mesh = mesh};
             pieces.push_back(piece);
         }
     return pieces;
@@ -276,8 +264,7 @@ std::vector<Vec3> SceneQueryMaker::hull_vertices() {
 }
 
 SceneSweepOptions SceneQueryMaker::sweep_options(const SceneFilter& filter) {
-    SceneSweepOptions options;
-    options.filter = filter;
+    SceneSweepOptions options = {.filter = filter};
     if (random_.below(4) == 0) return options;
     options.culling = static_cast<FaceCulling>(random_.below(3));
     options.ignore_leaving = random_.coin();

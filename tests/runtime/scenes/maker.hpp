@@ -1,16 +1,7 @@
 // Scenes for tests, and queries that are hard to answer over many instances.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/baking.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests {
 

@@ -1,17 +1,9 @@
 // Claims about scenes that hold the same instances in another way: in another order, at another place, in tiles.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <espalier/scene.hpp>
 
 #include "maker.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::metamorphic_test {
 namespace {
@@ -90,9 +82,9 @@ TEST_CASE("scene: instances in tiles that do not move give the same hits") {
             const auto begin = test.instances.begin() + static_cast<std::ptrdiff_t>(from);
             const std::size_t count = std::min(in_tile, test.instances.size() - from);
             tiles.emplace_back(test.blobs, std::vector<Instance>(begin, begin + static_cast<std::ptrdiff_t>(count)));
-            Instance place;
-            place.mesh = static_cast<std::uint32_t>(test.blobs.size() + tiles.size() - 1);
-            place.user = static_cast<std::uint32_t>(from);
+            Instance place = {.transform = {},
+                              .mesh = static_cast<std::uint32_t>(test.blobs.size() + tiles.size() - 1),
+                              .user = static_cast<std::uint32_t>(from)};
             places.push_back(place);
         }
         const OpenedScene other(test.blobs, places, tiles);

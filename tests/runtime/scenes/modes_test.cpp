@@ -1,14 +1,7 @@
 // The same answers of scenes in every float mode and on every instruction set.
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <vector>
-
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/machine/float_mode.hpp"
 
@@ -89,31 +82,23 @@ Questions questions_of(SceneQueryMaker& maker) {
                    .turned = maker.oriented_box(),
                    .vertices = maker.hull_vertices(),
                    .options = maker.sweep_options({})};
-    switch (random.below(8)) {
-        case 0:
-            q.ray.direction = {q.ray.direction.x * 0x1p120f, q.ray.direction.y * 0x1p120f,
-                               q.ray.direction.z * 0x1p120f};
-            break;
-        case 1:
-            q.ray.t_min = small();
-            q.ray.t_max = small();
-            break;
-        case 2:
-            q.max_distance = small();
-            q.sphere.radius = small();
-            q.options.skin = small();
-            break;
-        case 3:
-            q.box.max.x = q.box.min.x = 0.0f;
-            q.box.min.x = 0x1p-149f;
-            break;
-        case 4:
-            q.cone.radius = small();
-            q.displacement = {small(), small(), q.displacement.z};
-            for (Vec3& vertex : q.vertices) vertex.y = small();
-            break;
-        default:
-            break;
+    const auto kind = random.below(8);
+    if (kind == 0)
+        q.ray.direction = {q.ray.direction.x * 0x1p120f, q.ray.direction.y * 0x1p120f, q.ray.direction.z * 0x1p120f};
+    else if (kind == 1) {
+        q.ray.t_min = small();
+        q.ray.t_max = small();
+    } else if (kind == 2) {
+        q.max_distance = small();
+        q.sphere.radius = small();
+        q.options.skin = small();
+    } else if (kind == 3) {
+        q.box.max.x = q.box.min.x = 0.0f;
+        q.box.min.x = 0x1p-149f;
+    } else if (kind == 4) {
+        q.cone.radius = small();
+        q.displacement = {small(), small(), q.displacement.z};
+        for (Vec3& vertex : q.vertices) vertex.y = small();
     }
     return q;
 }

@@ -1,26 +1,12 @@
 // Claims about the rules of scene files: open_scene() enforces each of them, and names what breaks it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <vector>
-
-#include <espalier/format.hpp>
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/format/edits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::scenes_rules_test {
 namespace {
 
 using namespace espalier::format::scene;
-
-using Bytes = std::vector<std::byte>;
 
 /// Returns two cubes of one mesh, moved by whole steps, in a scene.
 OpenedScene two_cubes() {
@@ -181,7 +167,7 @@ TEST_CASE("scene: each rule of nodes and instances is enforced") {
     CHECK(with(scale_at, std::nextafter(0x1p-100f, 0.0f)) == OpenStatus::bad_instance);
     CHECK(with(scale_at, 0x1p100f) == OpenStatus::ok);
     CHECK(with(scale_at, std::nextafter(0x1p100f, infinity)) == OpenStatus::bad_instance);
-    for (const float scale : {0.0f, -1.0f, infinity, std::numeric_limits<float>::quiet_NaN()})
+    for (const float scale : {0.0f, -1.0f, infinity, not_a_number})
         CHECK(with(scale_at, scale) == OpenStatus::bad_instance);
     CHECK(with(translation_at + 4, infinity) == OpenStatus::bad_instance);
     CHECK(with(rotation_at, infinity) == OpenStatus::bad_instance);

@@ -1,22 +1,10 @@
 // Claims about scenes as the header words them: opening, instances, filters and refusals.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::scenes_scene_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<OpenedBlob> one_cube() {
     std::vector<OpenedBlob> blobs;

@@ -1,27 +1,13 @@
 // Claims about sweeps of scenes as the header words them: shapes, options and skins at places of any scale, and shapes
 // that touch instances exactly.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::scenes_sweeps_test {
 namespace {
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float half_root = 0.70710678f;
 
 constexpr Quaternion quarter_turns[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1},
@@ -35,18 +21,14 @@ std::vector<OpenedBlob> one_cube() {
 
 /// A triangle in the plane z = 0 that faces up.
 std::vector<OpenedBlob> one_triangle() {
-    Mesh mesh;
-    mesh.positions = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}};
-    mesh.triangles = {{0, 1, 2}};
+    Mesh mesh = {.positions = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, .triangles = {{0, 1, 2}}};
     std::vector<OpenedBlob> blobs;
     blobs.emplace_back(mesh);
     return blobs;
 }
 
 Instance placed_at(Vec3 translation, float scale = 1.0f, Quaternion rotation = {}) {
-    Instance instance;
-    instance.transform = {rotation, translation, scale};
-    return instance;
+    return {.transform = {rotation, translation, scale}};
 }
 
 std::array<Vec3, 8> corners_of(const Box& box) {
@@ -239,11 +221,11 @@ TEST_CASE("scene: shapes that touch and leave instances exactly equal the loop o
             if (random.coin()) way.x = 0;
             if (random.coin()) way.y = 0;
             if (random.below(4) == 0) way.z = 0;
-            SceneSweepOptions options;
-            options.filter = random.below(4) == 0 ? SceneFilter(random.below(8), keep) : SceneFilter();
-            options.culling = static_cast<FaceCulling>(random.below(3));
-            options.ignore_leaving = random.coin();
-            options.skin = random.coin() ? 0.0f : std::ldexp(1.0f, random.between(-8, 1));
+            SceneSweepOptions options = {
+                .filter = random.below(4) == 0 ? SceneFilter(random.below(8), keep) : SceneFilter(),
+                .culling = static_cast<FaceCulling>(random.below(3)),
+                .ignore_leaving = random.coin(),
+                .skin = random.coin() ? 0.0f : std::ldexp(1.0f, random.between(-8, 1))};
             for_each_shape(at, [&](const auto& shape) {
                 const SceneComparison comparison = compare_sweeps(opened.scene, shape, way, options);
                 REQUIRE_MESSAGE(comparison.fault == nullptr, comparison.fault);

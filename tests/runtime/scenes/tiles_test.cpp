@@ -1,18 +1,7 @@
 // Claims about instances that are moved by whole steps of one lattice: the tiles of a world.
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <cmath>
-#include <vector>
-
-#include <espalier/rounding.hpp>
-#include <espalier/scene.hpp>
+#include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
 
 namespace espalier::tests::tiles_test {
@@ -50,8 +39,7 @@ struct Ground {
 private:
     static std::vector<OpenedBlob> make_blobs() {
         std::vector<OpenedBlob> blobs;
-        BakeOptions options = with_profile(Profile::balanced);
-        options.resolution = Resolution::step(-8);
+        const BakeOptions options = {.resolution = Resolution::step(-8), .profile = Profile::balanced};
         blobs.emplace_back(make_tile(), options);
         return blobs;
     }
@@ -123,8 +111,7 @@ TEST_CASE("scene: instances that rotate or scale or move by part of a step share
 
 TEST_CASE("scene: tiles without a lattice and meshes without triangles are on no common lattice") {
     std::vector<OpenedBlob> blobs = Ground(1).blobs;
-    BakeOptions whole = with_profile(Profile::balanced);
-    whole.resolution = Resolution::step(0);
+    const BakeOptions whole = {.resolution = Resolution::step(0), .profile = Profile::balanced};
     blobs.emplace_back(make_tile(), whole);
     blobs.emplace_back(Mesh{});
     std::vector<Instance> turned(1);
@@ -213,8 +200,7 @@ TEST_CASE("scene: rays aimed at the borders of tiles that are scenes pass betwee
     std::vector<Instance> instances;
     for (int z = 0; z < side; ++z)
         for (int x = 0; x < side; ++x) {
-            Instance instance;
-            instance.mesh = 1;
+            Instance instance = {.transform = {}, .mesh = 1};
             instance.transform.translation = {static_cast<float>(2 * cells * x), 0.0f,
                                               static_cast<float>(2 * cells * z)};
             instances.push_back(instance);

@@ -1,23 +1,11 @@
 // Claims about the bounds in lanes of sweeps: they are never late, and tight enough to be of use. Here with one lane;
 // sweep_test.cpp runs all instruction sets.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/sweeps/queries.hpp>
 #include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
-
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 
 // mutant(nothing): the fragments are those that scalar.cpp compiles
 namespace espalier::detail::scalar {
@@ -55,25 +43,16 @@ public:
         Integer3 corner[3];
         const Integer3 low = some_point(0, std::int64_t{1} << bits_);
         for (Integer3& c : corner) c = low + some_point(-(std::int64_t{1} << size_) / 2, std::int64_t{1} << size_);
-        switch (random_.below(8)) {
-            case 0:
-                for (Integer3& c : corner) c.z = corner[0].z;
-                break;
-            case 1:
-                corner[2] = middle(corner[0], corner[1]);
-                break;
-            case 2:
-                corner[1] = corner[0];
-                break;
-            case 3:  // sides along axes
-                corner[1] = {corner[0].x + 1 + random_.below(1u << size_), corner[0].y, corner[0].z};
-                corner[2] = {corner[0].x, corner[0].y + 1 + random_.below(1u << size_), corner[0].z};
-                break;
-            case 4:  // slim
-                corner[2] = corner[1] + some_point(-1, 3);
-                break;
-            default:
-                break;
+        const auto kind = random_.below(8);
+        if (kind == 0)
+            for (Integer3& c : corner) c.z = corner[0].z;
+        else if (kind == 1) corner[2] = middle(corner[0], corner[1]);
+        else if (kind == 2) corner[1] = corner[0];
+        else if (kind == 3) {  // sides along axes
+            corner[1] = {corner[0].x + 1 + random_.below(1u << size_), corner[0].y, corner[0].z};
+            corner[2] = {corner[0].x, corner[0].y + 1 + random_.below(1u << size_), corner[0].z};
+        } else if (kind == 4) {  // slim
+            corner[2] = corner[1] + some_point(-1, 3);
         }
         const std::int64_t most = (std::int64_t{1} << bits_) - 1;
         for (unsigned i = 0; i < 3; ++i)
@@ -85,16 +64,9 @@ public:
         const Integer3 way = some_way(sweep);
         const std::int64_t radius = some_radius();
         Integer3 axis = random_.coin() ? Integer3{0, 0, 0} : some_point(-reach() / 2, reach());
-        switch (random_.below(5)) {
-            case 0:
-                axis = side();
-                break;
-            case 1:
-                axis.x = axis.y = 0;
-                break;
-            default:
-                break;
-        }
+        const auto kind = random_.below(5);
+        if (kind == 0) axis = side();
+        else if (kind == 1) axis.x = axis.y = 0;
         const Integer3 start = some_start(way, radius) - (random_.coin() ? axis : Integer3{0, 0, 0});
         sweep.from = start;
         sweep.moving = {{way, radius}, axis};
@@ -192,14 +164,10 @@ private:
         return way;
     }
     std::int64_t some_radius() {
-        switch (random_.below(4)) {
-            case 0:
-                return 0;
-            case 1:
-                return 1 + random_.below(4);
-            default:
-                return static_cast<std::int64_t>(random_.next() % static_cast<std::uint64_t>(reach()));
-        }
+        const auto kind = random_.below(4);
+        if (kind == 0) return 0;
+        if (kind == 1) return 1 + random_.below(4);
+        return static_cast<std::int64_t>(random_.next() % static_cast<std::uint64_t>(reach()));
     }
     /// At some time the shape is about as far from a place on the triangle as its radius.
     Integer3 some_start(const Integer3& way, std::int64_t radius) {
@@ -294,9 +262,7 @@ void check_beside(const Cases& cases, const CapsuleSweep& sweep, SweepStep step,
 template <class Use>
 void for_each_case(std::uint64_t count, Use use) {
     for (const unsigned bits : {8u, 16u, 24u}) {
-        BakeOptions options;
-        options.resolution = Resolution::bits(bits);
-        const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
+        const OpenedBlob opened(make_cube(-1.0f, 1.0f), {.resolution = Resolution::bits(bits)});
         Cases cases(opened, bits, bits);
         for (std::uint64_t i = 0; i < count; ++i) {
             cases.make_triangle();

@@ -1,17 +1,5 @@
 // Tests of sweeps that continue at a contact: how far a body must be moved away from it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include <espalier/rounding.hpp>
-#include <espalier/sweep.hpp>
-#include <espalier/transform.hpp>
-
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/meshes/makers.hpp"
+#include "support/testing.hpp"
 
 namespace espalier::tests::slide_test {
 namespace {
@@ -56,8 +44,7 @@ void slide(const Blob& blob, const Shape& start, const Vec3& way, const Vec3& ne
 TEST_CASE("sweep: a body that keeps away by the bounds of both sweeps does not start in the contact") {
     for (const float offset : {0.0f, 1000.0f}) {
         for (const float coarseness : {0x1p-12f, 0x1p-4f}) {
-            BakeOptions options;
-            options.resolution = Resolution::tolerance(static_cast<double>(coarseness));
+            const BakeOptions options = {.resolution = Resolution::tolerance(static_cast<double>(coarseness))};
             const OpenedBlob opened(make_icosphere(3, 4.0, {offset, 0.0f, -offset}), options);
             const Blob& blob = opened.blob;
             Seen spheres, capsules, boxes, oriented;

@@ -1,11 +1,6 @@
 // Claims about shapes that touch a triangle where they start: how deep they are in it, and which ways lead out, against
 // the overlaps along all separating directions in rational numbers.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <Eigen/Geometry>
 
@@ -13,8 +8,6 @@
 
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"
-#include "support/base/random.hpp"
-#include "support/base/test_scale.hpp"
 
 namespace espalier::tests::start_test {
 namespace {

@@ -1,27 +1,9 @@
 // Claims about sweeps: they equal the loop over all triangles, agree with the overlap queries, and have manners.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <espalier/contact.hpp>
-#include <espalier/distance.hpp>
-#include <espalier/overlap.hpp>
-#include <espalier/sweep.hpp>
 #include <runtime/sweeps/queries.hpp>
 
-#include "support/base/calls.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/sweep_maker.hpp"
 
@@ -74,9 +56,7 @@ std::array<SweepHit, option_sets> ask(const TriangleLoop& loop, const Blob& blob
 }
 
 struct Seen {
-    std::uint64_t hits = 0;
-    std::uint64_t starts = 0;
-    std::uint64_t asked = 0;
+    std::uint64_t hits = 0, starts = 0, asked = 0;
     std::uint64_t left = 0;  ///< at the start, with the option that ignores what is left
 };
 
@@ -145,15 +125,10 @@ struct Cube {
     [[nodiscard]] const Blob& blob() const { return opened.blob; }
 };
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
 TEST_CASE("sweep: every shape equals the loop on small meshes") { check_blobs(small_test_blobs(), scaled_share(45)); }
 TEST_CASE("sweep: every shape equals the loop on medium meshes") { check_blobs(medium_test_blobs(), scaled_share(6)); }
 TEST_CASE("sweep: blobs with copies equal the loop") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob opened(make_soup(400, 3), options);
+    const OpenedBlob opened(make_soup(400, 3), with_copies());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     Seen seen[shape_kinds];
     check_sweeps(opened.blob, decode(opened.bytes), 500, scaled(150), seen);
@@ -291,8 +266,7 @@ TEST_CASE("sweep: hulls have as many vertices as are allowed or none") {
 }
 
 TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overlaps") {
-    std::uint64_t touched = 0;
-    std::uint64_t asked = 0;
+    std::uint64_t touched = 0, asked = 0;
     for (const TestBlob& blob : small_test_blobs()) {
         CAPTURE(blob.name);
         SweepMaker maker(blob.decoded, 502);
@@ -550,9 +524,8 @@ TEST_CASE("sweep: what the shape leaves is ignored and what it goes deeper into 
             {{0.2f, -0.5f, 0.99f}, {0.5f, -0.4f, 1.2f}, {0.1f, -0.3f, 1.2f}, {0.3f, -0.6f, 1.3f}}};
         check(ConvexHull{vertices});
         // A box that reaches over the edge of a wall goes deeper along the wall's plane.
-        Mesh wall;
-        wall.positions = {{0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {0.0f, 0.0f, 4.0f}};
-        wall.triangles = {{0, 1, 2}};
+        Mesh wall = {.positions = {{0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {0.0f, 0.0f, 4.0f}},
+                     .triangles = {{0, 1, 2}}};
         const OpenedBlob opened(wall, with_profile(profile));
         const Box box = {{-0.25f, -1.0f, -0.25f}, {0.5f, 0.01f, 0.25f}};
         CHECK(sweep(opened.blob, box, {0.0f, 1.0f, 0.0f}, SweepOptions{.ignore_leaving = true}).starts_overlapping);

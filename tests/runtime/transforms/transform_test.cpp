@@ -1,24 +1,11 @@
 // Claims about transforms: how far they are from real arithmetic, and that their bits depend on nothing else.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-
-#include <espalier/transform.hpp>
+#include "support/testing.hpp"
 
 #include "support/base/answer_hash.hpp"
-#include "support/base/random.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/machine/float_mode.hpp"
 
 namespace espalier::tests::transform_test {
 namespace {
-
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Doubles have 29 bits more than the floats that are judged.
 struct Real3 {

@@ -1,22 +1,10 @@
 #include "approximate_checks.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
-#include <espalier/approximate.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
-#include <runtime/overlap/rounded_shapes.hpp>
-#include <runtime/proximity/closest_pair.hpp>
-#include <runtime/traversal/small_boxes.hpp>
 
 #include "support/machine/instruction_paths.hpp"
-#include "support/queries/ray_maker.hpp"
-#include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests {
 

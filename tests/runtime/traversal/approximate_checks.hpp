@@ -1,26 +1,17 @@
 // Approximate queries against the loop over all triangles: nothing is missed, and a wrong yes is near.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include "support/testing.hpp"
 
 #include <runtime/traversal/small_boxes.hpp>
 
-#include "support/base/test_scale.hpp"
-#include "support/format/decoder.hpp"
 #include "support/loops/triangle_loop.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests {
 
 struct Tally {
-    std::uint64_t yes = 0;
-    std::uint64_t wrong_yes = 0;
-    std::uint64_t no = 0;
+    std::uint64_t yes = 0, wrong_yes = 0, no = 0;
     void add(bool maybe, bool exact) { ++(!maybe ? no : exact ? yes : wrong_yes); }
     void check() const {
         if (!asks_enough()) return;

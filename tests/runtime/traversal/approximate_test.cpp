@@ -1,29 +1,13 @@
 // Claims about queries that stop at small boxes, against the loop over all triangles: nothing is missed, and how wrong
 // a yes can be.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include <espalier/approximate.hpp>
-#include <espalier/overlap.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
 #include "approximate_checks.hpp"
-#include "support/base/calls.hpp"
-#include "support/base/profiles.hpp"
 #include "support/blobs/node_kinds.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/machine/instruction_paths.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::approximate_test {
@@ -85,9 +69,9 @@ Ray ray_beside_a_box(const detail::BlobData& blob, Random& random, std::int32_t&
     from[side] = to[side] =
         is_high ? static_cast<float>(upper.high[side]) + beyond : static_cast<float>(upper.low[side]) - beyond;
     const float step = std::ldexp(1.0f, blob.step_exponent);
-    Ray ray;
-    ray.direction = {(to[0] - from[0]) * step, (to[1] - from[1]) * step, (to[2] - from[2]) * step};
-    ray.origin = {blob.origin[0] + from[0] * step, blob.origin[1] + from[1] * step, blob.origin[2] + from[2] * step};
+    Ray ray = {
+        .origin = {blob.origin[0] + from[0] * step, blob.origin[1] + from[1] * step, blob.origin[2] + from[2] * step},
+        .direction = {(to[0] - from[0]) * step, (to[1] - from[1]) * step, (to[2] - from[2]) * step}};
     const float back = random.coin() ? 0.0f : 4.0f * random.unit();
     ray.origin.x -= back * ray.direction.x;
     ray.origin.y -= back * ray.direction.y;
@@ -245,7 +229,6 @@ TEST_CASE("approximate: every query keeps its bound on real meshes") {
 
 TEST_CASE("approximate: coarse answers take less work and a NaN or negative accuracy is exact") {
     const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     std::uint64_t before = ~std::uint64_t{0};
     for (const float accuracy : {0.0f, 0.5f, 1.0f, 4.0f}) {
         QueryCounters counters;
@@ -264,10 +247,10 @@ TEST_CASE("approximate: coarse answers take less work and a NaN or negative accu
     CHECK(before == 100);  // the root, once each
     const Sphere inside{{0.0f, 0.0f, 0.0f}, 0.5f};
     CHECK(overlaps(sphere.blob, inside).no());
-    CHECK(overlaps(sphere.blob, inside, Accuracy{nan}).no());
+    CHECK(overlaps(sphere.blob, inside, Accuracy{not_a_number}).no());
     CHECK(overlaps(sphere.blob, inside, Accuracy{-1.0f}).no());
     CHECK(overlaps(sphere.blob, inside, Accuracy{infinity}).yes());
-    CHECK(overlaps(sphere.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, Accuracy{1.0f}).status() ==
+    CHECK(overlaps(sphere.blob, Sphere{{not_a_number, 0.0f, 0.0f}, 1.0f}, Accuracy{1.0f}).status() ==
           QueryStatus::invalid_argument);
     CHECK(overlaps(sphere.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, Accuracy{infinity}).no());
     CHECK(overlaps(Blob(), inside, Accuracy{infinity}).status() == QueryStatus::not_open);

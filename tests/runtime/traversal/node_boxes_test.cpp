@@ -1,10 +1,7 @@
 // Claims about the tests of a node's children at their borders: what just touches is let through, what is just beyond
 // is not.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 #include <runtime/traversal/box_nodes.hpp>

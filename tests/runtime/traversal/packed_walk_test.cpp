@@ -1,11 +1,6 @@
 // Claims about the parts of walks: what they keep on their stacks, packed into words, and what they do not look at.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <array>
-#include <bit>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/pairs/queries.hpp>
 

@@ -1,20 +1,11 @@
 // Claims about boxes that are taken for the surface in them (small_boxes.hpp): exact, on the border and a unit beside
 // it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "support/testing.hpp"
 
 #include <runtime/traversal/small_boxes.hpp>
 
-#include "support/blobs/baking.hpp"
 #include "support/blobs/node_kinds.hpp"
 #include "support/exact/boxes_on_ray.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::small_boxes_test {
 namespace {
@@ -114,7 +105,7 @@ TEST_CASE("approximate: an accuracy is rounded down to whole steps") {
     const std::pair<float, std::int32_t> cases[] = {
         {-1.0f, -1},
         {0.0f, -1},
-        {std::numeric_limits<float>::quiet_NaN(), -1},
+        {not_a_number, -1},
         {std::numeric_limits<float>::denorm_min(), 0},
         {0.124f, 0},
         {0.125f, 1},

@@ -1,16 +1,10 @@
 // Claims about the instrumented query and about what may be handed in as a visitor.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <espalier/espalier.hpp>
 #include <espalier/statistics.hpp>
 
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/format/encoder.hpp"
 #include "support/machine/exact_buffer.hpp"
-#include "support/meshes/makers.hpp"
-#include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests::statistics_test {
 namespace {

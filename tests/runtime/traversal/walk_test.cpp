@@ -1,17 +1,7 @@
 // Claims about walking over a blob: nothing is left out, nothing comes twice, and boxes hold what is below them.
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
-#include <espalier/espalier.hpp>
+#include "support/testing.hpp"
 
 #include "oracle/rational.hpp"
-#include "support/base/profiles.hpp"
-#include "support/base/same_bits.hpp"
-#include "support/blobs/baking.hpp"
-#include "support/blobs/test_blobs.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::walk_test {
 namespace {
@@ -133,10 +123,7 @@ TEST_CASE("walk: skipping a node leaves out its subtree only and ending ends") {
 }
 
 TEST_CASE("walk: the corners of one triangle equal those of the walk also for duplicate references") {
-    BakeOptions options = with_profile(Profile::fast);
-    options.build.builder = Builder::spatial_splits;
-    options.build.duplicate_budget = 1.0;
-    const OpenedBlob split(make_soup(500, 4), options);
+    const OpenedBlob split(make_soup(500, 4), with_copies());
     REQUIRE(split.blob.duplicate_reference_count() > 0);
     std::vector<const Blob*> blobs = {&split.blob};
     for (const TestBlob* blob : all_test_blobs()) blobs.push_back(&blob->opened.blob);

@@ -1,21 +1,12 @@
 // Claims about how much queries look at: an order or a culling that is a little wrong changes no answer. Counted only
 // in builds with ESPALIER_COUNT_STEPS, as those with sanitizers, with mutants and of small code are.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <espalier/espalier.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lanes/select.hpp>
 
 #include "platform/answers.hpp"
-#include "support/blobs/baking.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-#include "support/meshes/makers.hpp"
 
 namespace espalier::tests::work_test {
 namespace {

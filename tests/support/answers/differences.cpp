@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
-#include <span>
-#include <vector>
 
 #include <espalier/distance.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
@@ -40,8 +38,7 @@ struct RayAnswers {
     std::vector<RayHit> first_filtered;
     QueryStatus first_status = QueryStatus::ok;
     QueryStatus first_status_filtered = QueryStatus::ok;
-    bool any = false;
-    bool any_filtered = false;
+    bool any = false, any_filtered = false;
     std::vector<RayHit> every;
     std::vector<RayHit> crossings;
 };
@@ -290,8 +287,7 @@ std::optional<std::string> path_difference(const Blob& blob, const Sphere& spher
         return std::nullopt;
     }
     struct Answers {
-        bool closest = false;
-        bool any = false;
+        bool closest = false, any = false;
         detail::FoundNearest nearest{};
         std::vector<TriangleId> every;
     };

@@ -6,13 +6,11 @@
 
 #include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
-#include <espalier/overlap.hpp>
 #include <espalier/sweep.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_segment.hpp>
 
 #include "support/base/same_bits.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/steps_maker.hpp"
 
 namespace espalier::tests {

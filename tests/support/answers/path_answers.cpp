@@ -78,13 +78,7 @@ Questions draw_questions(const Blob& blob, Random& random) {
     return questions;
 }
 
-void add(AnswerHash& hash, const RayHit& hit) {
-    hash.add(hit.t);
-    hash.add(hit.u);
-    hash.add(hit.v);
-    hash.add(hit.normal);
-    hash.add(hit.triangle.index);
-}
+void add(AnswerHash& hash, const RayHit& hit) { hash.add(hit.t, hit.u, hit.v, hit.normal, hit.triangle.index); }
 
 struct Kind {
     const char* name;
@@ -111,8 +105,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     about([&](AnswerHash& hash) {
         for (const TriangleFilter* each : {static_cast<const TriangleFilter*>(nullptr), &filter}) {
             const RayHit hit = path.closest_hit(data, ray, each);
-            hash.add(static_cast<std::uint32_t>(hit.status));
-            hash.add(static_cast<std::uint32_t>(hit.side));
+            hash.add(static_cast<std::uint32_t>(hit.status), static_cast<std::uint32_t>(hit.side));
             add(hash, hit);
         }
     });
@@ -157,10 +150,8 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             detail::FoundNearest found{};
             if (!questions.sound || !path.closest_triangle(data, point, found)) return;
             hash.add(found.index);
-            hash.add(found.distance.squared);
-            hash.add(found.distance.u);
-            hash.add(found.distance.v);
-            hash.add(static_cast<std::uint32_t>(found.distance.feature));
+            hash.add(found.distance.squared, found.distance.u, found.distance.v,
+                     static_cast<std::uint32_t>(found.distance.feature));
         });
         about([&](AnswerHash& hash) {
             if (!questions.sound) return;
@@ -168,9 +159,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             const std::size_t count = path.closest_triangles(data, point, nearest);
             for (std::size_t i = 0; i < count; ++i) {
                 detail::finish(data, point, {}, infinity, nearest[i]);
-                hash.add(nearest[i].triangle.index);
-                hash.add(nearest[i].distance);
-                hash.add(nearest[i].point);
+                hash.add(nearest[i].triangle.index, nearest[i].distance, nearest[i].point);
             }
         });
         about([&](AnswerHash& hash) {
@@ -178,8 +167,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         });
         about([&](AnswerHash& hash) {
             const detail::SquaredBounds bounds = path.closest_bounds(data, point, questions.steps, counters);
-            hash.add(bounds.lower);
-            hash.add(bounds.upper);
+            hash.add(bounds.lower, bounds.upper);
         });
     } else {
         next += 5;
@@ -191,8 +179,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         about([&](AnswerHash& hash) {
             std::uint64_t work = most_work;
             const auto touch = [&](const detail::TrianglePair& pair) {
-                hash.add(pair.a.index);
-                hash.add(pair.b.index);
+                hash.add(pair.a.index, pair.b.index);
                 return Visit::next;
             };
             hash.add(static_cast<std::uint32_t>(path.touching_pairs(questions.frame, touch, work)));
@@ -205,12 +192,10 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             detail::FoundTriangles best;
             bool found = false;
             const QueryStatus status = path.nearest_pair(questions.frame, questions.radius, false, best, found, work);
-            hash.add(static_cast<std::uint32_t>(status));
-            hash.add(static_cast<std::uint32_t>(work));
+            hash.add(static_cast<std::uint32_t>(status), static_cast<std::uint32_t>(work));
             if (!found) return;
             hash.add(best.pair.a.index);
-            hash.add(best.pair.b.index);
-            hash.add(best.distance.squared);
+            hash.add(best.pair.b.index, best.distance.squared);
             for (const float weight :
                  {best.distance.on_a.u, best.distance.on_b.u, best.distance.on_a.v, best.distance.on_b.v})
                 hash.add(weight);

@@ -23,6 +23,11 @@ public:
         add(v.y);
         add(v.z);
     }
+    /// Several, one after the other.
+    template <class First, class Second, class... More>
+    void add(const First& first, const Second& second, const More&... more) {
+        add(first), add(second), (add(more), ...);
+    }
     [[nodiscard]] std::uint64_t value() const { return value_; }
 
 private:

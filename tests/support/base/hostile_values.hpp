@@ -8,6 +8,8 @@
 
 namespace espalier::tests {
 
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
 inline constexpr std::array<float, 38> hostile_values = {
     0.0f,
     -0.0f,

@@ -37,11 +37,13 @@ inline BakeOptions with_profile(Profile profile, BakeOptions options = {}) {
 
 /// Returns options that store every optional section but materials, which a blob has if its mesh has them.
 inline BakeOptions with_every_section(Profile profile) {
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    options.flat_angle = 5.0;
-    options.bounds = {true, true, true};
+    BakeOptions options = {.profile = profile, .original_ids = true, .flat_angle = 5.0, .bounds = {true, true, true}};
     return options;
+}
+
+/// Returns options with which large triangles lie in several leaves.
+inline BakeOptions with_copies() {
+    return {.profile = Profile::fast, .build = {.builder = Builder::spatial_splits, .duplicate_budget = 1.0}};
 }
 
 /// What a failure says besides is which profile it was.

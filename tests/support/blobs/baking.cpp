@@ -1,7 +1,6 @@
 #include "baking.hpp"
 
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace espalier::tests {

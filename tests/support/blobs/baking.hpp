@@ -11,6 +11,8 @@
 
 namespace espalier::tests {
 
+using Bytes = std::vector<std::byte>;
+
 /// The blob's bytes. Throws std::runtime_error with the baker's message.
 std::vector<std::byte> bake_or_throw(const Mesh& mesh, const BakeOptions& options = {});
 

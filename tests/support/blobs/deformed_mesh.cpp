@@ -12,9 +12,7 @@
 namespace espalier::tests {
 
 BakeOptions deformable_options(const Mesh& mesh, unsigned bits) {
-    BakeOptions options;
-    options.profile = Profile::fast;
-    options.resolution = Resolution::bits(bits);
+    BakeOptions options = {.resolution = Resolution::bits(bits), .profile = Profile::fast};
     options.deformation.emplace();
     // Noise of another seed goes a little farther.
     const Box box = box_around(every_pose(mesh));

@@ -30,10 +30,8 @@ Mesh named(Mesh mesh, const char* name) {
 
 /// Closed: a tetrahedron whose four corners nearly lie in one plane, so that each face is seen nearly from its side.
 Mesh make_sliver_solid() {
-    Mesh mesh;
-    mesh.positions = {{-1.0f, -1.0f, 0.0f}, {1.0f, 1.0f, 0.0f}, {1.0f, -1.0f, 1e-4f}, {-1.0f, 1.0f, 1e-4f}};
-    mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-    return mesh;
+    return {.positions = {{-1.0f, -1.0f, 0.0f}, {1.0f, 1.0f, 0.0f}, {1.0f, -1.0f, 1e-4f}, {-1.0f, 1.0f, 1e-4f}},
+            .triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
 }
 
 /// What is inside of the world's box only.
@@ -58,9 +56,7 @@ constexpr Box everywhere = {{-largest, -largest, -largest}, {largest, largest, l
 std::vector<ExtremeShape> in_every_profile(const Mesh& mesh, unsigned bits) {
     std::vector<ExtremeShape> shapes;
     for (const Profile profile : every_profile) {
-        BakeOptions options = with_profile(profile);
-        options.resolution = Resolution::bits(bits);
-        OpenedBlob opened(mesh, options);
+        OpenedBlob opened(mesh, {.resolution = Resolution::bits(bits), .profile = profile});
         DecodedBlob decoded = decode(opened.bytes);
         if (decoded.triangles.empty()) throw std::runtime_error(mesh.name + ": nothing was left of it");
         shapes.push_back({mesh.name + ", " + std::to_string(bits) + " bits, profile " + name_of(profile),

@@ -13,8 +13,7 @@ enum class Extras { none, edge_flags_and_bounds };
 
 void add(std::vector<TestBlob>& blobs, const Mesh& mesh, unsigned bits, Extras extras = Extras::none) {
     for (const Profile profile : every_profile) {
-        BakeOptions options = with_profile(profile);
-        options.resolution = Resolution::bits(bits);
+        BakeOptions options = {.resolution = Resolution::bits(bits), .profile = profile};
         if (extras == Extras::edge_flags_and_bounds) {
             options.flat_angle = 5.0;
             options.bounds = {true, true, true};

@@ -311,8 +311,7 @@ private:
     DecodedBlob& head_ = blob_.decoded;
     std::uint32_t triangles_ = 0;
     unsigned deepest_ = 1;
-    std::uint32_t node_budget_ = 0;
-    std::uint32_t leaf_budget_ = 0;
+    std::uint32_t node_budget_ = 0, leaf_budget_ = 0;
     Size leaf_size_ = Size::any;
     Size children_ = Size::any;
     bool flat_triangles_ = false;

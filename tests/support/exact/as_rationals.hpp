@@ -14,8 +14,10 @@
 
 namespace espalier::tests {
 
+using oracle::Rational;
+
 inline oracle::Point exact_point(const GridPoint& point) {
-    return oracle::Point(oracle::Rational(point[0]), oracle::Rational(point[1]), oracle::Rational(point[2]));
+    return oracle::Point(Rational(point[0]), Rational(point[1]), Rational(point[2]));
 }
 
 inline oracle::Triangle exact_triangle(const GridTriangle& triangle) {
@@ -26,15 +28,15 @@ inline oracle::Triangle exact_triangle(const GridTriangle& triangle) {
 inline oracle::Line exact_line(const detail::LatticeRay& ray) {
     oracle::Line line;
     for (int k = 0; k < 3; ++k) {
-        line.origin[k] = oracle::Rational::of(std::int64_t{ray.origin[k]}, -ray.fraction_bits);
-        line.direction[k] = oracle::Rational(std::int64_t{ray.direction[k]});
+        line.origin[k] = Rational::of(std::int64_t{ray.origin[k]}, -ray.fraction_bits);
+        line.direction[k] = Rational(std::int64_t{ray.direction[k]});
     }
     return line;
 }
 
 inline oracle::Point exact_center(const detail::RoundedPoint& point) {
     oracle::Point center;
-    for (int k = 0; k < 3; ++k) center[k] = oracle::Rational::of(point.origin[k], -point.fraction_bits);
+    for (int k = 0; k < 3; ++k) center[k] = Rational::of(point.origin[k], -point.fraction_bits);
     return center;
 }
 

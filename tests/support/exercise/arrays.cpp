@@ -1,15 +1,5 @@
 #include "run.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 namespace {

@@ -1,17 +1,5 @@
 #include "run.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
-#include <runtime/base/options.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/machine/float_mode.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 namespace {
@@ -20,15 +8,9 @@ void check_nearest(Exercise& run, const ClosestPoint& nearest) {
     run.verdict.require(nearest.triangle.index < run.blob.triangle_count(), "the nearest triangle does not exist");
     run.verdict.require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
     run.verdict.require(nearest.feature <= Feature::vertex_c, "the nearest point lies on no feature");
-    run.hash.add(nearest.triangle.index);
-    run.hash.add(nearest.distance);
-    run.hash.add(nearest.u);
-    run.hash.add(nearest.v);
-    run.hash.add(nearest.point);
-    run.hash.add(static_cast<std::uint32_t>(nearest.feature));
-    run.hash.add(nearest.on_shape);
-    run.hash.add(nearest.face_normal);
-    run.hash.add(static_cast<std::uint32_t>(nearest.side));
+    run.hash.add(nearest.triangle.index, nearest.distance, nearest.u, nearest.v, nearest.point,
+                 static_cast<std::uint32_t>(nearest.feature), nearest.on_shape, nearest.face_normal,
+                 static_cast<std::uint32_t>(nearest.side));
 }
 
 /// The contacts of a body: sorted, of triangles that exist, and the few that are kept are among them.
@@ -44,12 +26,8 @@ void check_contacts(Exercise& run, const Shape& shape, float margin) {
         run.verdict.require(contact.distance <= margin, "a contact is farther than the margin, or NaN");
         run.verdict.require(i == 0 || contacts[i - 1].distance <= contact.distance, "contacts are not sorted");
         run.verdict.require(contact.feature <= Feature::vertex_c, "a contact lies on no feature");
-        run.hash.add(contact.triangle.index);
-        run.hash.add(contact.distance);
-        run.hash.add(contact.point);
-        run.hash.add(contact.normal);
-        run.hash.add(static_cast<std::uint32_t>(contact.feature));
-        run.hash.add(static_cast<std::uint32_t>(contact.side));
+        run.hash.add(contact.triangle.index, contact.distance, contact.point, contact.normal,
+                     static_cast<std::uint32_t>(contact.feature), static_cast<std::uint32_t>(contact.side));
     }
     const std::size_t kept = reduce_contacts(found.in(contacts));
     run.verdict.require(kept <= max_reduced_contacts && (kept == 0) == (found.count == 0),
@@ -73,18 +51,13 @@ void exercise_contacts(Exercise& run) {
     const Vec3 from = some_point(blob, run.random), to = some_point(blob, run.random);
     const float radius = some_length(blob, run.random), margin = some_length(blob, run.random);
     // One body a round: the contacts of all four would take longer than most other queries together.
-    switch (run.random.below(4)) {
-        case 0:
-            return check_contacts(run, Sphere{from, radius}, margin);
-        case 1:
-            return check_contacts(run, Capsule{from, to, radius}, margin);
-        case 2:
-            return check_contacts(
-                run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, plain_difference(to, from)}},
-                margin);
-        default:
-            return check_contacts_of_hull(run, margin);
-    }
+    const auto kind = run.random.below(4);
+    if (kind == 0) return check_contacts(run, Sphere{from, radius}, margin);
+    if (kind == 1) return check_contacts(run, Capsule{from, to, radius}, margin);
+    if (kind == 2)
+        return check_contacts(
+            run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, plain_difference(to, from)}}, margin);
+    return check_contacts_of_hull(run, margin);
 }
 
 void exercise_distances(Exercise& run) {
@@ -111,14 +84,12 @@ void exercise_distances(Exercise& run) {
     for (const Result<float>& moved : {rounding_error(blob, point), rounding_error(blob, Segment{point, end}),
                                        rounding_error(blob, Ray{.origin = end, .direction = point})}) {
         run.verdict.require(moved.value >= 0.0f, "how far rounding moves a query is negative or NaN");
-        run.hash.add(static_cast<std::uint32_t>(moved.status));
-        run.hash.add(moved.value);
+        run.hash.add(static_cast<std::uint32_t>(moved.status), moved.value);
     }
     const YesNo inside = contains(blob.for_lists(), point);
     run.hash.add(static_cast<std::uint32_t>(inside.status()));
     const Result<float> winding = winding_number(blob.for_lists(1), point, 2);
-    run.hash.add(static_cast<std::uint32_t>(winding.status));
-    run.hash.add(winding.value);
+    run.hash.add(static_cast<std::uint32_t>(winding.status), winding.value);
     const ClosestPoint with_sign = signed_distance(blob.for_lists(1), point, max_distance);
     run.hash.add(static_cast<std::uint32_t>(with_sign.status));
     if (is_refused(with_sign.status)) return;
@@ -156,8 +127,7 @@ void exercise_approximate(Exercise& run) {
     if (bounds) {
         verdict.require(bounds->lower >= 0.0f && (!run.sound || bounds->lower <= bounds->upper),
                         "bounds of a distance are none");
-        run.hash.add(bounds->lower);
-        run.hash.add(bounds->upper);
+        run.hash.add(bounds->lower, bounds->upper);
     }
     run.hash.add(static_cast<std::uint32_t>(counters.nodes));
 }

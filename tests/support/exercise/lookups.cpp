@@ -1,24 +1,11 @@
 #include "run.hpp"
 
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/answer_hash.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 void exercise_bounds(Exercise& run) {
     AnswerHash& hash = run.hash;
     if (const Result<Sphere> sphere = bounding_sphere(run.blob)) {
-        hash.add(sphere->center);
-        hash.add(sphere->radius);
+        hash.add(sphere->center, sphere->radius);
     }
     if (const Result<OrientedBox> box = oriented_bounds(run.blob)) {
         hash.add(box->center);
@@ -26,8 +13,7 @@ void exercise_bounds(Exercise& run) {
     }
     if (const Result<KDop> k_dop = k_dop_bounds(run.blob)) {
         for (unsigned k = 0; k < KDop::count; ++k) {
-            hash.add(k_dop->lo[k]);
-            hash.add(k_dop->hi[k]);
+            hash.add(k_dop->lo[k], k_dop->hi[k]);
         }
     }
 }
@@ -43,8 +29,7 @@ void exercise_nodes(Exercise& run) {
             const TreeChild& child = node.children[i];
             run.verdict.require(!child.is_leaf || child.first.index + child.count <= blob.triangle_count(),
                                 "a leaf has triangles that do not exist");
-            run.hash.add(child.box.min);
-            run.hash.add(child.box.max);
+            run.hash.add(child.box.min, child.box.max);
         }
         if (++visited == until) return NodeVisit::stop;
         return node.number % 5 == 4 ? NodeVisit::skip : NodeVisit::descend;
@@ -63,17 +48,13 @@ void exercise_lookups(Exercise& run) {
     for (const std::uint32_t index : indices) {
         if (const Result<OriginalTriangle> original = original_triangle(blob, {index})) {
             verdict.require(index < blob.triangle_count(), "a triangle that does not exist has an original");
-            hash.add(original->file);
-            hash.add(original->mesh);
-            hash.add(original->triangle);
-            hash.add(original->first_corner);
+            hash.add(original->file, original->mesh, original->triangle, original->first_corner);
             verdict.require(original->first_corner < 3, "a triangle begins with a corner that it does not have");
         }
         const RayHit hit = {0.0f, hostile_values[random.below(hostile_values.size())], 0.5f, {}, {index}};
         const OriginalHit turned = original_hit(blob, hit);
         verdict.require(!turned || index < blob.triangle_count(), "a hit of no triangle leads back");
-        hash.add(static_cast<std::uint32_t>(turned.status));
-        hash.add(std::uint32_t{material(blob, {index})});
+        hash.add(static_cast<std::uint32_t>(turned.status), std::uint32_t{material(blob, {index})});
         if (const Result<EdgeKinds> kinds = edge_kinds(blob, {index}))
             for (const EdgeKind kind : {kinds->ab, kinds->bc, kinds->ca}) hash.add(static_cast<std::uint32_t>(kind));
         const auto [corners, status] = triangle_at(blob, {index});
@@ -87,19 +68,14 @@ void exercise_lookups(Exercise& run) {
             verdict.require(exists, "a triangle that does not exist has an internal edge");
         hash.add(normal);
     }
-    hash.add(std::ldexp(1.0f, blob.lattice().step_exponent));
-    hash.add(blob.bounds().min);
-    hash.add(blob.bounds().max);
-    std::uint32_t visited = 0;
-    std::uint32_t next = 0;
+    hash.add(std::ldexp(1.0f, blob.lattice().step_exponent), blob.bounds().min, blob.bounds().max);
+    std::uint32_t visited = 0, next = 0;
     (void)for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
         const bool follows = blob.duplicate_reference_count() == 0 ? triangle.index == next : triangle.index >= next;
         verdict.require(follows, "triangles are not walked in storage order");
         next = triangle.index + 1;
         ++visited;
-        hash.add(corners.a);
-        hash.add(corners.b);
-        hash.add(corners.c);
+        hash.add(corners.a, corners.b, corners.c);
         return visited == 4096 ? Visit::stop : Visit::next;
     });
 }

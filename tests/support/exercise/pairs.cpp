@@ -1,16 +1,6 @@
 #include "run.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests::exercises {
 
@@ -85,8 +75,7 @@ void exercise_pairs(Exercise& run) {
     const auto check_pair = [&](TriangleId a, TriangleId b) {
         verdict.require(a.index < blob.triangle_count() && b.index < blob.triangle_count(),
                         "a triangle of a pair does not exist");
-        run.hash.add(a.index);
-        run.hash.add(b.index);
+        run.hash.add(a.index, b.index);
     };
     const YesNo touching = overlaps(placed(), other, limit);
     run.hash.add(static_cast<std::uint32_t>(touching.status()));
@@ -133,9 +122,7 @@ void exercise_pairs(Exercise& run) {
         verdict.require(nearest.distance >= 0.0f && nearest.distance <= max_distance,
                         "a distance of two blobs is NaN or out of range");
         verdict.require(!touching.yes() || !run.sound || nearest.distance == 0.0f, "blobs that touch are apart");
-        run.hash.add(nearest.distance);
-        run.hash.add(nearest.on_a);
-        run.hash.add(nearest.on_b);
+        run.hash.add(nearest.distance, nearest.on_a, nearest.on_b);
     }
 }
 

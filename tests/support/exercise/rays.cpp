@@ -1,17 +1,5 @@
 #include "run.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/answer_hash.hpp"
-#include "support/base/hostile_values.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 namespace {
@@ -27,16 +15,10 @@ void check_hit(Exercise& run, const RayHit& hit) {
                     "a hit has no side");
     verdict.require(is_number(hit.normal.x) && is_number(hit.normal.y) && is_number(hit.normal.z),
                     "a hit's normal is NaN");
-    hash.add(hit.triangle.index);
-    hash.add(hit.t);
-    hash.add(hit.u);
-    hash.add(hit.v);
-    hash.add(hit.normal);
+    hash.add(hit.triangle.index, hit.t, hit.u, hit.v, hit.normal);
     const OriginalHit original = original_hit(blob, hit);
     verdict.require(original || original.status == QueryStatus::no_data, "a hit does not lead back");
-    hash.add(original.triangle);
-    hash.add(original.u);
-    hash.add(original.v);
+    hash.add(original.triangle, original.u, original.v);
 }
 
 /// A hit, a miss or a refusal.
@@ -52,8 +34,7 @@ void exercise_rays(Exercise& run) {
     const MeasuredBlob& blob = run.blob;
     Random& random = run.random;
     Verdict& verdict = run.verdict;
-    Ray ray;
-    ray.origin = some_point(blob, random);
+    Ray ray = {.origin = some_point(blob, random), .direction = {}};
     if (random.coin()) {
         const Vec3 target = some_point(blob, random);
         ray.direction = plain_difference(target, ray.origin);

@@ -1,6 +1,12 @@
 // One run of exercise(): what its parts share. Each part is in the file of its queries.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
 #include <stdexcept>
 
 #include <espalier/espalier.hpp>
@@ -10,6 +16,7 @@
 #include "support/base/random.hpp"
 #include "support/blobs/measured_blob.hpp"
 #include "support/machine/float_mode.hpp"
+#include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests::exercises {
 

@@ -1,15 +1,5 @@
 #include "run.hpp"
 
-#include <bit>
-#include <cstdint>
-#include <span>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 namespace {
@@ -53,12 +43,8 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
         const Vec3& n = hit.normal;
         verdict.require(n.x * n.x + n.y * n.y + n.z * n.z > 0.999f, "a sweep's normal is not of unit length");
         verdict.require(is_number(hit.point.x + hit.point.y + hit.point.z), "a sweep's point is NaN");
-        run.hash.add(hit.triangle.index);
-        run.hash.add(hit.t);
-        run.hash.add(hit.point);
-        run.hash.add(hit.normal);
-        run.hash.add(hit.face_normal);
-        run.hash.add(static_cast<std::uint32_t>(hit.feature));
+        run.hash.add(hit.triangle.index, hit.t, hit.point, hit.normal, hit.face_normal,
+                     static_cast<std::uint32_t>(hit.feature));
         verdict.require(hit.feature <= Feature::vertex_c, "a sweep's feature does not exist");
     }
 }

@@ -1,18 +1,5 @@
 #include "run.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-
-#include <espalier/espalier.hpp>
-
-#include "support/base/answer_hash.hpp"
-#include "support/base/random.hpp"
-#include "support/blobs/measured_blob.hpp"
-#include "support/machine/float_mode.hpp"
-#include "support/queries/hostile_arguments.hpp"
-
 namespace espalier::tests::exercises {
 
 namespace {
@@ -61,18 +48,12 @@ void exercise_volume(Exercise& run, const Shape& shape) {
 /// In lattice steps: near the asset more often than not, at the ends of the range, or anything.
 std::int32_t some_steps(const Exercise& run, Random& random, int axis) {
     const std::int32_t extent = run.blob.unmeasured().lattice().extent[axis];
-    switch (random.below(8)) {
-        case 0:
-            return static_cast<std::int32_t>(random.next());
-        case 1:
-            return random.coin() ? max_lattice_coordinate : -max_lattice_coordinate;
-        case 2:
-            return 0;
-        case 3:
-            return extent;
-        default:
-            return random.between(-extent / 4 - 1, extent + extent / 4 + 1);
-    }
+    const auto kind = random.below(8);
+    if (kind == 0) return static_cast<std::int32_t>(random.next());
+    if (kind == 1) return random.coin() ? max_lattice_coordinate : -max_lattice_coordinate;
+    if (kind == 2) return 0;
+    if (kind == 3) return extent;
+    return random.between(-extent / 4 - 1, extent + extent / 4 + 1);
 }
 
 }  // namespace
@@ -84,8 +65,7 @@ void exercise_spheres(Exercise& run) {
     Verdict& verdict = run.verdict;
     const Sphere sphere{some_point(blob, random), some_length(blob, random)};
     const bool any = overlaps(blob, sphere).yes();
-    std::uint32_t visited = 0;
-    std::uint32_t last = 0;
+    std::uint32_t visited = 0, last = 0;
     const bool ascends = blob.duplicate_reference_count() == 0;
     (void)for_each_overlap(blob.for_lists(), sphere, [&](TriangleId triangle) {
         verdict.require(triangle.index < blob.triangle_count(), "a sphere overlaps a triangle that does not exist");
@@ -148,9 +128,7 @@ void exercise_steps(Exercise& run) {
     if (hit) {
         verdict.require(hit.triangle.index < blob.triangle_count(), "a segment hit a triangle that does not exist");
         verdict.require(hit.t <= 1u << 31, "a segment is hit beyond its end");
-        run.hash.add(hit.triangle.index);
-        run.hash.add(hit.t);
-        run.hash.add(static_cast<std::uint32_t>(hit.side));
+        run.hash.add(hit.triangle.index, hit.t, static_cast<std::uint32_t>(hit.side));
     }
     exercise_volume(run, LatticeBox{segment.from, segment.to});
     const Lattice lattice = blob.unmeasured().lattice();

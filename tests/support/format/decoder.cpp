@@ -4,8 +4,6 @@
 #include <deque>
 #include <stdexcept>
 
-#include <espalier/format.hpp>
-
 #include "bytes_reader.hpp"
 #include "leaf_decoder.hpp"
 
@@ -110,9 +108,7 @@ private:
     /// What nodes of both kinds hold.
     struct Node {
         std::size_t at = 0;
-        std::uint32_t first_node = 0;
-        std::uint32_t nodes = 0;
-        std::uint32_t leaves = 0;
+        std::uint32_t first_node = 0, nodes = 0, leaves = 0;
         std::size_t block = 0;  // of its leaves
         std::vector<GridBox> boxes;
     };
@@ -369,15 +365,11 @@ private:
     Bytes bytes_;
     DecodedBlob decoded_;
     bool has_strips_ = false;
-    std::uint32_t node_count_ = 0;
-    std::uint32_t leaf_bytes_ = 0;
-    std::uint32_t source_count_ = 0;
+    std::uint32_t node_count_ = 0, leaf_bytes_ = 0, source_count_ = 0;
     unsigned id_kind_bits_ = 0;
     std::size_t leaves_at_ = 0;
     CornerRows corner_rows_{};
-    std::size_t vertex_sources_at_ = 0;
-    std::size_t vertex_slots_ = 0;
-    std::size_t vertex_slots_seen_ = 0;
+    std::size_t vertex_sources_at_ = 0, vertex_slots_ = 0, vertex_slots_seen_ = 0;
 };
 
 }  // namespace

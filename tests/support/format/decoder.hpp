@@ -43,9 +43,7 @@ struct DecodedNode {
 };
 
 struct DecodedSource {
-    std::uint32_t first = 0;
-    std::uint32_t file = 0;
-    std::uint32_t mesh = 0;
+    std::uint32_t first = 0, file = 0, mesh = 0;
 };
 
 struct DecodedBlob {
@@ -57,9 +55,7 @@ struct DecodedBlob {
     std::array<std::uint32_t, 3> extent{};
     float max_error = 0.0f;
     unsigned depth = 0;
-    std::uint32_t triangle_count = 0;
-    std::uint32_t vertex_count = 0;
-    std::uint32_t source_triangles = 0;
+    std::uint32_t triangle_count = 0, vertex_count = 0, source_triangles = 0;
     std::vector<DecodedNode> nodes;
     std::vector<GridTriangle> triangles;      // in storage order
     std::vector<DecodedSource> sources;       // empty without original ids

@@ -3,14 +3,42 @@
 #include <algorithm>
 #include <bit>
 
-#include "bytes_writer.hpp"
 #include "support/base/checksum.hpp"
 
 namespace espalier::tests {
 
-using namespace encoding;
-
 namespace {
+
+/// Numbers into the bytes of a blob.
+class Writer {
+public:
+    void put(std::uint64_t value, unsigned size) {
+        for (unsigned i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i)));
+    }
+    void pad_to(std::size_t multiple) {
+        while (bytes.size() % multiple != 0) bytes.push_back(std::byte{0});
+    }
+    /// A bit at a time, low bits first; `end_stream` fills the last byte up.
+    void put_bits(std::uint64_t value, unsigned width) {
+        for (unsigned i = 0; i < width; ++i, ++bit_) {
+            if (bit_ % 8 == 0) bytes.push_back(std::byte{0});
+            bytes.back() |= static_cast<std::byte>((value >> i & 1u) << (bit_ % 8));
+        }
+    }
+    void end_stream() { bit_ = 0; }
+    void append(const Writer& other) { bytes.insert(bytes.end(), other.bytes.begin(), other.bytes.end()); }
+
+    std::vector<std::byte> bytes;
+
+private:
+    std::size_t bit_ = 0;
+};
+
+unsigned bits_for(std::uint32_t number) {
+    unsigned count = 0;
+    for (; number != 0; number /= 2) ++count;
+    return count;
+}
 
 void put_axis(Writer& out, const PlainLeaf& leaf, std::size_t axis, std::int32_t start, unsigned width) {
     for (const GridPoint& vertex : leaf.vertices) out.put_bits(static_cast<std::uint32_t>(vertex[axis] - start), width);
@@ -378,8 +406,7 @@ private:
     Writer corners_;
     std::vector<Writer> sources_;  ///< of each node's leaves
     std::size_t vertex_slots_ = 0;
-    std::uint32_t node_count_ = 0;
-    std::uint32_t triangles_ = 0;
+    std::uint32_t node_count_ = 0, triangles_ = 0;
     std::size_t id_step_bytes_ = 0;
     unsigned depth_ = 0;
 };

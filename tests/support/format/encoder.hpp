@@ -49,10 +49,7 @@ struct PlainNode {
 /// How a step from id to id may be written.
 struct PlainIdKind {
     std::uint32_t offset = 0;
-    unsigned width = 0;
-    unsigned prefix = 0;
-    unsigned from = 0;
-    unsigned replaced = 0;
+    unsigned width = 0, prefix = 0, from = 0, replaced = 0;
 };
 
 /// What a blob holds. `decoded` gives the header and the optional sections; its nodes, triangles and corner sources are

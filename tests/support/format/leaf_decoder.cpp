@@ -1,13 +1,6 @@
 #include "leaf_decoder.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
-
-#include <espalier/format.hpp>
 
 namespace espalier::tests::decoding {
 
@@ -26,8 +19,7 @@ std::size_t read_axis(const Bytes& bytes, const Leaf& leaf, std::size_t at, unsi
 std::vector<GridTriangle> windows_of(const std::vector<std::uint32_t>& numbers, const std::vector<bool>& is_pivot,
                                      const std::vector<bool>& is_triangle, const std::vector<GridPoint>& vertices) {
     std::vector<GridTriangle> triangles;
-    unsigned pivot = 0;
-    unsigned pivots_so_far = 0;
+    unsigned pivot = 0, pivots_so_far = 0;
     for (unsigned window = 0; window < numbers.size() - 2; ++window) {
         if (is_pivot[window]) {
             pivot = window;

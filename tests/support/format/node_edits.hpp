@@ -45,9 +45,7 @@ inline NodeLayout layout_of(Profile profile) {
 }
 
 struct NodeCounts {
-    std::uint64_t first_child = 0;
-    std::uint64_t nodes = 0;
-    std::uint64_t leaves = 0;
+    std::uint64_t first_child = 0, nodes = 0, leaves = 0;
 };
 
 /// Of the node that begins at `at`.

@@ -11,7 +11,7 @@
 
 namespace espalier::tests {
 
-namespace {
+namespace scene_loops {  // with a name: what is instantiated elsewhere captures these
 
 /// An instance, its blob, and the triangles of it that count.
 struct InstanceInLoop {
@@ -132,7 +132,8 @@ struct Overlap {
 /// As everywhere in transforms, lengths below 2^-100 count as zero.
 float zero_if_tiny(float length) { return std::abs(length) < 0x1p-100f ? 0.0f : length; }
 
-}  // namespace
+}  // namespace scene_loops
+using namespace scene_loops;
 
 Result<Instance> instance_of_number(const BakedScene& scene, std::uint32_t number) {
     return instance_at(scene, InstanceId{number});

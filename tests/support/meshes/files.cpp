@@ -7,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace espalier::tests {
 
@@ -66,8 +65,7 @@ Number read_number(std::istream& in) {
 Mesh read_ply(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string header;
-    std::size_t vertices = 0;
-    std::size_t faces = 0;
+    std::size_t vertices = 0, faces = 0;
     for (std::string line; std::getline(in, line) && line != "end_header";) {
         header += line + "\n";
         std::istringstream words(line);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
-#include <vector>
 
 #include "support/base/random.hpp"
 
@@ -19,15 +18,11 @@ constexpr int rows = 22;
 struct Cell {
     bool is_open = false;
     bool is_outside = false;  // no ceiling, uneven ground
-    float floor = 0.0f;
-    float ceiling = 0.0f;
+    float floor = 0.0f, ceiling = 0.0f;
 };
 
 struct Room {
-    int column = 0;
-    int row = 0;
-    int width = 0;
-    int depth = 0;
+    int column = 0, row = 0, width = 0, depth = 0;
     float floor = 0.0f;
     [[nodiscard]] int middle_column() const { return column + width / 2; }
     [[nodiscard]] int middle_row() const { return row + depth / 2; }
@@ -160,8 +155,7 @@ private:
     }
 
     struct PlanPoint {
-        float x = 0.0f;
-        float y = 0.0f;
+        float x = 0.0f, y = 0.0f;
     };
     void build_wall(const PlanPoint& from, const PlanPoint& to, float low, float high) {
         if (!(low < high)) return;

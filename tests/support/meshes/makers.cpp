@@ -41,8 +41,7 @@ void add_grid_triangles(Mesh& mesh, unsigned side) {
 }  // namespace
 
 Mesh make_cube(float low, float high) {
-    Mesh mesh;
-    mesh.name = "cube";
+    Mesh mesh = {.name = "cube"};
     for (unsigned corner = 0; corner < 8; ++corner) {
         mesh.positions.push_back(
             {(corner & 1u) != 0 ? high : low, (corner & 2u) != 0 ? high : low, (corner & 4u) != 0 ? high : low});
@@ -59,8 +58,7 @@ Mesh make_icosphere(unsigned level, double radius, Vec3 center) {
     const double g = std::numbers::phi;
     std::vector<Direction> directions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                          {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    Mesh mesh;
-    mesh.name = "icosphere";
+    Mesh mesh = {.name = "icosphere"};
     mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
@@ -93,8 +91,7 @@ Mesh make_icosphere(unsigned level, double radius, Vec3 center) {
 }
 
 Mesh make_uv_sphere(unsigned rings, unsigned segments, double radius, Vec3 center) {
-    Mesh mesh;
-    mesh.name = "uv sphere";
+    Mesh mesh = {.name = "uv sphere"};
     mesh.positions.push_back(on_sphere(0, 0, 1, radius, center));
     for (unsigned ring = 1; ring < rings; ++ring) {
         const double polar = std::numbers::pi * ring / rings;
@@ -122,8 +119,7 @@ Mesh make_uv_sphere(unsigned rings, unsigned segments, double radius, Vec3 cente
 }
 
 Mesh make_torus(unsigned around, unsigned across, double major_radius, double minor_radius) {
-    Mesh mesh;
-    mesh.name = "torus";
+    Mesh mesh = {.name = "torus"};
     for (unsigned i = 0; i < around; ++i) {
         const double turn = 2.0 * std::numbers::pi * i / around;
         for (unsigned j = 0; j < across; ++j) {
@@ -153,8 +149,7 @@ Mesh make_far_sphere() {
 }
 
 Mesh make_plane_grid(unsigned side) {
-    Mesh mesh;
-    mesh.name = "plane grid";
+    Mesh mesh = {.name = "plane grid"};
     for (unsigned row = 0; row <= side; ++row) {
         for (unsigned column = 0; column <= side; ++column) {
             mesh.positions.push_back({static_cast<float>(column), static_cast<float>(row), 0.25f});
@@ -166,8 +161,7 @@ Mesh make_plane_grid(unsigned side) {
 
 Mesh make_terrain(unsigned side, std::uint64_t seed) {
     Random random(seed);
-    Mesh mesh;
-    mesh.name = "terrain";
+    Mesh mesh = {.name = "terrain"};
     for (unsigned row = 0; row <= side; ++row) {
         for (unsigned column = 0; column <= side; ++column) {
             const double x = column;
@@ -182,8 +176,7 @@ Mesh make_terrain(unsigned side, std::uint64_t seed) {
 }
 
 Mesh make_needle_fan(unsigned count) {
-    Mesh mesh;
-    mesh.name = "needle fan";
+    Mesh mesh = {.name = "needle fan"};
     mesh.positions.push_back({0.0f, 0.0f, 0.0f});
     for (unsigned i = 0; i < count; ++i) {
         const double turn = 2.399963229728653 * i;  // the golden angle: no two needles alike
@@ -200,8 +193,7 @@ Mesh make_needle_fan(unsigned count) {
 
 Mesh make_slivers(unsigned count, std::uint64_t seed) {
     Random random(seed);
-    Mesh mesh;
-    mesh.name = "slivers";
+    Mesh mesh = {.name = "slivers"};
     for (unsigned i = 0; i < count; ++i) {
         const Vec3 a = random.in_cube(1.0f);
         const Vec3 b = random.in_cube(1.0f);
@@ -216,8 +208,7 @@ Mesh make_slivers(unsigned count, std::uint64_t seed) {
 
 Mesh make_coplanar_stacks(unsigned count, std::uint64_t seed) {
     Random random(seed);
-    Mesh mesh;
-    mesh.name = "coplanar stacks";
+    Mesh mesh = {.name = "coplanar stacks"};
     for (unsigned i = 0; i < count; ++i) {
         // A coarse grid of corners in four tilted planes z = x * k / 4 + k: overlaps and shared corners are the rule.
         const auto level = static_cast<float>(i % 4);
@@ -237,8 +228,7 @@ Mesh make_coplanar_stacks(unsigned count, std::uint64_t seed) {
 
 Mesh make_soup(unsigned count, std::uint64_t seed) {
     Random random(seed);
-    Mesh mesh;
-    mesh.name = "soup";
+    Mesh mesh = {.name = "soup"};
     for (unsigned i = 0; i < count; ++i) {
         const float reach = std::ldexp(1.0f, -static_cast<int>(random.below(9)));
         const Vec3 center = random.in_cube(1.0f);
@@ -255,8 +245,7 @@ Mesh make_soup(unsigned count, std::uint64_t seed) {
 }
 
 Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
-    Mesh mesh;
-    mesh.name = "beams";
+    Mesh mesh = {.name = "beams"};
     Random random(seed);
     const auto unit = [&] { return static_cast<float>(random.below(1'000'000)) * 1e-6f; };
     const auto add = [&](Vec3 a, Vec3 b, Vec3 c) {

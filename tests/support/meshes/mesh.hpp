@@ -9,18 +9,13 @@
 namespace espalier::tests {
 
 struct Mesh {
-    std::string name;
-    std::vector<Vec3> positions;
-    std::vector<TriangleVertices> triangles;
-    std::vector<std::uint32_t> materials;
+    std::string name = {};
+    std::vector<Vec3> positions = {};
+    std::vector<TriangleVertices> triangles = {};
+    std::vector<std::uint32_t> materials = {};
 
     [[nodiscard]] MeshView view() const {
-        MeshView view;
-        view.positions = positions;
-        view.triangles = triangles;
-        view.materials = materials;
-        view.name = name;
-        return view;
+        return {.positions = positions, .triangles = triangles, .materials = materials, .name = name};
     }
 };
 

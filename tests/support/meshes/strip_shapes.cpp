@@ -16,8 +16,7 @@ Vec3 on_circle(unsigned place, unsigned places, double radius, double z) {
 
 /// A grid of triangles, each followed by the same one wound the other way.
 Mesh make_double_sided(unsigned side) {
-    Mesh mesh;
-    mesh.name = "double-sided grid";
+    Mesh mesh = {.name = "double-sided grid"};
     for (unsigned row = 0; row <= side; ++row) {
         for (unsigned column = 0; column <= side; ++column) {
             mesh.positions.push_back({static_cast<float>(20 * column), static_cast<float>(20 * row),
@@ -35,9 +34,7 @@ Mesh make_double_sided(unsigned side) {
 
 /// Triangles that all share one edge, every third one wound the other way.
 Mesh make_book(unsigned pages) {
-    Mesh mesh;
-    mesh.name = "book";
-    mesh.positions = {{128, 128, 0}, {128, 128, 100}};
+    Mesh mesh = {.name = "book", .positions = {{128, 128, 0}, {128, 128, 100}}};
     for (unsigned page = 0; page < pages; ++page) {
         mesh.positions.push_back(on_circle(page, pages, 90.0, 40.0 + page));
         const std::uint32_t corner = page + 2;
@@ -49,8 +46,7 @@ Mesh make_book(unsigned pages) {
 
 /// All triangles over a few vertices, in one winding or both.
 Mesh make_complete(unsigned vertices, bool both) {
-    Mesh mesh;
-    mesh.name = both ? "all triangles over few vertices, both ways" : "all triangles over few vertices";
+    Mesh mesh = {.name = both ? "all triangles over few vertices, both ways" : "all triangles over few vertices"};
     for (unsigned i = 0; i < vertices; ++i) mesh.positions.push_back(on_circle(i, vertices, 100.0, 7.0 * (i * i % 11)));
     for (std::uint32_t a = 0; a < vertices; ++a) {
         for (std::uint32_t b = a + 1; b < vertices; ++b) {
@@ -65,8 +61,7 @@ Mesh make_complete(unsigned vertices, bool both) {
 
 /// Closed tetrahedra far apart.
 Mesh make_tetrahedra(unsigned count) {
-    Mesh mesh;
-    mesh.name = "tetrahedra";
+    Mesh mesh = {.name = "tetrahedra"};
     for (unsigned i = 0; i < count; ++i) {
         const auto x = static_cast<float>(25 * i);
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -82,8 +77,7 @@ Mesh make_tetrahedra(unsigned count) {
 }  // namespace
 
 Mesh make_fan(unsigned count, bool closed) {
-    Mesh mesh;
-    mesh.name = closed ? "closed fan" : "fan";
+    Mesh mesh = {.name = closed ? "closed fan" : "fan"};
     mesh.positions.push_back({128, 128, 50});
     const unsigned rim = closed ? count : count + 1;
     for (unsigned i = 0; i < rim; ++i) mesh.positions.push_back(on_circle(i, count + 3, 100.0, i % 7));
@@ -92,8 +86,7 @@ Mesh make_fan(unsigned count, bool closed) {
 }
 
 Mesh make_band(unsigned count, bool twisted) {
-    Mesh mesh;
-    mesh.name = twisted ? "Moebius band" : "band";
+    Mesh mesh = {.name = twisted ? "Moebius band" : "band"};
     const unsigned places = count / 2;
     for (unsigned i = 0; i < places; ++i) {
         const double turn = twisted ? std::numbers::pi * i / places : 0.0;
@@ -110,8 +103,7 @@ Mesh make_band(unsigned count, bool twisted) {
 }
 
 Mesh make_disjoint(unsigned count) {
-    Mesh mesh;
-    mesh.name = "disjoint triangles";
+    Mesh mesh = {.name = "disjoint triangles"};
     for (unsigned i = 0; i < count; ++i) {
         const auto at = static_cast<float>(10 * i);
         mesh.positions.insert(mesh.positions.end(), {{at, 0, 0}, {at + 5, 7, at}, {at, 9, 3}});

@@ -89,43 +89,20 @@ void AimedRays::set_length_and_window(Ray& ray) {
     // The window in lengths of the direction, which leads from the origin to a point inside or beyond the surface.
     double t_min = 0.0;
     double t_max = std::numeric_limits<double>::infinity();
-    switch (random_.below(8)) {
-        case 0:
-            t_max = 1.0;
-            break;
-        case 1:
-            t_min = 1.0;
-            break;
-        case 2:
-            t_min = static_cast<double>(random_.unit());
-            break;
-        case 3:
-            t_max = 1e30;
-            break;
-        case 4:
-            t_max = 2.0 * static_cast<double>(random_.unit());
-            break;
-        default:
-            break;
-    }
+    const auto kind = random_.below(8);
+    if (kind == 0) t_max = 1.0;
+    else if (kind == 1) t_min = 1.0;
+    else if (kind == 2) t_min = static_cast<double>(random_.unit());
+    else if (kind == 3) t_max = 1e30;
+    else if (kind == 4) t_max = 2.0 * static_cast<double>(random_.unit());
     double factor = 1.0;
     const int exponent = longest > 0.0 && std::isfinite(longest) ? std::ilogb(longest) : 0;
-    switch (random_.below(8)) {
-        case 0:  // of about 1
-            factor = std::ldexp(1.0, -exponent);
-            break;
-        case 1:  // as large as floats are
-            factor = std::ldexp(1.0, 127 - exponent);
-            break;
-        case 2:  // subnormal, with few bits left
-            factor = std::ldexp(1.0, -140 + random_.between(0, 13) - exponent);
-            break;
-        case 3:
-            factor = std::ldexp(1.0, random_.between(-120, 120) - exponent);
-            break;
-        default:
-            break;
-    }
+    const auto choice = random_.below(8);
+    if (choice == 0) factor = std::ldexp(1.0, -exponent);            // of about 1
+    else if (choice == 1) factor = std::ldexp(1.0, 127 - exponent);  // as large as floats are
+    else if (choice == 2)
+        factor = std::ldexp(1.0, -140 + random_.between(0, 13) - exponent);  // subnormal, with few bits left
+    else if (choice == 3) factor = std::ldexp(1.0, random_.between(-120, 120) - exponent);
     const auto scaled = [&](float x) { return nudged(static_cast<float>(static_cast<double>(x) * factor)); };
     ray.direction = {scaled(ray.direction.x), scaled(ray.direction.y), scaled(ray.direction.z)};
     const auto rounded = [&](double t) {
@@ -186,8 +163,7 @@ Ray AimedRays::ray(Aim aim) {
         default:
             from = between(target, goal, -away);
     }
-    Ray ray;
-    ray.origin = to_world(from);
+    Ray ray = {.origin = to_world(from), .direction = {}};
     if (aim != Aim::far) ray.origin = {nudged(ray.origin.x), nudged(ray.origin.y), nudged(ray.origin.z)};
     const Vec3 end = to_world(goal);
     ray.direction = {end.x - ray.origin.x, end.y - ray.origin.y, end.z - ray.origin.z};

@@ -15,18 +15,12 @@ inline Vec3 some_point(const Blob& blob, Random& random) {
     const Vec3 low = blob.bounds().min;
     const Vec3 high = blob.bounds().max;
     const auto coordinate = [&](float from, float to) {
-        switch (random.below(8)) {
-            case 0:
-                return hostile_values[random.below(hostile_values.size())];
-            case 1:
-                return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-            case 2:
-                return from;
-            case 3:
-                return to;
-            default:
-                return from + (to - from) * (random.unit() * 1.5f - 0.25f);
-        }
+        const auto kind = random.below(8);
+        if (kind == 0) return hostile_values[random.below(hostile_values.size())];
+        if (kind == 1) return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+        if (kind == 2) return from;
+        if (kind == 3) return to;
+        return from + (to - from) * (random.unit() * 1.5f - 0.25f);
     };
     const float x = coordinate(low.x, high.x);
     const float y = coordinate(low.y, high.y);

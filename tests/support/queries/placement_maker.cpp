@@ -1,7 +1,6 @@
 #include "placement_maker.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -76,18 +75,11 @@ Quaternion PlacementMaker::axis_rotation() {
     const std::array<float, 3> few = {-1.0f, 0.0f, 1.0f};
     Quaternion q;
     // One or two components of equal size, or all four: the 24 rotations of a cube.
-    switch (random_.below(4)) {
-        case 0:
-            return {};
-        case 1:
-            q = {0.0f, 0.0f, few[random_.below(3)], 1.0f};
-            break;
-        case 2:
-            q = {few[random_.below(3)], 1.0f, 0.0f, 0.0f};
-            break;
-        default:
-            q = {random_.coin() ? 1.0f : -1.0f, random_.coin() ? 1.0f : -1.0f, random_.coin() ? 1.0f : -1.0f, 1.0f};
-    }
+    const auto kind = random_.below(4);
+    if (kind == 0) return {};
+    else if (kind == 1) q = {0.0f, 0.0f, few[random_.below(3)], 1.0f};
+    else if (kind == 2) q = {few[random_.below(3)], 1.0f, 0.0f, 0.0f};
+    else q = {random_.coin() ? 1.0f : -1.0f, random_.coin() ? 1.0f : -1.0f, random_.coin() ? 1.0f : -1.0f, 1.0f};
     return q;
 }
 
@@ -135,9 +127,8 @@ void PlacementMaker::move(Transform& placement, Vec3 p, Vec3 q) {
 }
 
 Transform PlacementMaker::random() {
-    Transform placement;
-    placement.rotation = any_rotation();
-    placement.scale = static_cast<float>(ratio_ * (0.25 + 1.75 * static_cast<double>(random_.unit())));
+    Transform placement = {
+        any_rotation(), {}, static_cast<float>(ratio_ * (0.25 + 1.75 * static_cast<double>(random_.unit())))};
     move(placement, some_place(b_), some_place(a_));
     return placement;
 }
@@ -152,9 +143,7 @@ Transform PlacementMaker::apart() {
 }
 
 Transform PlacementMaker::beside(double proportion) {
-    Transform placement;
-    placement.rotation = any_rotation();
-    placement.scale = static_cast<float>(ratio_ * proportion);
+    Transform placement = {any_rotation(), {}, static_cast<float>(ratio_ * proportion)};
     const Vec3 from = place_on(b_, some_triangle(b_));
     const Vec3 to = place_on(a_, some_triangle(a_));
     const double away = std::exp2(static_cast<double>(random_.between(-4, 4)));
@@ -164,8 +153,7 @@ Transform PlacementMaker::beside(double proportion) {
 }
 
 Transform PlacementMaker::face_on_face(double proportion) {
-    Transform placement;
-    placement.scale = static_cast<float>(std::exp2(std::round(std::log2(ratio_))) * proportion);
+    Transform placement = {{}, {}, static_cast<float>(std::exp2(std::round(std::log2(ratio_))) * proportion)};
     const GridTriangle &face_a = some_triangle(a_), &face_b = some_triangle(b_);
     const bool opposite = random_.coin();
     const float turn = random_.signed_unit();

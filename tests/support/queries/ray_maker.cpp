@@ -51,10 +51,7 @@ Vec3 QueryMaker::some_target() { return random_.coin() ? to_world(some_vertex())
 
 /// On a sphere around the middle of the asset.
 Vec3 QueryMaker::around(double sizes) {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-    double length = 0;
+    double x = 0, y = 0, z = 0, length = 0;
     do {
         x = static_cast<double>(random_.signed_unit());
         y = static_cast<double>(random_.signed_unit());
@@ -151,19 +148,14 @@ Ray QueryMaker::any_ray() { return ray(all_ray_kinds[random_.below(all_ray_kinds
 void QueryMaker::restrict(Ray& ray) {
     const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
     const auto sizes = [&] { return static_cast<float>(size_) / longest * random_.unit(); };
-    switch (random_.below(4)) {
-        case 0:
-            ray.t_min = sizes();
-            break;
-        case 1:
-            ray.t_max = sizes() * 2.0f;
-            break;
-        case 2:
-            ray.t_min = sizes();
-            ray.t_max = ray.t_min + sizes();
-            break;
-        default:
-            ray.t_min = -1.0f;
+    const auto kind = random_.below(4);
+    if (kind == 0) ray.t_min = sizes();
+    else if (kind == 1) ray.t_max = sizes() * 2.0f;
+    else if (kind == 2) {
+        ray.t_min = sizes();
+        ray.t_max = ray.t_min + sizes();
+    } else {
+        ray.t_min = -1.0f;
     }
     ray.culling = static_cast<FaceCulling>(random_.below(3));
 }
@@ -196,22 +188,12 @@ Sphere QueryMaker::sphere() {
     const double distance = std::sqrt(static_cast<double>(gap.x) * static_cast<double>(gap.x) +
                                       static_cast<double>(gap.y) * static_cast<double>(gap.y) +
                                       static_cast<double>(gap.z) * static_cast<double>(gap.z));
-    switch (random_.below(6)) {
-        case 0:
-            sphere.radius = 0.0f;
-            break;
-        case 1:
-            sphere.radius = INFINITY;
-            break;
-        case 2:
-            sphere.radius = nudged(static_cast<float>(distance));
-            break;
-        case 3:
-            sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit();
-            break;
-        default:
-            sphere.radius = static_cast<float>(distance) * random_.unit();
-    }
+    const auto kind = random_.below(6);
+    if (kind == 0) sphere.radius = 0.0f;
+    else if (kind == 1) sphere.radius = INFINITY;
+    else if (kind == 2) sphere.radius = nudged(static_cast<float>(distance));
+    else if (kind == 3) sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit();
+    else sphere.radius = static_cast<float>(distance) * random_.unit();
     return sphere;
 }
 

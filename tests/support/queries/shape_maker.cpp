@@ -139,19 +139,12 @@ Box ShapeMaker::box(bool awkward) {
                {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
     // One side moved far, so that it touches with what is left of the others.
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
-        switch (random_.below(6)) {
-            case 0:
-                coordinate(box.max, axis) += length();
-                break;
-            case 1:
-                coordinate(box.min, axis) -= length();
-                break;
-            case 2:
-                if (random_.coin()) coordinate(box.max, axis) = INFINITY;
-                else coordinate(box.min, axis) = -1e30f;
-                break;
-            default:
-                break;
+        const auto kind = random_.below(6);
+        if (kind == 0) coordinate(box.max, axis) += length();
+        else if (kind == 1) coordinate(box.min, axis) -= length();
+        else if (kind == 2) {
+            if (random_.coin()) coordinate(box.max, axis) = INFINITY;
+            else coordinate(box.min, axis) = -1e30f;
         }
     }
     if (random_.below(16) == 0) std::swap(coordinate(box.min, 0), coordinate(box.max, 0));

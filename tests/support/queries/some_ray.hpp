@@ -68,18 +68,12 @@ inline float some_coordinate(const detail::BlobData& data, std::size_t axis, Ran
 }
 
 inline float some_component(Random& random) {
-    switch (random.below(5)) {
-        case 0:
-            return 0.0f;
-        case 1:
-            return random.coin() ? 1.0f : -1.0f;
-        case 2:
-            return some_number(random, -140, 127);
-        case 3:
-            return static_cast<float>(random.between(-9, 9));
-        default:
-            return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-    }
+    const auto kind = random.below(5);
+    if (kind == 0) return 0.0f;
+    if (kind == 1) return random.coin() ? 1.0f : -1.0f;
+    if (kind == 2) return some_number(random, -140, 127);
+    if (kind == 3) return static_cast<float>(random.between(-9, 9));
+    return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
 }
 
 inline Vec3 some_place(const detail::BlobData& data, Random& random) {
@@ -89,8 +83,7 @@ inline Vec3 some_place(const detail::BlobData& data, Random& random) {
 
 /// One that points at the asset from far away, or any.
 inline Ray some_ray(const detail::BlobData& data, Random& random) {
-    Ray ray;
-    ray.origin = some_place(data, random);
+    Ray ray = {.origin = some_place(data, random), .direction = {}};
     const float x = some_component(random), y = some_component(random);
     ray.direction = {x, y, some_component(random)};
     if (random.below(3) == 0)

@@ -59,25 +59,15 @@ LatticeBox StepsMaker::box(bool awkward) {
     for (unsigned k = 0; k < 3; ++k) high[k] += random_.between(0, extent(k) / part + 1);
     if (!awkward) return {steps(low), steps(high)};
     const std::uint32_t axis = random_.below(3);
-    switch (random_.below(6)) {
-        case 0:  // a corner of it touches, from the other side
-            for (unsigned k = 0; k < 3; ++k) low[k] -= high[k] - low[k], high[k] = vertex()[k];
-            break;
-        case 1:  // a step beside
-            ++low[axis], ++high[axis];
-            break;
-        case 2:  // a point
-            high = low;
-            break;
-        case 3:  // flat
-            high[axis] = low[axis];
-            break;
-        case 4:  // all there is, or empty
-            low[axis] = INT32_MIN, high[axis] = random_.coin() ? INT32_MAX : INT32_MIN;
-            break;
-        default:
-            break;
-    }
+    const auto kind = random_.below(6);
+    if (kind == 0)
+        for (unsigned k = 0; k < 3; ++k)
+            low[k] -= high[k] - low[k], high[k] = vertex()[k];  // a corner of it touches, from the other side
+    else if (kind == 1) ++low[axis], ++high[axis];              // a step beside
+    else if (kind == 2) high = low;                             // a point
+    else if (kind == 3) high[axis] = low[axis];                 // flat
+    else if (kind == 4)
+        low[axis] = INT32_MIN, high[axis] = random_.coin() ? INT32_MAX : INT32_MIN;  // all there is, or empty
     return {steps(low), steps(high)};
 }
 
@@ -85,40 +75,29 @@ LatticeSegment StepsMaker::segment(bool awkward) {
     GridPoint from = anywhere(), to = anywhere();
     if (!awkward) return {steps(from), steps(to)};
     const std::uint32_t axis = random_.below(3);
-    switch (random_.below(8)) {
-        case 0:  // ends at a corner
-            to = vertex();
-            break;
-        case 1:  // through a corner and on
-            to = beyond(from, vertex());
-            break;
-        case 2:  // from corner to corner
-            from = vertex(), to = vertex();
-            break;
-        case 3:  // along an axis, through a corner
-            from = vertex(), to = from;
-            from[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
-            to[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
-            break;
-        case 4:  // through a side's middle
-            to = beyond(from, side_middle());
-            break;
-        case 5:  // from as far as may be
-            for (std::int32_t& c : from) c = random_.between(-max_lattice_coordinate, max_lattice_coordinate);
-            to = random_.coin() ? vertex() : beyond(from, vertex());
-            break;
-        case 6:  // short
-            from = vertex(), to = from;
-            for (std::int32_t& c : from) c += random_.between(-3, 3);
-            for (std::int32_t& c : to) c += random_.between(-3, 3);
-            break;
-        default:  // diagonal
-            from = vertex(), to = from;
-            for (unsigned k = 0; k < 3; ++k) {
-                const std::int32_t way = random_.coin() ? extent(axis) : -extent(axis);
-                from[k] -= way, to[k] += way;
-            }
-            break;
+    const auto kind = random_.below(8);
+    if (kind == 0) to = vertex();                        // ends at a corner
+    else if (kind == 1) to = beyond(from, vertex());     // through a corner and on
+    else if (kind == 2) from = vertex(), to = vertex();  // from corner to corner
+    else if (kind == 3) {                                // along an axis, through a corner
+        from = vertex(), to = from;
+        from[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
+        to[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
+    } else if (kind == 4) {  // through a side's middle
+        to = beyond(from, side_middle());
+    } else if (kind == 5) {  // from as far as may be
+        for (std::int32_t& c : from) c = random_.between(-max_lattice_coordinate, max_lattice_coordinate);
+        to = random_.coin() ? vertex() : beyond(from, vertex());
+    } else if (kind == 6) {  // short
+        from = vertex(), to = from;
+        for (std::int32_t& c : from) c += random_.between(-3, 3);
+        for (std::int32_t& c : to) c += random_.between(-3, 3);
+    } else {  // diagonal
+        from = vertex(), to = from;
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::int32_t way = random_.coin() ? extent(axis) : -extent(axis);
+            from[k] -= way, to[k] += way;
+        }
     }
     return {steps(from), steps(to)};
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <span>
 
 #include "support/base/vectors.hpp"
 
@@ -61,18 +60,12 @@ std::vector<Vec3> SweepMaker::some_triangle() {
 
 float SweepMaker::some_radius() {
     Random& random = maker_.random();
-    switch (random.below(6)) {
-        case 0:
-            return 0.0f;
-        case 1:
-            return step_ * static_cast<float>(1 + random.below(64));
-        case 2:
-            return size_ * 0.3f * random.unit();
-        case 3:
-            return step_ * 0.01f * random.unit();
-        default:
-            return size_ * 0.03f * random.unit();
-    }
+    const auto kind = random.below(6);
+    if (kind == 0) return 0.0f;
+    if (kind == 1) return step_ * static_cast<float>(1 + random.below(64));
+    if (kind == 2) return size_ * 0.3f * random.unit();
+    if (kind == 3) return step_ * 0.01f * random.unit();
+    return size_ * 0.03f * random.unit();
 }
 
 SweepMaker::Path SweepMaker::random_path() {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "support/base/profiles.hpp"
@@ -16,9 +15,7 @@ const std::vector<TestBlob>& closed_blobs() {
         std::vector<TestBlob> made;
         const auto add = [&](const Mesh& mesh, unsigned bits) {
             for (const Profile profile : every_profile) {
-                BakeOptions options = with_profile(profile);
-                options.resolution = Resolution::bits(bits);
-                OpenedBlob opened(mesh, options);
+                OpenedBlob opened(mesh, {.resolution = Resolution::bits(bits), .profile = profile});
                 if (!opened.blob.is_closed()) throw std::runtime_error(mesh.name + " is not closed");
                 DecodedBlob decoded = decode(opened.bytes);
                 made.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded)});
@@ -55,19 +52,10 @@ Vec3 awkward_point(const TestBlob& blob, Random& random) {
     const std::uint32_t kind = random.below(5);
     double at[3];
     for (unsigned k = 0; k < 3; ++k) {
-        switch (kind) {
-            case 0:
-                at[k] = t.a[k];
-                break;
-            case 1:
-                at[k] = 0.5 * (t.a[k] + t.b[k]);
-                break;
-            case 2:
-                at[k] = 0.25 * t.a[k] + 0.25 * t.b[k] + 0.5 * t.c[k];
-                break;
-            default:
-                at[k] = some_vertex()[k];
-        }
+        if (kind == 0) at[k] = t.a[k];
+        else if (kind == 1) at[k] = 0.5 * (t.a[k] + t.b[k]);
+        else if (kind == 2) at[k] = 0.25 * t.a[k] + 0.25 * t.b[k] + 0.5 * t.c[k];
+        else at[k] = some_vertex()[k];
     }
     if (kind < 3 && random.below(4) != 0) {
         const std::uint32_t axis = random.below(3);
