@@ -1,16 +1,13 @@
 // Tests that no size and no null of c/batches does harm.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 
-#include <c99.h>
-
-#include "c/fixtures.hpp"
-#include "support/base/profiles.hpp"
+#include "both.hpp"
+#include "fixtures.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -19,101 +16,57 @@ namespace {
 
 constexpr std::size_t huge = std::numeric_limits<std::size_t>::max();
 
-bool is_refused_as_invalid(const espalier_filled& filled) {
-    return filled.status == ESPALIER_QUERY_INVALID_ARGUMENT && filled.count == 0;
-}
-bool is_refused_as_invalid(const espalier_filled_lists& filled) {
-    return filled.status == ESPALIER_QUERY_INVALID_ARGUMENT && filled.count == 0 && filled.lists == 0;
-}
-
 }  // namespace
 
 TEST_SUITE("batches") {
     TEST_CASE("c api: a batch refuses null arrays and sizes that no memory holds and writes nothing") {
         const OpenedBlob opened = blob_with_everything(Profile::fast);
-        espalier_blob blob;
-        REQUIRE(c99_open(opened.bytes.data(), opened.bytes.size(), &blob) == ESPALIER_OPEN_OK);
-        const std::array<espalier_vec3, 2> vectors = {{{0, 0, 9}, {0, 0, -1}}};
-        const espalier_strided_vec3 points = {vectors.data(), 0}, no_points = {nullptr, 12};
-        const espalier_strided_float no_numbers = {nullptr, 4}, numbers = {vectors.data(), 0};
-        const espalier_strided_triangle_id no_ids = {nullptr, 4}, ids = {vectors.data(), 0};
-        const espalier_ray_arrays rays = {points, points, no_numbers, no_numbers, 0};
-        const espalier_ray_arrays without_origins = {no_points, points, numbers, numbers, 0};
-        const espalier_ray_arrays without_directions = {points, no_points, numbers, numbers, 0};
-        const espalier_sphere_arrays spheres = {points, numbers}, no_centers = {no_points, numbers},
-                                     no_radii = {points, no_numbers};
-        const espalier_box_arrays boxes = {points, points}, no_min = {no_points, points}, no_max = {points, no_points};
-        std::array<espalier_ray_hit, 4> hits = {};
-        std::array<espalier_closest_point_result, 4> nearest = {};
-        std::array<espalier_yes_no, 2> answers = {};
-        std::array<espalier_filled, 2> found = {};
-        std::array<espalier_query_status, 2> statuses = {};
-        std::array<std::size_t, 3> offsets = {};
-        std::array<espalier_triangle_id, 4> triangles = {};
-        std::array<espalier_original_triangle_result, 2> originals = {};
-        std::array<espalier_triangle_result, 2> corners = {};
-        std::array<std::uint16_t, 2> materials = {};
-        const auto untouched = [&] {
-            return hits[0].status == 0 && nearest[0].status == 0 && answers[0].status == 0 && found[0].count == 0 &&
-                   statuses[0] == 0 && offsets[2] == 0 && triangles[0] == 0 && originals[0].status == 0 &&
-                   corners[0].status == 0 && materials[0] == 0;
+        Both both;
+        REQUIRE(both.open(opened.bytes) == OpenStatus::ok);
+        Pool& pool = *both.c;
+        question asked = {};
+        asked.directions[0] = {0.0f, 0.0f, -1.0f};
+        // Calls a function of C with arguments of which some are spoiled. Returns whether it refuses them.
+        const auto refuses = [&](const Entry& entry, auto spoil) {
+            both.prepare(asked, false, false);
+            pool.count = 2;
+            pool.capacity = 4;
+            pool.places = 2;
+            pool.null_array = pool.arrays = -1;
+            spoil();
+            Arguments before;
+            std::memcpy(static_cast<void*>(&before), static_cast<Arguments*>(&pool), sizeof before);
+            entry.c(pool);
+            if (pool.status != ESPALIER_QUERY_INVALID_ARGUMENT) return false;
+            CHECK(std::memcmp(&before, static_cast<Arguments*>(&pool), sizeof before) == 0);
+            return true;
         };
-#define REFUSED(call)                                  \
-    CHECK_MESSAGE(is_refused_as_invalid(call), #call); \
-    CHECK(untouched())
-        std::memset(hits.data(), 0, sizeof hits);
-        for (const auto* broken : {&without_origins, &without_directions}) {
-            REFUSED(c99_raycast_arrays(&blob, broken, hits.data(), 2));
-            REFUSED(c99_occluded_arrays(&blob, broken, answers.data(), 2));
-            REFUSED(c99_closest_hits_arrays(&blob, broken, hits.data(), 2, found.data(), 2));
-            REFUSED(c99_collect_hits_arrays(&blob, broken, statuses.data(), offsets.data(), 2, hits.data(), 4));
-            REFUSED(c99_collect_crossings_arrays(&blob, broken, statuses.data(), offsets.data(), 2, hits.data(), 4));
+        const void** const inputs[] = {&pool.strided_vec3[0].first,          &pool.strided_triangle_id[0].first,
+                                       &pool.ray_arrays[0].origins.first,    &pool.ray_arrays[0].directions.first,
+                                       &pool.ray_arrays[0].t_min.first,      &pool.ray_arrays[0].t_max.first,
+                                       &pool.sphere_arrays[0].centers.first, &pool.sphere_arrays[0].radii.first,
+                                       &pool.box_arrays[0].min.first,        &pool.box_arrays[0].max.first};
+        int batches = 0, without_inputs = 0;
+        for (const Entry& entry : entries) {
+            const std::string name = entry.name;
+            if (!name.ends_with("_arrays")) continue;
+            CAPTURE(name);
+            ++batches;
+            CHECK_FALSE(refuses(entry, [] {}));
+            const int outputs = pool.arrays + 1;
+            CHECK(outputs > 0);
+            for (int output = 0; output < outputs; ++output) CHECK(refuses(entry, [&] { pool.null_array = output; }));
+            for (const void** const input : inputs) without_inputs += refuses(entry, [&] { *input = nullptr; }) ? 1 : 0;
+            if (outputs == 1) continue;  // rows and lists
+            CHECK(refuses(entry, [&] { pool.count = huge; }));
+            if (name.starts_with("collect")) {
+                CHECK(refuses(entry, [&] { pool.count = 0, pool.null_array = 1; }));  // the first offset
+                continue;
+            }
+            for (const std::size_t places : {huge, huge / 2 + 1}) CHECK(refuses(entry, [&] { pool.places = places; }));
+            CHECK_FALSE(refuses(entry, [&] { pool.places = huge, pool.count = 0; }));
         }
-        REFUSED(c99_raycast_arrays(&blob, &rays, nullptr, 2));
-        REFUSED(c99_occluded_arrays(&blob, &rays, nullptr, 2));
-        REFUSED(c99_closest_hits_arrays(&blob, &rays, nullptr, 2, found.data(), 2));
-        REFUSED(c99_closest_hits_arrays(&blob, &rays, hits.data(), 2, nullptr, 2));
-        REFUSED(c99_closest_hits_arrays(&blob, &rays, hits.data(), huge, found.data(), 2));
-        REFUSED(c99_closest_hits_arrays(&blob, &rays, hits.data(), huge / 2 + 1, found.data(), 2));
-        REFUSED(c99_closest_hits_arrays(&blob, &rays, hits.data(), 2, found.data(), huge));
-        REFUSED(c99_collect_hits_arrays(&blob, &rays, nullptr, offsets.data(), 2, hits.data(), 4));
-        REFUSED(c99_collect_hits_arrays(&blob, &rays, statuses.data(), nullptr, 2, hits.data(), 4));
-        REFUSED(c99_collect_hits_arrays(&blob, &rays, statuses.data(), nullptr, 0, hits.data(), 4));
-        REFUSED(c99_collect_hits_arrays(&blob, &rays, statuses.data(), offsets.data(), 2, nullptr, 4));
-        REFUSED(c99_collect_hits_arrays(&blob, &rays, statuses.data(), offsets.data(), huge, hits.data(), 4));
-        REFUSED(c99_closest_point_arrays(&blob, no_points, nearest.data(), 2, 1.0f));
-        REFUSED(c99_closest_point_arrays(&blob, points, nullptr, 2, 1.0f));
-        REFUSED(c99_signed_distance_arrays(&blob, no_points, nearest.data(), 2, 1.0f));
-        REFUSED(c99_contains_arrays(&blob, no_points, answers.data(), 2));
-        REFUSED(c99_contains_arrays(&blob, points, nullptr, 2));
-        REFUSED(c99_closest_triangles_arrays(&blob, no_points, nearest.data(), 2, found.data(), 2, 1.0f));
-        REFUSED(c99_closest_triangles_arrays(&blob, points, nearest.data(), huge, found.data(), 2, 1.0f));
-        REFUSED(c99_overlaps_sphere_arrays(&blob, &no_centers, answers.data(), 2));
-        REFUSED(c99_overlaps_sphere_arrays(&blob, &no_radii, answers.data(), 2));
-        REFUSED(c99_overlaps_box_arrays(&blob, &no_min, answers.data(), 2));
-        REFUSED(c99_overlaps_box_arrays(&blob, &no_max, answers.data(), 2));
-        REFUSED(c99_collect_overlaps_sphere_arrays(&blob, &no_radii, statuses.data(), offsets.data(), 2,
-                                                   triangles.data(), 4));
-        REFUSED(
-            c99_collect_overlaps_box_arrays(&blob, &no_max, statuses.data(), offsets.data(), 2, triangles.data(), 4));
-        REFUSED(c99_collect_overlaps_box_arrays(&blob, &boxes, statuses.data(), offsets.data(), 2, nullptr, 4));
-        REFUSED(c99_original_triangle_of_arrays(&blob, no_ids, originals.data(), 2));
-        REFUSED(c99_material_arrays(&blob, no_ids, materials.data(), 2));
-        REFUSED(c99_material_arrays(&blob, ids, nullptr, 2));
-        REFUSED(c99_triangle_at_arrays(&blob, no_ids, corners.data(), 2));
-#undef REFUSED
-        // Batches of no queries need no arrays, but for the first offset.
-        CHECK(c99_raycast_arrays(&blob, &without_origins, nullptr, 0).status == ESPALIER_QUERY_OK);
-        CHECK(c99_closest_hits_arrays(&blob, &without_origins, nullptr, huge, nullptr, 0).status == ESPALIER_QUERY_OK);
-        CHECK(c99_contains_arrays(&blob, no_points, nullptr, 0).status == ESPALIER_QUERY_OK);
-        offsets[0] = 7;
-        CHECK(c99_collect_overlaps_sphere_arrays(&blob, &no_centers, nullptr, offsets.data(), 0, nullptr, 0).status ==
-              ESPALIER_QUERY_OK);
-        CHECK(offsets[0] == 0);
-        // No places hold no elements, and each query has its status.
-        CHECK(c99_closest_hits_arrays(&blob, &rays, nullptr, 0, found.data(), 2).count == 2);
-        CHECK(found[1].count == 0);
-        CHECK(c99_collect_overlaps_sphere_arrays(&blob, &spheres, statuses.data(), offsets.data(), 2, nullptr, 0)
-                  .status == ESPALIER_QUERY_OK);
+        CHECK(batches == 16);
+        CHECK(without_inputs == 5 * 2 + 2 * 2 + 2 * 2 + 4 + 3);  // of rays, spheres, boxes, points and triangles
     }
 }

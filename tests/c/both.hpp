@@ -24,11 +24,13 @@ public:
     /// Opens bytes as the first blob or another one. Requires the same status.
     OpenStatus open(std::span<const std::byte> bytes, std::size_t place = 0);
     OpenStatus open_scene(std::span<const std::byte> bytes);
-    /// Creates an empty moving scene that places the meshes and tiles of the baked one. Returns whether it is open.
-    bool create_moving_scene(std::uint32_t capacity, int step_exponent);
+    /// Creates an empty moving scene that places the meshes and tiles of the baked one, in memory of a size behind a
+    /// multiple of 32. Returns whether it is open.
+    bool create_moving_scene(std::uint32_t capacity, int step_exponent, std::size_t size, std::size_t offset = 0);
     bool open_moving_scene(std::span<const std::byte> snapshot);
-    /// Copies the moving part of the first blob to memory of an odd address.
-    QueryStatus create_deformable();
+    /// Copies the moving part of the first blob to memory of a size at an odd address, and makes the mesh the first
+    /// blob.
+    QueryStatus create_deformable(std::size_t size);
 
     /// Requires the same answers to every call that takes such an object, with arguments from a question and from any
     /// bits, and with null for every function and array.
@@ -48,8 +50,9 @@ public:
     std::unique_ptr<Pool> c = std::make_unique<Pool>(), cpp = std::make_unique<Pool>();
     Answered answered;
 
-private:
     void prepare(const question& asked, bool any_bits, bool nothing);
+
+private:
     void compare(const Entry& entry);
 
     std::vector<espalier_blob> c_meshes_;

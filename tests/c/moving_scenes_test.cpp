@@ -2,19 +2,18 @@
 // which C alone has.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <span>
+#include <string>
 #include <vector>
 
 #include <c99.h>
 
 #include "both.hpp"
 #include "fixtures.hpp"
+#include "room.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/machine/aligned_buffer.hpp"
 
@@ -25,72 +24,7 @@ namespace {
 
 constexpr std::uint32_t capacity = 20;
 
-/// A scene of C over the meshes and tiles of a baked one.
-struct SceneOfC {
-    espalier_moving_scene scene;
-    espalier_scene view;
-    AlignedBuffer memory{static_cast<std::size_t>(c99_moving_scene_bytes(capacity))};
-    std::size_t mesh_count = 0, tile_count = 0;
-    const espalier_blob* meshes;
-    const espalier_scene* tiles;
-    espalier_instance_handle mesh, tile;
-
-    explicit SceneOfC(const espalier_scene& baked)
-        : meshes(c99_scene_meshes(&baked, &mesh_count)), tiles(c99_scene_tiles(&baked, &tile_count)) {
-        const std::span<std::byte> bytes = memory.bytes();
-        REQUIRE(c99_create_moving_scene(bytes.data(), bytes.size(), capacity, -16, meshes, mesh_count, tiles,
-                                        tile_count, &scene));
-        mesh = insert(0, 0.0f);
-        tile = insert(static_cast<std::uint32_t>(mesh_count), 40.0f);
-    }
-
-    espalier_instance_handle insert(std::uint32_t number, float x) {
-        const espalier_instance instance = {{{0, 0, 0, 1}, {x, 0, 0}, 1}, number, 1, 0, 0};
-        const espalier_instance_handle_result handle = c99_moving_scene_insert(&scene, &instance);
-        REQUIRE(handle.status == ESPALIER_QUERY_OK);
-        return handle.value;
-    }
-    [[nodiscard]] Box box_of(espalier_instance_handle handle) const {
-        return to<Box>(c99_moving_scene_box_of(&scene, handle).value);
-    }
-};
-
-/// Checks that a scene is not open and refuses everything.
-void check_empty(espalier_moving_scene scene) {
-    const espalier_instance instance = {{{0, 0, 0, 1}, {0, 0, 0}, 1}, 0, 1, 0, 0};
-    espalier_scene view;
-    std::size_t size = 99, meshes = 99, tiles = 99;
-    CHECK_FALSE(c99_moving_scene_is_open(&scene));
-    CHECK_FALSE(c99_moving_scene_must_refit(&scene));
-    CHECK(c99_moving_scene_capacity(&scene) == 0);
-    CHECK(c99_moving_scene_slot_end(&scene) == 0);
-    CHECK(c99_moving_scene_block(&scene, &size) == nullptr);
-    CHECK(c99_moving_scene_meshes(&scene, &meshes) == nullptr);
-    CHECK(c99_moving_scene_tiles(&scene, &tiles) == nullptr);
-    CHECK(size + meshes + tiles == 0);
-    CHECK(c99_moving_scene_insert(&scene, &instance).status == ESPALIER_QUERY_NOT_OPEN);
-    CHECK(c99_moving_scene_remove(&scene, {0, 1}) == ESPALIER_QUERY_NOT_OPEN);
-    CHECK(c99_moving_scene_move_instances_of(&scene, 0) == ESPALIER_QUERY_NOT_OPEN);
-    CHECK(c99_moving_scene_refit(&scene) == 0);
-    c99_moving_scene_repack(&scene);
-    c99_moving_scene_end_step(&scene);
-    std::memset(&view, 0xA5, sizeof view);
-    CHECK(c99_moving_scene_view(&scene, &view) == ESPALIER_QUERY_NOT_OPEN);
-    CHECK(c99_scene_status(&view) == ESPALIER_OPEN_NOT_OPENED);
-    CHECK(c99_scene_instance_count(&view) == 0);
-    CHECK(c99_collect_candidate_pairs(&scene, nullptr, 0, nullptr, {0, 0}).status == ESPALIER_QUERY_NOT_OPEN);
-}
-
-/// Calls a function with each address that is no multiple of `alignment`; what it refuses, it does not write.
-template <class T, class Call>
-void check_misaligned(std::size_t alignment, Call call) {
-    alignas(16) unsigned char room[2 * sizeof(T)];
-    for (std::size_t offset = 1; offset < alignment; ++offset) {
-        std::memset(room, 0xA5, sizeof room);
-        CHECK(call(reinterpret_cast<T*>(reinterpret_cast<std::uintptr_t>(room) + offset)));
-        CHECK(std::all_of(std::begin(room), std::end(room), [](unsigned char byte) { return byte == 0xA5; }));
-    }
-}
+std::size_t bytes_of(std::uint32_t instances) { return static_cast<std::size_t>(moving_scene_bytes(instances)); }
 
 }  // namespace
 
@@ -99,7 +33,7 @@ TEST_SUITE("moving scenes") {
         const std::vector<std::byte> bytes = bake_instances(some_instances());
         Both both;
         REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
-        REQUIRE(both.create_moving_scene(capacity, -16));
+        REQUIRE(both.create_moving_scene(capacity, -16, bytes_of(capacity)));
         Random random(21);
         std::uint64_t hits = 0, refusals = 0, full = 0;
         const std::uint64_t rounds = scaled(400);
@@ -125,7 +59,7 @@ TEST_SUITE("moving scenes") {
         for (const int step_exponent : {-100, -30, -16, 80}) {
             Both both;
             REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
-            REQUIRE(both.create_moving_scene(12, step_exponent));
+            REQUIRE(both.create_moving_scene(12, step_exponent, bytes_of(12)));
             for (std::uint64_t i = 0; i < scaled(200); ++i)
                 both.compare_moving(any_bits<question>(random), random, random.coin());
         }
@@ -135,7 +69,7 @@ TEST_SUITE("moving scenes") {
         const std::vector<std::byte> bytes = bake_instances(some_instances());
         Both both;
         REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
-        REQUIRE(both.create_moving_scene(12, -16));
+        REQUIRE(both.create_moving_scene(12, -16, bytes_of(12)));
         for (const Instance& instance : some_instances())
             if (both.moving().instance_count() < 9) CHECK(insert(both.moving(), instance));
         const std::vector<std::byte> snapshot(both.moving().bytes().begin(), both.moving().bytes().end());
@@ -157,146 +91,96 @@ TEST_SUITE("moving scenes") {
 
     TEST_CASE("c api: a moving scene is created with enough aligned memory alone") {
         const std::vector<std::byte> bytes = bake_instances(some_instances());
-        Both baked;
-        REQUIRE(baked.open_scene(bytes) == OpenStatus::ok);
-        SceneOfC whole(baked.c->scene[0]);
-        const auto least = static_cast<std::size_t>(c99_least_moving_scene_bytes(capacity));
+        const auto least = static_cast<std::size_t>(least_moving_scene_bytes(capacity));
         const std::uint32_t most = 1u << 24;
-        AlignedBuffer memory(least + 16);
-        std::byte* const block = memory.bytes().data();
-        espalier_moving_scene scene = {};
-        check_empty(scene);
-        CHECK(c99_moving_scene_bytes(0) == 0);
-        CHECK(c99_least_moving_scene_bytes(most + 1) == 0);
-        CHECK(least > 0);
-        CHECK(least <= c99_moving_scene_bytes(capacity));
         const struct {
             std::size_t offset, less;
             std::uint32_t capacity;
             int exponent;
-        } refused[] = {{16, 0, capacity, -16}, {0, 1, capacity, -16},  {0, 0, 0, -16},
-                       {0, 0, most + 1, -16},  {0, 0, capacity, -101}, {0, 0, capacity, 81}};
-        for (const auto& r : refused) {
-            std::memset(&scene, 0xA5, sizeof scene);
-            CHECK_FALSE(c99_create_moving_scene(block + r.offset, least - r.less, r.capacity, r.exponent, whole.meshes,
-                                                whole.mesh_count, nullptr, 0, &scene));
-            check_empty(scene);
+            bool is_open;
+        } cases[] = {{0, 0, capacity, 80, true},    {0, 0, capacity, -100, true}, {16, 0, capacity, -16, false},
+                     {0, 1, capacity, -16, false},  {0, 0, 0, -16, false},        {0, 0, most + 1, -16, false},
+                     {0, 0, capacity, -101, false}, {0, 0, capacity, 81, false}};
+        Random random(26);
+        for (const auto& made : cases) {
+            Both both;
+            REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
+            std::memset(&both.c->moving_scene[0], 0xA5, sizeof(espalier_moving_scene));
+            CHECK(both.create_moving_scene(made.capacity, made.exponent, least - made.less, made.offset) ==
+                  made.is_open);
+            both.compare_moving(some_question(both.scene(), random), random);
         }
+        espalier_moving_scene scene;
+        AlignedBuffer memory(least);
+        std::byte* const block = memory.bytes().data();
         CHECK_FALSE(c99_create_moving_scene(nullptr, 0, capacity, 0, nullptr, 0, nullptr, 0, &scene));
         CHECK_FALSE(c99_open_moving_scene(nullptr, 0, nullptr, 0, nullptr, 0, &scene));
         check_misaligned<espalier_moving_scene>(sizeof(void*), [&](espalier_moving_scene* place) {
-            return !c99_create_moving_scene(block, least, capacity, 0, whole.meshes, whole.mesh_count, nullptr, 0,
-                                            place) &&
-                   !c99_open_moving_scene(block, least, whole.meshes, whole.mesh_count, nullptr, 0, place);
+            return !c99_create_moving_scene(block, least, capacity, 0, nullptr, 0, nullptr, 0, place) &&
+                   !c99_open_moving_scene(block, least, nullptr, 0, nullptr, 0, place);
         });
-        for (const int exponent : {80, -100})
-            CHECK(c99_create_moving_scene(block, least, capacity, exponent, nullptr, 0, nullptr, 0, &scene));
     }
 
     TEST_CASE("c api: a view of a moving scene takes queries and is no baked scene") {
         const std::vector<std::byte> bytes = bake_instances(some_instances());
-        Both baked;
-        REQUIRE(baked.open_scene(bytes) == OpenStatus::ok);
-        SceneOfC of_c(baked.c->scene[0]);
-        espalier_moving_scene &scene = of_c.scene, other;
-        espalier_scene& view = of_c.view;
-        REQUIRE(c99_moving_scene_view(&scene, &view) == ESPALIER_QUERY_OK);
-        for (const espalier_instance_id id :
-             {espalier_instance_id{0, ESPALIER_NO_INSTANCE}, {0, 0}, {1, 0}, {99, 99}}) {
-            CHECK(c99_scene_instance_at(&view, id).status == ESPALIER_QUERY_INVALID_ARGUMENT);
-            CHECK(c99_scene_mesh_at(&view, id).status == ESPALIER_QUERY_INVALID_ARGUMENT);
-            CHECK(c99_scene_is_on_common_lattice(&view, id).status == ESPALIER_QUERY_INVALID_ARGUMENT);
-        }
-        CHECK(c99_scene_common_lattice(&view).status == ESPALIER_QUERY_NOT_FOUND);
-        CHECK(c99_scene_size(&view) == 0);
-        CHECK(std::isinf(c99_scene_max_error(&view)));
-        CHECK(c99_scene_instance_count(&view) == c99_moving_scene_instance_count(&scene));
-        std::size_t count = 0;
-        CHECK(c99_scene_meshes(&view, &count) == c99_moving_scene_meshes(&scene, &count));
-        CHECK(c99_scene_tiles(&view, &count) == c99_moving_scene_tiles(&scene, &count));
-        const Box bounds = to<Box>(c99_scene_bounds(&view)), mesh = of_c.box_of(of_c.mesh),
-                  tile = of_c.box_of(of_c.tile);
-        for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-            CHECK(bounds.min.*axis <= std::min(mesh.min.*axis, tile.min.*axis));
-            CHECK(bounds.max.*axis >= std::max(mesh.max.*axis, tile.max.*axis));
-        }
-
-        espalier_baked_pair pair;
-        espalier_filled_baked_pairs page =
-            c99_collect_candidate_pairs_with_baked(&scene, &view, &pair, 1, nullptr, {1, {2, 3}});
-        CHECK(page.status == ESPALIER_QUERY_INVALID_ARGUMENT);
-        CHECK(page.count == 0);
-        CHECK(page.next.moving == 1);
-        CHECK(page.next.baked.index == 2);
-        CHECK(page.next.baked.in_tile == 3);
-        page = c99_collect_colliding_pairs_with_baked(&scene, &view, &pair, 1, 99, nullptr, {0, {0, 0}});
-        CHECK(page.status == ESPALIER_QUERY_INVALID_ARGUMENT);
-        page = c99_collect_colliding_pairs_with_baked(&scene, of_c.tiles, nullptr, 0, 99, nullptr, {0, {0, 0}});
-        CHECK(page.status != ESPALIER_QUERY_INVALID_ARGUMENT);
-        CHECK(page.count == 0);
-
-        const espalier_scene tiles[] = {*of_c.tiles, view};
+        Both both;
+        REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
+        REQUIRE(both.create_moving_scene(capacity, -16, bytes_of(capacity)));
+        Random random(25);
+        const question asked = some_question(both.scene(), random);
+        both.change(asked, random);
+        const espalier_scene baked = both.c->scene[0];
+        espalier_moving_scene &scene = both.c->moving_scene[0], other;
         AlignedBuffer memory(10'000);
         std::byte* const block = memory.bytes().data();
-        CHECK(c99_create_moving_scene(block, 10'000, capacity, 0, nullptr, 0, tiles, 1, &other));
-        CHECK_FALSE(c99_create_moving_scene(block, 10'000, capacity, 0, nullptr, 0, tiles, 2, &other));
-        check_empty(other);
-        CHECK_FALSE(c99_open_moving_scene(block, 10'000, nullptr, 0, tiles, 2, &other));
+        for (const bool waits : {false, true}) {
+            const espalier_movement movement = {c99_moving_scene_handle_of(&scene, 0).value, c99_identity()};
+            if (waits) REQUIRE(c99_moving_scene_move_batch(&scene, &movement, 1).count == 1);
+            else c99_moving_scene_refit(&scene);
+            espalier_scene view;
+            REQUIRE(c99_moving_scene_view(&scene, &view) == (waits ? ESPALIER_QUERY_NOT_REFITTED : ESPALIER_QUERY_OK));
+            CHECK(c99_scene_instance_count(&view) == (waits ? 0 : c99_moving_scene_instance_count(&scene)));
+            CHECK(std::isinf(c99_scene_max_error(&view)));
+            CHECK(c99_scene_size(&view) == 0);
+            const int refusal = waits ? ESPALIER_QUERY_NOT_OPEN : ESPALIER_QUERY_INVALID_ARGUMENT;
+            CHECK(c99_scene_common_lattice(&view).status == (waits ? refusal : int{ESPALIER_QUERY_NOT_FOUND}));
+            for (const espalier_instance_id id :
+                 {espalier_instance_id{0, ESPALIER_NO_INSTANCE}, {0, 0}, {1, 0}, {99, 99}}) {
+                CHECK(c99_scene_instance_at(&view, id).status == refusal);
+                CHECK(c99_scene_mesh_at(&view, id).status == refusal);
+                CHECK(c99_scene_is_on_common_lattice(&view, id).status == refusal);
+            }
+            std::size_t count = 0;
+            CHECK((c99_scene_meshes(&view, &count) == c99_moving_scene_meshes(&scene, &count)) != waits);
+            CHECK((c99_scene_tiles(&view, &count) == c99_moving_scene_tiles(&scene, &count)) != waits);
+            const espalier_box bounds = c99_scene_bounds(&view);
+            for (std::uint32_t slot = 0; !waits && slot < c99_moving_scene_slot_end(&scene); ++slot) {
+                const espalier_instance_handle handle = c99_moving_scene_handle_of(&scene, slot).value;
+                const espalier_box_result box = c99_moving_scene_box_of(&scene, handle);
+                if (box.status != ESPALIER_QUERY_OK) continue;
+                for (const auto axis : {&espalier_vec3::x, &espalier_vec3::y, &espalier_vec3::z}) {
+                    CHECK(bounds.min.*axis <= box.value.min.*axis);
+                    CHECK(bounds.max.*axis >= box.value.max.*axis);
+                }
+            }
+            espalier_filled_baked_pairs page =
+                c99_collect_candidate_pairs_with_baked(&scene, &view, nullptr, 0, nullptr, {1, {2, 3}});
+            CHECK(page.status == ESPALIER_QUERY_INVALID_ARGUMENT);
+            CHECK(page.count == 0);
+            CHECK(page.next.moving == 1);
+            CHECK(page.next.baked.index == 2);
+            CHECK(page.next.baked.in_tile == 3);
+            page = c99_collect_colliding_pairs_with_baked(&scene, &view, nullptr, 0, 99, nullptr, {0, {0, 0}});
+            CHECK(page.status == ESPALIER_QUERY_INVALID_ARGUMENT);
+            const espalier_scene tiles[] = {baked, view};
+            for (const std::size_t given : {1u, 2u})
+                CHECK(c99_create_moving_scene(block, 10'000, capacity, 0, nullptr, 0, tiles, given, &other) ==
+                      (given == 1));
+            CHECK_FALSE(c99_moving_scene_is_open(&other));
+            CHECK_FALSE(c99_open_moving_scene(block, 10'000, nullptr, 0, tiles, 2, &other));
+        }
         check_misaligned<espalier_scene>(16, [&](espalier_scene* place) {
             return c99_moving_scene_view(&scene, place) == ESPALIER_QUERY_INVALID_ARGUMENT;
         });
-    }
-
-    TEST_CASE("c api: a view of a moving scene that waits for a refit is refused like the scene") {
-        const std::vector<std::byte> bytes = bake_instances(some_instances());
-        Both baked;
-        REQUIRE(baked.open_scene(bytes) == OpenStatus::ok);
-        SceneOfC of_c(baked.c->scene[0]);
-        espalier_moving_scene &scene = of_c.scene, other;
-        espalier_scene& view = of_c.view;
-        AlignedBuffer memory(10'000);
-        const espalier_movement movement = {of_c.tile, {{0, 0, 0, 1}, {1, 2, 3}, 1}};
-        CHECK(c99_moving_scene_move_batch(&scene, nullptr, 0).status == ESPALIER_QUERY_OK);
-        CHECK_FALSE(c99_moving_scene_must_refit(&scene));
-        CHECK(c99_moving_scene_move_batch(&scene, &movement, 1).count == 1);
-        CHECK(c99_moving_scene_view(&scene, &view) == ESPALIER_QUERY_NOT_REFITTED);
-        CHECK(c99_scene_closest_point(&view, {0, 0, 0}, 9, UINT32_MAX).hit.status == ESPALIER_QUERY_NOT_REFITTED);
-        CHECK(c99_scene_status(&view) == ESPALIER_OPEN_NOT_OPENED);
-        CHECK(c99_scene_instance_count(&view) == 0);
-        CHECK(c99_collect_candidate_pairs(&scene, nullptr, 0, nullptr, {0, 0}).status == ESPALIER_QUERY_NOT_REFITTED);
-        CHECK_FALSE(c99_create_moving_scene(memory.bytes().data(), 10'000, capacity, 0, nullptr, 0, &view, 1, &other));
-        c99_moving_scene_refit(&scene);
-        CHECK(c99_collect_candidate_pairs_with_baked(&scene, &view, nullptr, 0, nullptr, {0, {0, 0}}).status ==
-              ESPALIER_QUERY_INVALID_ARGUMENT);
-        CHECK(c99_moving_scene_view(&scene, &view) == ESPALIER_QUERY_OK);
-    }
-
-    TEST_CASE("c api: a copy of the block of a moving scene goes on like the block") {
-        const std::vector<std::byte> bytes = bake_instances(some_instances());
-        Both baked;
-        REQUIRE(baked.open_scene(bytes) == OpenStatus::ok);
-        SceneOfC of_c(baked.c->scene[0]);
-        const espalier_transform place = {{0, 0, 0, 1}, {3, 2, 1}, 1};
-        espalier_moving_scene continued;
-        std::size_t size = 0, other_size = 0;
-        const auto* const block = static_cast<const std::byte*>(c99_moving_scene_block(&of_c.scene, &size));
-        REQUIRE(size > 0);
-        AlignedBuffer memory(std::span(block, size));
-        std::byte* const copy = memory.bytes().data();
-        const auto open_copy = [&](std::size_t bytes_given) {
-            return c99_open_moving_scene(copy, bytes_given, of_c.meshes, of_c.mesh_count, of_c.tiles, of_c.tile_count,
-                                         &continued);
-        };
-        REQUIRE(open_copy(size));
-        CHECK(c99_moving_scene_move(&continued, of_c.tile, &place) == ESPALIER_QUERY_OK);
-        CHECK(std::memcmp(copy, block, size) != 0);
-        CHECK(c99_moving_scene_move(&of_c.scene, of_c.tile, &place) == ESPALIER_QUERY_OK);
-        CHECK(c99_moving_scene_block(&continued, &other_size) == copy);
-        CHECK(other_size == size);
-        CHECK(std::memcmp(copy, block, size) == 0);
-        CHECK_FALSE(open_copy(size - 1));
-        check_empty(continued);
-        copy[0] ^= std::byte{1};
-        CHECK_FALSE(open_copy(size));
     }
 }

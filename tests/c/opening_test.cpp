@@ -1,8 +1,8 @@
 // Claims about opening from C: the status of C++, at aligned addresses alone, and no half-open handles.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -12,6 +12,7 @@
 
 #include "both.hpp"
 #include "fixtures.hpp"
+#include "room.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/machine/exact_buffer.hpp"
 
@@ -21,19 +22,6 @@ using namespace espalier::tests;
 namespace {
 
 constexpr std::size_t most = 16;
-
-/// Memory that was something else before.
-template <class T>
-struct Room {
-    T array[most + 1];
-    Room() { clear(); }
-    void clear() { std::memset(static_cast<void*>(array), 0xA5, sizeof array); }
-    T* at(std::size_t offset) { return reinterpret_cast<T*>(reinterpret_cast<std::uintptr_t>(array) + offset); }
-    [[nodiscard]] bool is_untouched() const {
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(array);
-        return std::all_of(bytes, bytes + sizeof array, [](unsigned char byte) { return byte == 0xA5; });
-    }
-};
 
 bool is_empty(const espalier_blob& blob) { return c99_blob_size(&blob) == 0 && c99_blob_triangle_count(&blob) == 0; }
 
@@ -65,11 +53,8 @@ TEST_SUITE("opening") {
             CHECK(c99_blob_size(&copy) == size);
             CHECK(open_it(nullptr, 0, room.array) == ESPALIER_OPEN_TOO_SHORT);
             CHECK(is_empty(room.array[0]));
-            for (std::size_t offset = 1; offset < 16; ++offset) {
-                room.clear();
-                CHECK(open_it(bytes, size, room.at(offset)) == ESPALIER_OPEN_MISALIGNED);
-                CHECK(room.is_untouched());
-            }
+            check_misaligned<espalier_blob>(
+                16, [&](espalier_blob* blob) { return open_it(bytes, size, blob) == ESPALIER_OPEN_MISALIGNED; });
         }
     }
 
@@ -164,15 +149,13 @@ TEST_SUITE("opening") {
         CHECK(c99_open_scene(nullptr, 0, nullptr, 0, nullptr, 0, &scene) == ESPALIER_OPEN_TOO_SHORT);
         CHECK(is_empty(scene));
 
-        for (std::size_t offset = 1; offset < 16; ++offset)  // of either of the two places
-            for (const std::size_t of_scene : {std::size_t{0}, offset}) {
-                meshes.clear();
-                scenes.clear();
-                CHECK(c99_open_scene(bytes.data(), bytes.size(), meshes.at(offset - of_scene), most, tiles.array, most,
-                                     scenes.at(of_scene)) == ESPALIER_OPEN_MISALIGNED);
-                CHECK(meshes.is_untouched());
-                CHECK(scenes.is_untouched());
-            }
+        const auto is_misaligned = [&](espalier_blob* blobs, espalier_scene* others, espalier_scene* place) {
+            return c99_open_scene(bytes.data(), bytes.size(), blobs, most, others, most, place) ==
+                   ESPALIER_OPEN_MISALIGNED;
+        };
+        check_misaligned<espalier_blob>(16, [&](auto* at) { return is_misaligned(at, tiles.array, &scene); });
+        check_misaligned<espalier_scene>(16, [&](auto* at) { return is_misaligned(meshes.array, at, &scene); });
+        check_misaligned<espalier_scene>(16, [&](auto* at) { return is_misaligned(meshes.array, tiles.array, at); });
     }
 
     TEST_CASE("c api: a damaged scene opens with the status of C++") {

@@ -50,7 +50,7 @@ void Pool::fill(const question& from, const Lattice& common) {
     transform[0] = kinds[bits >> 7 & 3];
     transform[1] = moved;
     for (std::size_t i = 0; i < 2; ++i) placed_blob[i] = {&blob[i], transform[i]};
-    work_limit = bits % 8 == 0 ? bits % 50 : bits % 8 == 1 ? bits % 900 : 300;
+    work_limit = bits % 3 == 0 ? bits % 30 : bits % 8 == 1 ? bits % 900 : 300;
 
     const std::uint32_t triangles = to<Blob>(&blob[0]).triangle_count();
     for (std::uint32_t i = 0; i < slots; ++i)

@@ -23,7 +23,16 @@ namespace espalier::tests {
 
 constexpr std::size_t slots = 40;
 
-class Pool {
+/// What calls take, and the arrays that they write.
+struct Arguments {
+#include <slots.inc>
+    std::uint8_t statuses[slots] = {};
+    std::size_t offsets[slots + 1] = {};
+    std::uint16_t materials[slots] = {};
+    float number[slots] = {}, rows[12] = {};
+};
+
+class Pool : public Arguments {
 public:
     /// Makes arguments of a question. `common` is the lattice of rounded rays. Memory, handles to scenes and meshes,
     /// and what they are made of stay.
@@ -34,23 +43,20 @@ public:
 
     // ---- what calls take -----------------------------------------------------------------------------------------
 
-#include <slots.inc>
-    std::uint8_t statuses[slots] = {};
-    std::size_t offsets[slots + 1] = {};
-    std::uint16_t materials[slots] = {};
-    float number[slots] = {}, rows[12] = {};
     std::uint32_t bits = 0, mask = 0, mesh = 0, slot = 0;
     std::uint64_t work_limit = 0;
     std::size_t capacity = 0, count = 0, places = 0, position_count = 0, found = 0;
     std::uint8_t byte = 0;
     bool nothing = false;  ///< null functions, filters, counters and arrays
+    int null_array = -1;   ///< the number of an array that is null in any case
+    int arrays = -1;       ///< how many were passed, less 1
     const espalier_vec3* positions = nullptr;
     std::vector<std::byte> room, input;
 
     [[nodiscard]] std::size_t given(std::size_t size) const { return nothing ? 0 : size; }
     template <class T>
-    T* list(T* array, std::size_t size) const {
-        return size == 0 ? nullptr : array;
+    T* list(T* array, std::size_t size) {
+        return ++arrays == null_array || (nothing && size == 0) ? nullptr : array;
     }
     template <class T>
     T* optional(T* one) const {
@@ -64,7 +70,7 @@ public:
     // ---- what they return ----------------------------------------------------------------------------------------
 
     Log log;
-    bool is_ok = false;  ///< whether a result of the last call had the status ok
+    espalier_query_status status = 0;  ///< of the last result
 
     template <class C>
     void tell_result(const C& result) {
@@ -121,10 +127,10 @@ private:
     // Later calls take what earlier ones found.
     template <class T>
     void remember(const T& result) {
-        if constexpr (std::is_same_v<T, espalier_query_status>) is_ok = result == ESPALIER_QUERY_OK;
-        else if constexpr (requires { result.status; }) is_ok = result.status == ESPALIER_QUERY_OK;
-        else if constexpr (requires { result.hit.status; }) is_ok = result.hit.status == ESPALIER_QUERY_OK;
-        else is_ok = true;
+        if constexpr (std::is_same_v<T, espalier_query_status>) status = result;
+        else if constexpr (requires { result.status; }) status = result.status;
+        else if constexpr (requires { result.hit.status; }) status = result.hit.status;
+        else status = ESPALIER_QUERY_OK;
         if constexpr (requires { keep(result); }) keep(result);
         if constexpr (requires { keep(result.value); }) keep(result.value);
         if constexpr (requires { keep_next(result.next); }) keep_next(result.next);
