@@ -1,7 +1,7 @@
 # Extreme sizes, places and forms, by the hundred million.
 extremes() {
     local log=$PWD/build/counts/extremes.log
-    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev >&2
+    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev python3 >&2
     check_cmake
     build build/counts espalier_tests -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
     : >"$log"
