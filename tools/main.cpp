@@ -15,7 +15,6 @@
 #include "platform/arguments.hpp"
 #include "platform/standard_streams.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 
 namespace espalier::tools {
 

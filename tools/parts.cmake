@@ -27,11 +27,9 @@ endfunction()
 espalier_part(assimp assimp assimp::assimp
   import/assimp/hidden_defects.cpp
   import/assimp/importer.cpp
-  import/assimp/importer_reports.cpp
   import/assimp/log.cpp
   import/assimp/opened_files.cpp
-  import/assimp/scene.cpp
-  import/assimp/xml_tags.cpp)
+  import/assimp/scene.cpp)
 espalier_part(draco draco draco::draco import/gltf/data/draco.cpp)
 espalier_part(meshoptimizer meshoptimizer meshoptimizer::meshoptimizer import/gltf/data/meshopt.cpp)
 espalier_part(png PNG PNG::PNG render/png.cpp)

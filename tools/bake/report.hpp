@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
@@ -9,6 +10,7 @@
 #include "base/verb_arguments.hpp"
 #include "base/warning.hpp"
 #include "import/base/imported.hpp"
+#include "policy.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 
@@ -26,5 +28,8 @@ Json input_json(const BakeArguments& arguments, const Imported& imported);
 Json findings_json(const BakeReport& report);
 Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
                std::span<const Warning> warnings);
+
+/// Returns where the blob may not be what its user expects. A size that the policy states is expected.
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported);
 
 }  // namespace espalier::tools

@@ -4,14 +4,12 @@
 #include <iostream>
 #include <utility>
 
-#include "base/byte_sizes.hpp"
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
 #include "import/files.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 
 namespace espalier::tools {
 

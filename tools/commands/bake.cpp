@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "bake/asset_size.hpp"
 #include "bake/baking.hpp"
 #include "bake/deformation.hpp"
 #include "bake/lattice_step.hpp"
@@ -14,21 +13,17 @@
 #include "bake/reordered_mesh.hpp"
 #include "bake/report.hpp"
 #include "bake/source_options.hpp"
-#include "bake/warnings.hpp"
-#include "base/byte_sizes.hpp"
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/output_names.hpp"
-#include "files/scene_file.hpp"
+#include "files/blob_file.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 #include "scenes/baking.hpp"
 #include "scenes/report.hpp"
 #include "scenes/shared_borders.hpp"
 #include "trade/pick.hpp"
-#include "trade/pick_report.hpp"
 
 namespace espalier::tools {
 

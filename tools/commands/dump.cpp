@@ -8,7 +8,6 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "files/scene_file.hpp"
 #include "layout/blob_listing.hpp"
 #include "layout/byte_listing.hpp"
 #include "layout/scene_listing.hpp"

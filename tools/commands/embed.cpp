@@ -12,7 +12,6 @@
 #include "files/embedding.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
-#include "files/scene_file.hpp"
 #include "platform/paths.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"

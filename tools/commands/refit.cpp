@@ -16,7 +16,6 @@
 #include "layout/blob_layout.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 #include "report/json_output.hpp"
 
 namespace espalier::tools {

@@ -14,15 +14,12 @@
 #include "files/blob_file.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
-#include "files/scene_file.hpp"
 #include "render/camera.hpp"
 #include "render/image.hpp"
-#include "render/parallel_rows.hpp"
 #include "render/shading.hpp"
 #include "render/subject.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 #include "report/json_output.hpp"
 
 namespace espalier::tools {

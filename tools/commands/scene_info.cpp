@@ -11,14 +11,13 @@
 #include <espalier/scene.hpp>
 
 #include "base/numbers.hpp"
-#include "files/scene_file.hpp"
+#include "files/blob_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "layout/scene_layout.hpp"
 #include "layout/tree_quality.hpp"
-#include "layout/tree_quality_report.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
-#include "scenes/sizes.hpp"
+#include "scenes/plan.hpp"
 
 namespace espalier::tools {
 

@@ -17,7 +17,6 @@
 #include "platform/paths.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 #include "report/json_output.hpp"
 #include "trade/chart.hpp"
 #include "trade/measure.hpp"

@@ -13,11 +13,9 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "files/scene_file.hpp"
 #include "import/files.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/failure.hpp"
 #include "report/json_output.hpp"
 #include "source_check.hpp"
 

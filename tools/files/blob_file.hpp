@@ -1,11 +1,13 @@
-// A blob as a file.
+// Blobs and scenes that the command reads.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <espalier/blob.hpp>
+#include <espalier/scene.hpp>
 
 #include "base/exit_code.hpp"
 
@@ -36,5 +38,29 @@ ExitCode exit_code_of(OpenStatus status);
 
 /// What was refused, why, and what to do.
 std::string refusal_text(const std::string& path, OpenStatus status);
+
+/// An opened scene, its meshes and its tiles. It refers to the bytes, which must outlive it: moved as one, never
+/// copied.
+struct SceneFile {
+    std::vector<Blob> meshes;
+    std::vector<BakedScene> tiles;
+    BakedScene scene;
+
+    SceneFile() = default;
+    SceneFile(SceneFile&&) = default;
+    SceneFile& operator=(SceneFile&&) = default;
+};
+
+/// Returns whether bytes begin as those of a scene.
+bool is_scene(std::span<const std::byte> bytes);
+
+/// Opens the scene, whose status may be a refusal.
+SceneFile try_open_scene(std::span<const std::byte> bytes);
+
+/// Opens the scene that was read from `path`. Throws CommandError (invalid_input or unsupported) when it is refused.
+SceneFile open_scene_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// Opens a scene that was just baked. Throws CommandError (internal) when the reader refuses it.
+SceneFile opened_scene(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace espalier::tools

@@ -1,12 +1,20 @@
 #include "blob_layout.hpp"
 
 #include <bit>
+#include <vector>
 
+#include <espalier/deformation.hpp>
 #include <runtime/blob/id_steps.hpp>
 
 #include "base/exit_code.hpp"
 
 namespace espalier::tools {
+
+namespace {
+
+std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+}  // namespace
 
 std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at) {
     return std::to_integer<std::uint32_t>(bytes[at]);
@@ -27,12 +35,6 @@ std::uint32_t read_bits(std::span<const std::byte> bytes, std::size_t bit, unsig
     for (unsigned i = 0; i < width; ++i, ++bit) value |= ((read_u8(bytes, bit / 8) >> (bit % 8)) & 1u) << i;
     return value;
 }
-
-namespace {
-
-std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
-
-}  // namespace
 
 unsigned vertex_source_bits(const Blob& blob) {
     const detail::BlobData& data = detail::data_of(blob);
@@ -245,6 +247,20 @@ std::vector<std::string> feature_names(std::uint32_t features) {
     if ((features & format::feature::k_dop) != 0) names.emplace_back("k_dop");
     if ((features & format::feature::deformable) != 0) names.emplace_back("deformable");
     return names;
+}
+
+Motion motion_of(const Blob& blob) {
+    std::vector<std::byte> memory(deformable_bytes(blob));
+    const Deformable mesh = create_deformable(blob, memory);
+    return {mesh.position_count(), mesh.range(), memory.size()};
+}
+
+Json motion_json(const Blob& blob) {
+    const Motion motion = motion_of(blob);
+    return {{"positions", motion.positions},
+            {"range", {{"min", json_point(motion.range.min)}, {"max", json_point(motion.range.max)}}},
+            {"moving_bytes", motion.moving_bytes},
+            {"moving_bytes_per_triangle", static_cast<double>(motion.moving_bytes) / blob.triangle_count()}};
 }
 
 }  // namespace espalier::tools

@@ -11,6 +11,8 @@
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
 
+#include "report/json_output.hpp"
+
 namespace espalier::tools {
 
 std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at);
@@ -101,5 +103,17 @@ const char* name_of(Profile profile);
 std::string checksum_text(std::uint32_t checksum);
 /// The set bits, by name.
 std::vector<std::string> feature_names(std::uint32_t features);
+
+/// The figures of a deformable blob.
+struct Motion {
+    std::uint32_t positions = 0;   ///< that refit() takes
+    Box range;                     ///< in which they must lie
+    std::size_t moving_bytes = 0;  ///< in the caller's memory; the rest may stay in flash
+};
+
+Motion motion_of(const Blob& blob);
+
+/// Returns the keys positions, range, moving_bytes and moving_bytes_per_triangle.
+Json motion_json(const Blob& blob);
 
 }  // namespace espalier::tools

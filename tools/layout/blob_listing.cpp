@@ -12,9 +12,7 @@
 
 #include "base/numbers.hpp"
 #include "blob_layout.hpp"
-#include "header_listing.hpp"
-#include "leaf_listing.hpp"
-#include "motion_listing.hpp"
+#include "byte_listing.hpp"
 #include "node_listing.hpp"
 
 namespace espalier::tools {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -53,5 +54,15 @@ private:
     std::size_t lines_ = 0;
     Json collected_ = Json::array();
 };
+
+struct HeaderField {
+    std::size_t at;
+    std::size_t bytes;
+    const char* name;
+    enum class Kind : std::uint8_t { integer, signed_integer, real, hexadecimal, text, vector, point, zero } kind;
+};
+
+/// Lists the header at the beginning of the bytes, as far as there are bytes: a refused blob may end within it.
+void list_header(std::span<const std::byte> bytes, std::span<const HeaderField> fields, ByteListing& listing);
 
 }  // namespace espalier::tools

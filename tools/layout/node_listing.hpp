@@ -1,4 +1,4 @@
-// The bytes of nodes, with their meaning.
+// The nodes of a tree, its leaves, and what a deformable blob adds, byte by byte.
 #pragma once
 
 #include <cstddef>
@@ -23,5 +23,12 @@ struct PackedNodeWords {
 /// Lists one packed node, from where the listing stands.
 void list_packed_node(std::span<const std::byte> bytes, const NodeFields& node, std::size_t number,
                       const PackedNodeWords& words, ByteListing& listing);
+
+/// From where the listing stands, which is the beginning of the block of node `node`. The blob was opened on `bytes`.
+void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing);
+
+void list_corners(std::span<const std::byte> bytes, const Blob& blob, const Section& section, ByteListing& listing);
+void list_vertex_sources(std::span<const std::byte> bytes, const Blob& blob, const Section& section,
+                         ByteListing& listing);
 
 }  // namespace espalier::tools

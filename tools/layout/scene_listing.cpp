@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "blob_listing.hpp"
 #include "blob_layout.hpp"
-#include "header_listing.hpp"
+#include "byte_listing.hpp"
 #include "node_listing.hpp"
 #include "scene_layout.hpp"
 

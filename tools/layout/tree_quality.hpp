@@ -6,6 +6,8 @@
 
 #include <espalier/blob.hpp>
 
+#include "report/json_output.hpp"
+
 namespace espalier::tools {
 
 /// The boxes at one depth. The root's children, nodes and leaves, have depth 1. Areas and volumes are sums over those
@@ -41,5 +43,9 @@ struct TreeQuality {
 
 /// Reads the whole tree of a blob that was opened. Cost: O(nodes).
 [[nodiscard]] TreeQuality tree_quality_of(const Blob& blob);
+
+[[nodiscard]] Json tree_quality_json(const TreeQuality& quality);
+/// Prints three tables: of levels, of balance and of leaves.
+void print_tree_quality(const TreeQuality& quality);
 
 }  // namespace espalier::tools

@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "call.hpp"
 #include "report/console.hpp"
-#include "report/failure.hpp"
+#include "report/diagnostics.hpp"
 
 namespace espalier::tools {
 

@@ -10,7 +10,6 @@
 
 #include "base/verb_arguments.hpp"
 #include "files/blob_file.hpp"
-#include "files/scene_file.hpp"
 
 namespace espalier::tools {
 

@@ -1,7 +1,10 @@
 #include "image.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 namespace espalier::tools {
 
@@ -29,6 +32,23 @@ void Image::set(unsigned column, unsigned row, Colour colour) {
     pixel[0] = encoded(colour.red);
     pixel[1] = encoded(colour.green);
     pixel[2] = encoded(colour.blue);
+}
+
+void for_each_row(unsigned rows, unsigned threads, const std::function<void(unsigned)>& row,
+                  const std::function<void(double)>& done) {
+    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+    threads = std::clamp(threads, 1u, std::max(1u, rows));
+    std::atomic<unsigned> next{0};
+    std::vector<std::jthread> helpers;
+    for (unsigned i = 1; i < threads; ++i) {
+        helpers.emplace_back([&] {
+            for (unsigned number = next++; number < rows; number = next++) row(number);
+        });
+    }
+    for (unsigned number = next++; number < rows; number = next++) {
+        row(number);
+        done(static_cast<double>(number) / rows);
+    }
 }
 
 }  // namespace espalier::tools

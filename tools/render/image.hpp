@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,10 @@ private:
     unsigned height_;
     std::vector<std::uint8_t> pixels_;
 };
+
+/// Calls `row` once for each number below `rows`, from several threads, in no order; `done`, from this thread only,
+/// with the share that is begun. `threads` 0 takes as many as the machine has.
+void for_each_row(unsigned rows, unsigned threads, const std::function<void(unsigned)>& row,
+                  const std::function<void(double)>& done);
 
 }  // namespace espalier::tools

@@ -1,7 +1,12 @@
 #include "diagnostics.hpp"
 
+#include <exception>
+#include <iostream>
+#include <new>
 #include <optional>
+#include <utility>
 
+#include "base/numbers.hpp"
 #include "console.hpp"
 
 namespace espalier::tools {
@@ -11,6 +16,17 @@ namespace {
 template <class Value>
 Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
+}
+
+void put_error(const CommandError& error, Json& document) {
+    const ErrorDetails& details = error.details();
+    document["error"] = diagnostic_json({details.kind, error.what(), details.file, details.mesh, details.triangle});
+}
+
+CommandError with(const CommandError& error, const std::vector<Warning>& warnings) {
+    ErrorDetails details = error.details();
+    details.warnings = warnings;
+    return {error.code(), error.what(), std::move(details)};
 }
 
 }  // namespace
@@ -32,6 +48,43 @@ Json warnings_json(std::span<const Warning> warnings) {
     Json list = Json::array();
     for (const Warning& warning : warnings) list.push_back(diagnostic_json(warning));
     return list;
+}
+
+ExitCode report_failure(const CommandError& error, Json* document) {
+    std::cerr << "espalier: " << error.what() << '\n';
+    if (document != nullptr) {
+        put_error(error, *document);
+        print_json(*document);
+    }
+    return error.code();
+}
+
+std::string failure_document(const CommandError& error, const std::vector<Warning>& warnings) {
+    Json document = json_document();
+    document["warnings"] = warnings_json(warnings);
+    put_error(error, document);
+    return json_text(document);
+}
+
+CommandError current_failure() {
+    try {
+        throw;
+    } catch (const CommandError& error) {
+        return error;
+    } catch (const std::bad_alloc&) {
+        return {ExitCode::internal, "the machine has not enough memory for this. Bake the asset in parts."};
+    } catch (const std::exception& error) {
+        return {ExitCode::internal, text("internal error: ", error.what(), ". Please report how it came about.")};
+    }
+}
+
+ExitCode with_warnings(const std::function<ExitCode(std::vector<Warning>&)>& verb) {
+    std::vector<Warning> warnings;
+    try {
+        return verb(warnings);
+    } catch (...) {
+        throw with(current_failure(), warnings);
+    }
 }
 
 }  // namespace espalier::tools

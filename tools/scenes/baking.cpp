@@ -14,10 +14,9 @@
 #include "bake/baking.hpp"
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "placed_mesh.hpp"
+#include "repeats.hpp"
 #include "plan.hpp"
-#include "sizes.hpp"
-#include "total.hpp"
+#include "report.hpp"
 
 namespace espalier::tools {
 

@@ -1,8 +1,12 @@
 // Which meshes of an import become instances, and which are merged.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <espalier/blob.hpp>
 
 #include "base/verb_arguments.hpp"
 #include "import/base/imported.hpp"
@@ -19,5 +23,15 @@ struct ScenePlan {
 /// with Instancing::all, all. What no Transform places within `largest_error` keeps its triangles where they are:
 /// merged, or a mesh of its own.
 ScenePlan plan_scene(const Imported& imported, Instancing instancing, double largest_error);
+
+/// Returns about how many bytes the triangles of a blob take as a part of a larger blob: its own leaves and what it
+/// stores for each triangle, with its share of nodes that are four fifths full.
+double bytes_as_part(std::span<const std::byte> bytes, const Blob& blob);
+
+/// Returns how many bytes a blob for merged meshes adds to a scene, without the bytes of the meshes.
+double bytes_of_merging();
+
+/// Returns how many bytes a mesh with that many instances adds to a scene, with a node for four instances.
+double bytes_as_instances(const Blob& blob, std::uint64_t instances);
 
 }  // namespace espalier::tools

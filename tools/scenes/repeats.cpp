@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace espalier::tools {
 
@@ -62,6 +63,22 @@ std::vector<std::uint32_t> first_with_content(const std::vector<ImportedMesh>& m
         if (first[i] == i) candidates.push_back(i);
     }
     return first;
+}
+
+std::string words_for_place(const Imported& imported, const ImportedPlace& place) {
+    const ImportedFile& file = imported.files.at(place.file);
+    return words_for_mesh(file, place.number, file.mesh_names.at(place.number));
+}
+
+ImportedMesh placed_mesh(const Imported& imported, const ImportedPlace& place, const Placement& placement) {
+    ImportedMesh mesh = imported.meshes.at(place.mesh);
+    for (Vec3& position : mesh.positions) position = placement(position);
+    if (placement.mirrors())
+        for (TriangleVertices& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    mesh.file = place.file;
+    mesh.mesh = place.number;
+    mesh.name = words_for_place(imported, place);
+    return mesh;
 }
 
 }  // namespace espalier::tools

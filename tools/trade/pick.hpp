@@ -9,8 +9,10 @@
 
 #include <espalier/bake.hpp>
 
-#include "counted_cost.hpp"
+#include "measure.hpp"
 #include "import/base/imported.hpp"
+#include "report/console.hpp"
+#include "report/json_output.hpp"
 
 namespace espalier::tools {
 
@@ -49,5 +51,9 @@ struct Picked {
 
 /// Throws CommandError: as bake_or_throw, and (unsupported) when nothing fits, with the smallest that was reached.
 Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal);
+
+/// `options` are those that the search started with.
+void say_pick(const Console& console, const Picked& picked, const BakeOptions& options);
+Json pick_json(const Picked& picked);
 
 }  // namespace espalier::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "import/base/imported.hpp"
@@ -22,5 +23,9 @@ public:
 private:
     std::vector<std::string> losses_;
 };
+
+/// Returns true for an error of assimp, and for a warning that something was left out, unless it is only about looks,
+/// lights, cameras or motion. `line` begins with its severity, as assimp writes it.
+bool reports_lost_geometry(std::string_view line);
 
 }  // namespace espalier::tools

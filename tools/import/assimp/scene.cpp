@@ -15,7 +15,7 @@
 #include "base/numbers.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/base/text_file.hpp"
-#include "xml_tags.hpp"
+#include "hidden_defects.hpp"
 
 namespace espalier::tools {
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "base/placement.hpp"
+#include "import/gltf/data/accessors.hpp"
 #include "import/gltf/data/json.hpp"
 
 namespace espalier::tools {
@@ -29,5 +31,11 @@ Placement placement_from(const std::array<double, 3>& translation, const std::ar
 /// not 0 0 0 1.
 Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
                               std::string_view matrix);
+
+/// Returns the instances' transforms in the node's space: one that changes nothing, for a node without the extension.
+std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& accessors);
+
+/// Returns how many there will be, by what the accessors claim.
+std::uint64_t count_gltf_instances(const GltfObject& node, GltfAccessors& accessors);
 
 }  // namespace espalier::tools

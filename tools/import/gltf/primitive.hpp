@@ -49,4 +49,10 @@ inline constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
 /// Throws CommandError when the accessor has more.
 void require_stored(const GltfAccessor& accessor, const GltfObject& user);
 
+inline constexpr std::uint64_t gltf_triangles = 4;
+
+/// Sets the triangles of `primitive` with indices into its positions, or counts its points and lines.
+void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std::optional<GltfAccessor>& indices,
+                        GltfPrimitive& primitive);
+
 }  // namespace espalier::tools

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "buffer_views.hpp"
+#include "buffers.hpp"
 #include "json.hpp"
 
 namespace espalier::tools {

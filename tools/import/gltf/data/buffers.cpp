@@ -1,11 +1,12 @@
 #include "buffers.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 
 #include "base/numbers.hpp"
-#include "base64.hpp"
+#include "meshopt.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
@@ -33,6 +34,15 @@ std::string without_percents(const std::string& uri) {
         }
     }
     return result;
+}
+
+/// Returns 64 for what is no digit.
+std::uint32_t digit_value(char digit) {
+    if (digit >= 'A' && digit <= 'Z') return static_cast<std::uint32_t>(digit - 'A');
+    if (digit >= 'a' && digit <= 'z') return static_cast<std::uint32_t>(digit - 'a' + 26);
+    if (digit >= '0' && digit <= '9') return static_cast<std::uint32_t>(digit - '0' + 52);
+    if (digit == '+') return 62;
+    return digit == '/' ? 63 : 64;
 }
 
 }  // namespace
@@ -100,6 +110,58 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
     }
     if (std::find(opened_.begin(), opened_.end(), beside) == opened_.end()) opened_.push_back(beside);
     return bytes;
+}
+
+std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
+    for (int i = 0; i < 2 && !text.empty() && text.back() == '='; ++i) text.remove_suffix(1);
+    if (text.size() % 4 == 1) return std::nullopt;
+    std::vector<std::byte> result;
+    result.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;
+    unsigned count = 0;
+    for (const char digit : text) {
+        const std::uint32_t value = digit_value(digit);
+        if (value == 64) return std::nullopt;
+        bits = bits << 6 | value;
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        result.push_back(static_cast<std::byte>(bits >> count & 0xffu));
+    }
+    return result;
+}
+
+GltfBufferView GltfBufferViews::view(std::size_t number) {
+    const GltfObject view = root_.object_in("bufferViews", number, text(root_.words(), ", bufferView ", number));
+    const std::size_t stride = view.whole("byteStride").value_or(0);
+    const auto compressed = view.extension("EXT_meshopt_compression");
+    if (!compressed) return {part_of_buffer(view), stride};
+    const std::uint64_t packed = compressed->required_whole("byteStride");
+    if (view.has("byteStride") && stride != packed) {
+        view.fail(text("its byteStride is ", stride, ", and that of its EXT_meshopt_compression is ", packed));
+    }
+    auto found = decompressed_.find(number);
+    if (found == decompressed_.end()) {
+        found = decompressed_.emplace(number, decode_meshopt(*compressed, part_of_buffer(*compressed))).first;
+    }
+    const std::uint64_t length = view.required_whole("byteLength");
+    if (found->second.size() != length) {
+        view.fail(text("its \"byteLength\" is ", length, ", and its EXT_meshopt_compression has ", found->second.size(),
+                       " bytes"));
+    }
+    return {found->second, stride, packed};
+}
+
+std::span<const std::byte> GltfBufferViews::part_of_buffer(const GltfObject& part) {
+    const std::size_t number = part.required_index("buffer", buffers_.count());
+    const std::uint64_t offset = part.whole("byteOffset").value_or(0);
+    const std::uint64_t length = part.required_whole("byteLength");
+    const std::span<const std::byte> buffer = buffers_.bytes(number);
+    if (offset > buffer.size() || length > buffer.size() - offset) {
+        part.fail(text("its ", length, " bytes from byte ", offset, " on are not inside of the ", buffer.size(),
+                       " bytes of buffer ", number));
+    }
+    return buffer.subspan(offset, length);
 }
 
 }  // namespace espalier::tools
