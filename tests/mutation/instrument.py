@@ -13,7 +13,9 @@ import sys
 
 import excuses
 
-PARTS = {
+# What is mutated until each survivor has an excuse. Every other file of lib that the programs here run is a part with
+# the files of its folder: what survives there is reported, and needs none.
+EXCUSED_PARTS = {
     "verifier": [
         "runtime/open/open.cpp", "runtime/open/check_tree.hpp", "runtime/open/checks.hpp", "runtime/open/header.cpp",
         "runtime/open/leaves.cpp", "runtime/open/unchecked.cpp"],
@@ -67,7 +69,14 @@ PARTS = {
         "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",
         "baker/encode/motion.cpp"],
 }
+# Its operators of an instruction set's lanes cannot be inlined into those of mutants.hpp, which are compiled for no set.
+NOT_COMPILED = ("runtime/moving_scenes/box_tree/steps_boxes.inl",)
+# Only one instruction set runs these: the programs here have one lane, four and the code for microcontrollers, and other
+# tests compare all sets.
+SINGLE_SETS = re.compile(
+    r"runtime/(instruction_sets/.*|lanes/(avx2|avx512|neon|simd128|sse42|select)\.hpp|rays/slab_test_avx2\.inl)")
 
+LIBRARIES = ("runtime", "baker", "espalier")
 NUMBERS_OF_A_FILE = 1000
 FALSE_BY = {"&&": ("(::mutation::on(%d) || (", "))"), "||": ("(!::mutation::on(%d) && (", "))")}
 OPERATORS = {
@@ -110,6 +119,16 @@ def matching(text, at):
             if depth == 0:
                 return i
     raise ValueError("a bracket is not closed")
+
+
+def last_semicolon(text):
+    """Behind the last one outside of brackets; 0 where there is none."""
+    depth, found = 0, 0
+    for i, character in enumerate(text):
+        depth += (character in "([{") - (character in ")]}")
+        if character == ";" and depth == 0:
+            found = i + 1
+    return found
 
 
 STOPS = re.compile(r"&& |\|\| |&&\n|\|\|\n|[;,?]| : |[^=!<>]= |return ")
@@ -172,11 +191,12 @@ class Source:
         self.spans.append((start, end, before % self.add(start, what), after))
 
     def is_no_answer(self, at):
-        """Whether a text is put together here, or memory fetched ahead: what a message says is no answer."""
+        """Whether a text is put together here, or memory fetched ahead: what a message says is no answer. Or whether the
+        compiler must have these numbers, since an instruction contains them."""
         start = max(self.code.rfind(mark, 0, at) for mark in ";{}")
         ends = [end for end in (self.code.find(mark, at) for mark in ";{}") if end >= 0]
         statement = self.code[start + 1:min(ends, default=len(self.code))]
-        return "$" in statement or "prefetch(" in statement
+        return "$" in statement or "prefetch(" in statement or "SHUFFLE_VECTOR(" in statement
 
     def instrument(self):
         code = self.code
@@ -199,8 +219,8 @@ class Source:
             end = matching(code, match.end() - 1)
             start = match.end()
             condition = code[start:end]
-            if ";" in condition:
-                start += condition.rindex(";") + 1
+            if initialised := last_semicolon(condition):
+                start += initialised
             elif re.search(r"[^=!<>]= ", condition) or "prefetch(" in code[end:code.index("\n", end)]:
                 continue
             self.wrap(start, end, "!::mutation::on(%d) && (", ")", "never: " + " ".join(self.text[start:end].split()))
@@ -282,9 +302,23 @@ def version_of(text):
     return hashlib.sha256("".join(code.split()).encode()).hexdigest()[:16]
 
 
+def parts_of(folder):
+    """The files of each part, by its name."""
+    parts = {part: list(names) for part, names in EXCUSED_PARTS.items()}
+    named = {name for names in parts.values() for name in names}
+    for path in sorted(path for library in LIBRARIES for path in (folder / library).rglob("*.*")):
+        name = path.relative_to(folder)
+        if path.suffix in (".cpp", ".hpp", ".inl") and str(name) not in named and not SINGLE_SETS.fullmatch(str(name)):
+            parts.setdefault(str(name.parent), []).append(str(name))
+    return parts
+
+
 def sources(folder):
     """Every file that has mutants, with its mutants."""
-    for number, (part, name) in enumerate((part, name) for part, names in PARTS.items() for name in names):
+    names = ((part, name) for part, names in parts_of(folder).items() for name in names)
+    for number, (part, name) in enumerate(names):
+        if name in NOT_COMPILED:
+            continue
         file = Source(folder / name, name, part, number * NUMBERS_OF_A_FILE)
         text = filled_at_start(file.instrument())
         assert len(file.mutants) <= NUMBERS_OF_A_FILE

@@ -30,48 +30,77 @@ struct Held {
     Left left;
 };
 
-/// Not everything that can be added can be subtracted: then the right side is dropped.
+/// Sums and differences. Vectors whose operators are not visible here have three coordinates.
 template <class Left, class Right>
-constexpr auto opposite_of_plus(Left left, Right right) {
-    if constexpr (requires { left - right; }) return left - right;
-    else return left;
+[[gnu::always_inline]] constexpr auto sum(Left left, Right right) {
+    if constexpr (requires { left + right; }) return left + right;
+    else if constexpr (requires { left.x; }) return Left{left.x + right.x, left.y + right.y, left.z + right.z};
+    else return Left{left[0] + right[0], left[1] + right[1], left[2] + right[2]};
 }
 template <class Left, class Right>
-constexpr auto opposite_of_minus(Left left, Right right) {
-    if constexpr (requires { left + right; }) return left + right;
-    else return left - right;
+[[gnu::always_inline]] constexpr auto difference(Left left, Right right) {
+    if constexpr (requires { left - right; }) return left - right;
+    else if constexpr (requires { left.x; }) return Left{left.x - right.x, left.y - right.y, left.z - right.z};
+    else return Left{left[0] - right[0], left[1] - right[1], left[2] - right[2]};
+}
+/// Not everything that can be added can be subtracted: then the right side is dropped. Iterators are not added.
+template <class Left, class Right>
+[[gnu::always_inline]] constexpr auto opposite_of_plus(Left left, Right right) {
+    if constexpr (
+        requires { left + right; } && !requires { left - right; })
+        return left;
+    else return difference(left, right);
+}
+template <class Left, class Right>
+[[gnu::always_inline]] constexpr auto opposite_of_minus(Left left, Right right) {
+    if constexpr (
+        requires { left - right; } && !requires { left + right; })
+        return left - right;
+    else return sum(left, right);
+}
+/// Numbers wider than the machine's have `<` alone of the comparisons by size.
+template <class Left, class Right>
+[[gnu::always_inline]] constexpr auto at_most(Left left, Right right) {
+    if constexpr (requires { left <= right; }) return left <= right;
+    else return !(right < left);
+}
+/// Of lanes each.
+template <class Result>
+[[gnu::always_inline]] constexpr Result always() {
+    if constexpr (std::is_same_v<Result, bool>) return true;
+    else return ~Result{};
 }
 /// Where the difference is a number and the left side is none, as of iterators, 0.
 template <class Result, class Left>
-constexpr Result drop_right(Left left) {
+[[gnu::always_inline]] constexpr Result drop_right(Left left) {
     if constexpr (std::is_convertible_v<Left, Result>) return static_cast<Result>(left);
     else return Result{};
 }
 
 // clang-format off
-#define MUTATION_OPERATOR(op, first, second)                                                                     \
+#define MUTATION_OPERATOR(op, plain, first, second)                                                              \
     template <class Left, int number>                                                                            \
     [[gnu::always_inline]] constexpr Held<number, Left> operator op(Left left, Between<number>) { return {left}; } \
     template <int number, class Left, class Right>                                                               \
     [[gnu::always_inline]] constexpr auto operator op(Held<number, Left> held, Right right) {                    \
-        using Result = std::remove_cvref_t<decltype((held.left op right))>;                                      \
         const Left left = held.left;                                                                             \
+        using Result = std::remove_cvref_t<decltype((plain))>;                                                   \
         if (on(number)) return static_cast<Result>(first);                                                       \
         if (on(number + 1)) return static_cast<Result>(second);                                                  \
-        return static_cast<Result>(left op right);                                                               \
+        return static_cast<Result>(plain);                                                                       \
     }
 // clang-format on
 
-MUTATION_OPERATOR(<, left <= right, !(left < right))
-MUTATION_OPERATOR(<=, left < right, !(left <= right))
-MUTATION_OPERATOR(>, left >= right, !(left > right))
-MUTATION_OPERATOR(>=, left > right, !(left >= right))
-MUTATION_OPERATOR(==, left != right, true)
-MUTATION_OPERATOR(!=, left == right, true)
-MUTATION_OPERATOR(+, (opposite_of_plus(left, right)), (drop_right<decltype(left + right)>(left)))
-MUTATION_OPERATOR(-, (opposite_of_minus(left, right)), (drop_right<decltype(left - right)>(left)))
-MUTATION_OPERATOR(<<, left << (right + 1), left << (right - 1))
-MUTATION_OPERATOR(>>, left >> (right + 1), left >> (right - 1))
+MUTATION_OPERATOR(<, left < right, (at_most(left, right)), !(left < right))
+MUTATION_OPERATOR(<=, left <= right, left < right, !(left <= right))
+MUTATION_OPERATOR(>, left > right, left >= right, !(left > right))
+MUTATION_OPERATOR(>=, left >= right, left > right, !(left >= right))
+MUTATION_OPERATOR(==, left == right, left != right, always<Result>())
+MUTATION_OPERATOR(!=, left != right, left == right, always<Result>())
+MUTATION_OPERATOR(+, (sum(left, right)), (opposite_of_plus(left, right)), (drop_right<Result>(left)))
+MUTATION_OPERATOR(-, (difference(left, right)), (opposite_of_minus(left, right)), (drop_right<Result>(left)))
+MUTATION_OPERATOR(<<, left << right, left << (right + 1), left << (right - 1))
+MUTATION_OPERATOR(>>, left >> right, left >> (right + 1), left >> (right - 1))
 
 /// What is added, or put into bits: nothing.
 template <int number, class T>

@@ -29,11 +29,13 @@ Before a release
   fuzz        Fuzzes open, tree, bake, scene and import for 60 seconds each: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
               fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;
               fuzz --minimise reduces the corpus to fuzz/corpus.
-  mutate      Breaks the library in some 3,200 places, one at a time, and lists the changes that no test finds and no comment
+  mutate      Breaks the library in thousands of places, one at a time, and lists the changes that no test finds and no comment
               "// mutant(...)" at the line excuses (an hour):
               mutate [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--claims TEXT...] [--publish]
-              The parts are verifier, decode, quantiser, traversal, rounding, small and queries; --since selects the files
-              of lib whose code differs from a commit; --publish writes the table of docs/testing.md. Results are kept.
+              A part is one of docs/testing.md or a folder of lib; --since selects the files of lib whose code differs from a
+              commit; --publish writes the table of docs/testing.md. Results are kept.
+              mutate --sample N [--seed S] [--survivors] [--publish] draws N changes at random, and prints which share of those
+              that any test finds tools/dev test finds. Exit status 1 below 97 %.
   release     Makes the files of a release in build/packages: Debian packages, checked by lintian, and archives of the
               command for Linux and Windows, which need no packages (10 minutes).
   firmware    Counts code, instructions, bytes read and stack of queries on six emulated Cortex-M cores (3 minutes):
