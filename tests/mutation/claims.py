@@ -6,6 +6,7 @@ full scale; `instruction_sets`, 2,000 questions; `small_code`, the code for micr
 """
 import fnmatch
 import hashlib
+import json
 import math
 import os
 import pathlib
@@ -54,10 +55,9 @@ class Claim:
         if started.returncode > 128:  # as timeout tells the signal that ended the program
             started.returncode = 128 - started.returncode
         if self.compares_folder:
-            output = [(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
-                      for path in sorted(scratch.glob("*.espl"))]
-        return (started.returncode, output if self.compares_output or self.compares_folder else None,
-                usage.ru_utime + usage.ru_stime)
+            output = b"".join(path.name.encode() + path.read_bytes() for path in sorted(scratch.glob("*.espl")))
+        compared = hashlib.sha256(output).hexdigest() if self.compares_output or self.compares_folder else None
+        return started.returncode, compared, usage.ru_utime + usage.ru_stime
 
     def prepare(self, folder, longest=LONGEST):
         """False when it takes too long to be asked about every mutant, or fails without one, as at a small scale."""
@@ -67,11 +67,18 @@ class Claim:
             return self.prepared
 
     def run_unbroken(self, folder, longest):
+        """What it found is kept, and holds until the program is built anew."""
         notes = folder / "reached" / hashlib.sha256(self.name.encode()).hexdigest()
+        kept = notes.with_suffix(".json")
         notes.parent.mkdir(exist_ok=True)
-        notes.unlink(missing_ok=True)
-        status, self.expected, self.seconds = self.run(folder / "scratch" / notes.name, math.ceil(longest),
-                                                       MUTANTS_REACHED=str(notes))
+        built = [str(part) for part in self.command] + [self.scale, os.stat(self.command[0]).st_mtime_ns, longest]
+        known = json.loads(kept.read_text()) if kept.is_file() else {}
+        if known.get("built") != built:
+            notes.unlink(missing_ok=True)
+            known = dict(zip(("status", "expected", "seconds"), self.run(
+                folder / "scratch" / notes.name, math.ceil(longest), MUTANTS_REACHED=str(notes))), built=built)
+            kept.write_text(json.dumps(known))
+        status, self.expected, self.seconds = known["status"], known["expected"], known["seconds"]
         too_slow = status in (-signal.SIGXCPU, -signal.SIGKILL) or self.seconds > longest
         if status != 0 or too_slow:
             print(f"left out, {'too slow' if too_slow else f'status {status} with no mutant'}: {self.name}", flush=True)
