@@ -146,10 +146,13 @@ def slow_cases():
 def doctest_claims(program, code, tier):
     listed = subprocess.run([program, "--list-test-cases", "--reporters=xml"], stdout=subprocess.PIPE, text=True, check=True)
     slow, claims = slow_cases(), []
+    small = (ROOT / "tests" / "small_code" / "CMakeLists.txt").read_text()
     for case in xml.etree.ElementTree.fromstring(listed.stdout).iter("TestCase"):
-        name, file = case.get("name"), case.get("filename")
-        is_slow = any(fnmatch.fnmatchcase(name, pattern) for pattern in slow)
-        claims.append(Claim(f"{name}, times {SCALE}{code}", [program, f"-tc={name}", "-aa=1", "-m"],
-                            "cases" if is_slow and tier == QUICK else tier,
-                            str(pathlib.Path(file.split("/source/tests/")[-1]).parent)))
+        name, file = case.get("name"), case.get("filename").split("/source/tests/")[-1]
+        if tier == QUICK:
+            part = "cases" if any(fnmatch.fnmatchcase(name, pattern) for pattern in slow) else QUICK
+        else:  # of the other cases no part runs the code for microcontrollers
+            part = tier if re.search(rf"\b{file.removesuffix('_test.cpp')}\b", small) else None
+        claims.append(Claim(f"{name}, times {SCALE}{code}", [program, f"-tc={name}", "-aa=1", "-m"], part,
+                            str(pathlib.Path(file).parent)))
     return claims

@@ -54,7 +54,7 @@ def sample(folder, mutants, claims, count, seed, again=False):
         run(Judge(quick, folder, earlier), pending, earlier, path)
         survivors = [mutant for mutant in judged if waits(earlier[key_of(mutant)])]
         print(f"{len(survivors)} survive the quick claims", flush=True)
-        whole = prepared([claim for claim in claims if claim.tier != QUICK], folder, WHOLE_SECONDS)
+        whole = prepared([claim for claim in claims if claim.tier not in (QUICK, None)], folder, WHOLE_SECONDS)
         whole += full_claims_of(folder, quick)
         judge = Judge(whole, folder, earlier, seconds=WHOLE_SECONDS, longest=WHOLE_SECONDS)
         run(lambda mutant: {**judge(mutant), "whole": True}, survivors, earlier, path)
