@@ -69,8 +69,6 @@ EXCUSED_PARTS = {
         "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",
         "baker/encode/motion.cpp"],
 }
-# Its operators of an instruction set's lanes cannot be inlined into those of mutants.hpp, which are compiled for no set.
-NOT_COMPILED = ("runtime/moving_scenes/box_tree/steps_boxes.inl",)
 # Only one instruction set runs these: the programs here have one lane, four and the code for microcontrollers, and other
 # tests compare all sets.
 SINGLE_SETS = re.compile(
@@ -317,8 +315,6 @@ def sources(folder):
     """Every file that has mutants, with its mutants."""
     names = ((part, name) for part, names in parts_of(folder).items() for name in names)
     for number, (part, name) in enumerate(names):
-        if name in NOT_COMPILED:
-            continue
         file = Source(folder / name, name, part, number * NUMBERS_OF_A_FILE)
         text = filled_at_start(file.instrument())
         assert len(file.mutants) <= NUMBERS_OF_A_FILE
