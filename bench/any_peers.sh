@@ -10,7 +10,7 @@ peers=(EMBREE BULLET ODE FCL)
 failures=0
 # compile FILE PEER...
 compile() {
-    "$compiler" -std=c++20 -Wall -Wextra -Wconversion -Wshadow "${WERROR:--Werror}" -fsyntax-only -I lib \
+    "$compiler" -std=c++20 -Wall -Wextra -Wconversion -Wshadow "${WERROR:--Werror}" -fsyntax-only -I lib -I tests \
         -DESPALIER_BENCH_VERSION='""' "${@:2}" "$1" || { echo "failed: $*"; failures=$((failures + 1)); }
 }
 

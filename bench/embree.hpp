@@ -6,10 +6,7 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
-#include <cstddef>
-#include <cstring>
-
-#include "rays.hpp"
+#include "base.hpp"
 
 namespace espalier::bench {
 

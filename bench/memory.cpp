@@ -1,8 +1,6 @@
 #include "memory.hpp"
 
-#include <cstdint>
 #include <new>
-#include <utility>
 
 #include <sys/mman.h>
 

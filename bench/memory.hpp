@@ -3,7 +3,7 @@
 // ray's time.
 #pragma once
 
-#include <cstddef>
+#include "base.hpp"
 
 namespace espalier::bench {
 

@@ -1,9 +1,7 @@
 #include "program.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
-#include <stdexcept>
 
 namespace espalier::bench {
 

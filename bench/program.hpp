@@ -1,10 +1,7 @@
 // What the programs that measure have in common: options and meshes behind the name, words for people, exit status.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include "base.hpp"
 
 namespace CLI {
 class App;
@@ -58,6 +55,20 @@ public:
 
     /// Returns what reads the command line, for options of other kinds.
     CLI::App& command_line() { return *command_line_; }
+
+    /// Calls `measure` with each mesh; without one, with a torus. The rows of a mesh are written before the next
+    /// begins.
+    int run_on_meshes(int count, char** words, const std::function<void(Mesh mesh)>& measure) {
+        allow_no_meshes();
+        return run(count, words, [&](const std::vector<std::string>& meshes) {
+            const auto measure_all_of = [&](Mesh mesh) {
+                measure(std::move(mesh));
+                std::fflush(stdout);
+            };
+            for (const std::string& file : meshes) measure_all_of(tests::read_mesh(file));
+            if (meshes.empty()) measure_all_of(tests::make_torus(60, 30, 2.0, 0.5));
+        });
+    }
 
     /// Calls `measure` with the files. Exit status: 0, 1 where the words are wrong or `measure` throws
     /// std::invalid_argument, 2 for every other exception.

@@ -1,17 +1,33 @@
-// A load of a side's code, and a pair of them: each has its own copy of the bytes that its side baked.
+// A shared object that was built of one commit (side.h), loaded.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "../rays.hpp"
-#include "loaded_side.hpp"
 #include "../memory.hpp"
+#include "side.h"
 
 namespace espalier::bench {
+
+/// Each object is a mapping of its own, also of one file loaded twice: the loader is given a copy of the file. So the
+/// code of two loads lies at different addresses, and neither shares a variable with the other.
+class LoadedSide {
+public:
+    /// Throws std::runtime_error, which names the file.
+    explicit LoadedSide(const std::filesystem::path& file);
+    ~LoadedSide();
+    LoadedSide(const LoadedSide&) = delete;
+    LoadedSide& operator=(const LoadedSide&) = delete;
+    LoadedSide(LoadedSide&& other) noexcept;
+    LoadedSide& operator=(LoadedSide&&) = delete;
+
+    const EspalierSide* operator->() const { return calls_; }
+
+private:
+    void* handle_;
+    const EspalierSide* calls_;
+};
+
+// A load of a side's code, and a pair of them: each has its own copy of the bytes that its side baked.
 
 /// What a commit makes of a mesh.
 struct SideOfMesh {

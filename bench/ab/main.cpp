@@ -1,16 +1,10 @@
 // Two commits of the library, each a shared object (side.h), answer the same questions in turns within one process.
 // tools/dev ab builds the two and runs this.
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <vector>
 
-#include "../../tests/support/meshes/files.hpp"
 #include "../../tests/support/meshes/level_maker.hpp"
-#include "../../tests/support/meshes/makers.hpp"
 #include "../../tools/base/choices.hpp"
 #include "../program.hpp"
-#include "report.hpp"
+#include "turns.hpp"
 
 namespace {
 

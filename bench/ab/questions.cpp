@@ -1,16 +1,8 @@
 #include "questions.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-
-#include "../../tests/support/base/random.hpp"
-
 namespace espalier::bench {
 namespace {
 
-constexpr std::uint64_t seed = 2026;
 constexpr std::size_t ray_count = 1 << 16;
 constexpr std::size_t point_count = 1 << 14;
 constexpr std::size_t pose_count = 400;
@@ -21,11 +13,7 @@ struct Box3 {
 };
 
 Box3 box_of(const Mesh& mesh) {
-    Vec3 low = mesh.positions.front(), high = low;
-    for (const Vec3& p : mesh.positions) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    const auto [low, high] = box_around(mesh.positions);
     const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
     return {low, size, std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z)};
 }

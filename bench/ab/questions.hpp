@@ -1,13 +1,7 @@
 // The questions that both sides answer, as plain floats (side.h): the same for every commit and every run.
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "../pairs/poses.hpp"
-#include "../rays.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

@@ -1,6 +1,4 @@
-// Checks ratio_of on times whose ratio is known. Exit status 1, and a line for each failure, where it is another.
-#include <cmath>
-#include <cstdio>
+#include <doctest/doctest.h>
 
 #include "ratio.hpp"
 
@@ -8,12 +6,9 @@ namespace {
 
 using namespace espalier::bench;
 
-bool all_good = true;
-
 void check(const char* what, double got, double expected) {
-    if (std::abs(got - expected) < 1e-9) return;
-    std::printf("%s: %.12f instead of %.12f\n", what, got, expected);
-    all_good = false;
+    INFO(what);
+    CHECK(got == doctest::Approx(expected).epsilon(1e-9));
 }
 
 /// Loads, placements, parts and visits of a base that takes 1 + part and an other that takes `factor` of it.
@@ -30,7 +25,7 @@ std::vector<TimesOfLoad> times_of(double factor) {
 
 }  // namespace
 
-int main() {
+TEST_CASE("bench: a minority of disturbed measurements does not move a ratio") {
     check("median of an odd number", median({3.0, 1.0, 2.0}), 2.0);
     check("median of an even number", median({4.0, 1.0, 2.0, 3.0}), 2.5);
 
@@ -67,5 +62,4 @@ int main() {
         for (auto& placement : scattered[i])
             for (auto& part : placement) part = {{1.0, 1.5}, {1.5, 1.0}};
     check("noise alone", ratio_of(scattered).median, 1.0);
-    return all_good ? 0 : 1;
 }

@@ -1,9 +1,4 @@
-#include "report.hpp"
-
-#include <cstdio>
-
-#include "../json_object.hpp"
-#include "../machine.hpp"
+#include "turns.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,16 +1,23 @@
-// Both sides answer the same questions in turns, some tenths of a millisecond each.
+// How much longer than usual the slow questions of a row take.
 #pragma once
-
-#include <cstddef>
-#include <optional>
-#include <vector>
 
 #include "instance.hpp"
 #include "questions.hpp"
 #include "ratio.hpp"
-#include "slow_cases.hpp"
 
 namespace espalier::bench {
+
+/// Wall-clock time of single questions, each the least of several passes over all of them.
+struct SlowCases {
+    double median_seconds = 0.0;
+    double percentile_99_seconds = 0.0;
+    std::size_t questions = 0;
+};
+
+/// Measures at most `count` questions of the set, spread evenly. Nothing where the commit has no such kind of query.
+std::optional<SlowCases> slow_cases(const Instance& instance, const QuestionSet& set, std::size_t count);
+
+// Both sides answer the same questions in turns, some tenths of a millisecond each.
 
 struct Turns {
     double seconds = 1.0;             ///< of processor time for each row, about
@@ -27,5 +34,29 @@ struct Comparison {
 
 /// Nothing where a commit has no such kind of query. At least one pair.
 std::optional<Comparison> take_turns(std::vector<PairOfInstances>& pairs, const QuestionSet& set, const Turns& turns);
+
+// What bench/ab prints: a table for people, or one JSON object for each row.
+
+/// What is compared, the same for all rows.
+struct Heading {
+    std::string base, other;  ///< commits
+    std::string base_compiler, other_compiler;
+    unsigned bits = 16;
+    bool printed = false;
+};
+
+/// The rows of one mesh in one profile have this in common.
+struct Baking {
+    std::string mesh, profile, set;
+    std::size_t triangles = 0;
+    std::size_t base_bytes = 0, other_bytes = 0;
+    bool same_bytes = false;
+};
+
+void print_heading(const Heading& heading);
+void print_baking(const Baking& baking);
+void print_row(const std::string& questions, const std::optional<Comparison>& comparison);
+void print_json(const Heading& heading, const Baking& baking, const std::string& questions,
+                const std::optional<Comparison>& comparison);
 
 }  // namespace espalier::bench

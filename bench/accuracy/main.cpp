@@ -1,25 +1,12 @@
 // How far a blob's answers are from the source mesh, for lattices from 8 to 20 bits, and how far those of the
 // approximate queries: JSON, an object a line. The source is judged by a tree in double precision that shares no code
 // with the library.
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
 
 #include "../../tests/oracle/double_tree.hpp"
 #include "../../tests/oracle/hausdorff.hpp"
 #include "../../tests/oracle/surfaces.hpp"
-#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
-#include "../rays.hpp"
-#include "approximate_accuracy.hpp"
-#include "ray_accuracy.hpp"
+#include "accuracy.hpp"
 
 namespace {
 
@@ -51,26 +38,11 @@ void check_promise(double max_error, const OneWayDistance& one, const OneWayDist
                                  std::to_string(max_error));
 }
 
-class Lattice {
-public:
-    Lattice(const tests::Mesh& mesh, unsigned bits) {
-        const MeshView view = mesh.view();
-        BakeOptions options;
-        options.resolution = Resolution::bits(bits);
-        auto baked = bake({&view, 1}, options);
-        if (!baked) throw std::runtime_error(baked.message);
-        baked_ = std::move(baked);
-        blob_ = open(baked_.bytes);
-        if (!blob_) throw std::runtime_error(describe(blob_.status()));
-    }
-    [[nodiscard]] const Blob& blob() const { return blob_; }
-    [[nodiscard]] const BakeReport& report() const { return baked_.report; }
-    [[nodiscard]] std::span<const std::byte> bytes() const { return baked_.bytes; }
-
-private:
-    BakeResult baked_;
-    Blob blob_;
-};
+BakedBlob on_lattice(const Mesh& mesh, unsigned bits) {
+    BakeOptions options;
+    options.resolution = Resolution::bits(bits);
+    return bake_blob(mesh, options);
+}
 
 void measure(const tests::Mesh& mesh, const Options& options) {
     const DoubleTree source(source_surface(mesh));
@@ -78,8 +50,8 @@ void measure(const tests::Mesh& mesh, const Options& options) {
     const std::vector<ReferenceHit> references = reference_hits(source, rays);
     for (unsigned bits = fewest_bits; bits <= most_bits;
          bits += static_cast<unsigned>(std::min<std::size_t>(options.every, most_bits))) {
-        const Lattice lattice(mesh, bits);
-        const BakeReport& report = lattice.report();
+        const BakedBlob lattice = on_lattice(mesh, bits);
+        const BakeReport& report = lattice.baked.report;
         std::printf("{\"mesh\":\"%s\",\"source_triangles\":%zu,\"bits\":%u,\"step\":%.9g,\"extent\":%.9g",
                     mesh.name.c_str(), mesh.triangles.size(), bits, report.lattice.step, report.bounds.extent);
         std::printf(",\"triangles\":%u,\"zero_area\":%llu,\"collapsed\":%llu,\"duplicate\":%llu,\"bytes\":%llu",
@@ -87,23 +59,23 @@ void measure(const tests::Mesh& mesh, const Options& options) {
                     static_cast<unsigned long long>(report.findings.collapsed.count),
                     static_cast<unsigned long long>(report.findings.duplicate.count),
                     static_cast<unsigned long long>(report.bytes));
-        const DoubleTree baked(baked_surface(lattice.bytes()));
+        const DoubleTree baked(baked_surface(lattice.baked.bytes));
         const OneWayDistance to_baked = one_way_distance(source, baked, options.pieces);
         const OneWayDistance to_source = one_way_distance(baked, source, options.pieces);
-        const double max_error = static_cast<double>(lattice.blob().max_error());
+        const double max_error = static_cast<double>(lattice.blob.max_error());
         std::printf(",\"max_error_steps\":%.9g", max_error / report.lattice.step);
         print_distance("to_baked_steps", to_baked, report.lattice.step);
         print_distance("to_source_steps", to_source, report.lattice.step);
-        print_ray_accuracy(lattice.blob(), source, rays, references, options.points);
+        print_ray_accuracy(lattice.blob, source, rays, references, options.points);
         std::printf("}\n");
         std::fflush(stdout);
         check_promise(max_error, to_baked, to_source);
     }
-    const Lattice lattice(mesh, approximate_bits);
+    const BakedBlob lattice = on_lattice(mesh, approximate_bits);
     const std::string head = "{\"mesh\":\"" + mesh.name +
                              "\",\"source_triangles\":" + std::to_string(mesh.triangles.size()) +
                              ",\"bits\":" + std::to_string(approximate_bits);
-    print_approximate_accuracy(head.c_str(), lattice.blob(), mesh, source, options.questions);
+    print_approximate_accuracy(head.c_str(), lattice.blob, mesh, source, options.questions);
 }
 
 }  // namespace

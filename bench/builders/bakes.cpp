@@ -1,17 +1,84 @@
 #include "bakes.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <stdexcept>
-#include <utility>
-
 #include <baker/bake_with.hpp>
 #include <baker/optimise/reinsertion.hpp>
 
-#include "../deformation/processor_time.hpp"
-#include "../deformation/spread.hpp"
-
 namespace espalier::bench {
+namespace {
+
+double volume(const baker::BinaryNode& node) {
+    double product = 1.0;
+    for (int axis = 0; axis < 3; ++axis) product *= double(node.hi[axis]) - double(node.lo[axis]);
+    return product;
+}
+
+unsigned height(const baker::BinaryTree& tree, std::size_t node) {
+    if (tree.nodes[node].is_leaf()) return 0;
+    return 1 + std::max(height(tree, baker::BinaryTree::left_of(node)), height(tree, tree.right_of(node)));
+}
+
+}  // namespace
+
+BinaryTreeQuality quality_of(const baker::BinaryTree& tree) {
+    BinaryTreeQuality quality;
+    double volumes = 0.0;
+    for (std::size_t i = 0; i < tree.node_count(); ++i) {
+        const baker::BinaryNode& node = tree.nodes[i];
+        (node.is_leaf() ? quality.leaf_areas : quality.inner_areas) += node.half_area();
+        volumes += volume(node);
+    }
+    const baker::BinaryNode& root = tree.nodes[0];
+    quality.inner_areas /= root.half_area();
+    quality.leaf_areas /= root.half_area();
+    if (volume(root) > 0.0) quality.volumes = volumes / volume(root);
+    quality.height = height(tree, 0);
+    return quality;
+}
+
+namespace {
+
+/// Whether the blob touches a second one of its kind in the pose. Throws where the query is refused.
+bool touches(const Blob& blob, const Transform& pose, PairCounters& counters) {
+    const PairContact contact = first_contact(blob, {blob, pose}, WorkLimit::unlimited(), counters);
+    if (is_refused(contact.status)) throw std::runtime_error(describe(contact.status));
+    return static_cast<bool>(contact);
+}
+bool touches(const Blob& blob, const Transform& pose) {
+    PairCounters unused;
+    return touches(blob, pose, unused);
+}
+
+}  // namespace
+
+Queries::Queries(const tests::Mesh& mesh, const Blob& blob, const QueryCounts& counts)
+    : rays_(incoherent_rays(mesh, counts.rays, seed)),
+      poses_(some_poses(mesh, counts.poses, seed, [&](const Transform& pose) { return touches(blob, pose); })) {}
+
+Work Queries::count(const Blob& blob) const {
+    Work work;
+    for (const Ray& ray : rays_) {
+        const RayHit hit = raycast(blob, ray, work.rays);
+        work.answers = 31 * work.answers + (hit ? std::bit_cast<std::uint32_t>(hit.t) : 1);
+    }
+    for (const Transform& pose : poses_) {
+        const bool is_touching = touches(blob, pose, work.pairs);
+        work.answers = 31 * work.answers + (is_touching ? 1 : 0);
+        work.touching_poses += is_touching ? 1 : 0;
+    }
+    return work;
+}
+
+Seconds Queries::time(const Blob& blob) const {
+    Seconds seconds;
+    const ProcessorTime ray_time;
+    for (const Ray& ray : rays_) static_cast<void>(raycast(blob, ray));
+    seconds.rays = ray_time.seconds();
+    const ProcessorTime pair_time;
+    for (const Transform& pose : poses_) static_cast<void>(touches(blob, pose));
+    seconds.pairs = pair_time.seconds();
+    return seconds;
+}
+
 namespace {
 
 constexpr double shortest_building = 0.1;  // seconds, or the first builds, into cold memory, would count too much

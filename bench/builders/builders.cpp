@@ -2,9 +2,6 @@
 
 #include <baker/build/build.hpp>
 
-#include "objectives.hpp"
-#include "split_points.hpp"
-
 namespace espalier::bench {
 namespace {
 

@@ -2,23 +2,16 @@
 // over all triangles does, and is what its rule says.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <vector>
-
 #include <baker/build/build.hpp>
 #include <baker/build/sah_split.hpp>
 
 #include "../../tests/baker/build/tree_support.hpp"
 #include "../../tests/support/answers/differences.hpp"
 #include "../../tests/support/format/decoder.hpp"
-#include "../../tests/support/meshes/makers.hpp"
 #include "../../tests/support/queries/ray_maker.hpp"
 #include "../../tools/layout/tree_quality.hpp"
 #include "bakes.hpp"
 #include "builders.hpp"
-#include "objectives.hpp"
-#include "quality.hpp"
-#include "split_points.hpp"
 
 using namespace espalier;
 using namespace espalier::bench;

@@ -1,11 +1,4 @@
-#include "objectives.hpp"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <memory>
-#include <numeric>
-#include <vector>
+#include "builders.hpp"
 
 #include "top_down.hpp"
 

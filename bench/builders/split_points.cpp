@@ -1,11 +1,4 @@
-#include "split_points.hpp"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <memory>
-#include <span>
-#include <vector>
+#include "builders.hpp"
 
 #include "top_down.hpp"
 

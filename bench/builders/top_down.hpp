@@ -1,14 +1,11 @@
 // What the top-down builders of this folder share.
 #pragma once
 
-#include <cstdint>
-#include <cstring>
-#include <span>
-#include <vector>
-
 #include <baker/build/binary_tree.hpp>
 #include <baker/build/sah_split.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
+
+#include "../base.hpp"
 
 namespace espalier::bench {
 

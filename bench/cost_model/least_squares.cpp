@@ -1,9 +1,4 @@
-#include "least_squares.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
+#include "model.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,12 +1,7 @@
 // Claims about fits: they find the costs that made the values, and predict values that they were not given.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "../../tests/support/base/random.hpp"
-#include "least_squares.hpp"
+#include "model.hpp"
 
 using namespace espalier::bench;
 

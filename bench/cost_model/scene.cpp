@@ -1,20 +1,8 @@
 // The cost of a step of a moving scene: Nv tests of a box against a node, Np pairs found, Nu boxes renewed.
-#include <cmath>
-#include <cstdio>
-#include <memory>
-#include <stdexcept>
 
-#include <espalier/bake.hpp>
-#include <espalier/scenes/moving_scene.hpp>
-#include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
 
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/makers.hpp"
-#include "../guide/row.hpp"
-#include "groups.hpp"
 #include "model.hpp"
-#include "options.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -34,13 +22,8 @@ constexpr float speed = 0.1f;
 }
 
 Blob open_cube() {
-    static const BakeResult baked = [] {
-        const tests::Mesh cube = tests::make_cube(-0.5f, 0.5f);
-        const MeshView view = cube.view();
-        return bake({&view, 1}, {});
-    }();
-    if (!baked) throw std::runtime_error(baked.message);
-    return open(baked.bytes);
+    static const BakedBlob baked = bake_blob(tests::make_cube(-0.5f, 0.5f));
+    return baked.blob;
 }
 
 /// Cubes of side 1, turned at random, at places in a cubic region.
@@ -154,7 +137,7 @@ constexpr StepTerm step_terms[] = {{{"Nu", "box renewed"}, &StepGroup::boxes},
 
 }  // namespace
 
-void model_scene(const Options& options) {
+void model_scene(const CostOptions& options) {
     const Blob cube = open_cube();
     std::vector<InstancePair> room(std::size_t{16} * options.cubes);
     std::vector<std::unique_ptr<CubeScene>> scenes;
@@ -180,7 +163,7 @@ void model_scene(const Options& options) {
     if (options.json) {
         print_json(models, [&](const std::string& measures) {
             JsonObject row = guide_row(measures, "cubes", cube.triangle_count());
-            row.add("query", std::string("step"));
+            row.add("query", "step");
             row.add("instances", std::size_t{options.cubes});
             return row;
         });

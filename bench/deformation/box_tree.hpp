@@ -3,12 +3,7 @@
 // boxes (OBB) are fitted anew to all triangles of each node.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include "../rays.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 
@@ -27,19 +22,57 @@ struct BoxTreeShape {
     }
 };
 
+/// Splits boxes at the best of 16 bins along each axis, by the middles of the boxes (surface area heuristic);
+/// `weight(n)` is what n boxes count for. Reorders the numbers of the boxes, and returns how many of them come first.
+template <class Number, class Weight>
+std::size_t split_by_areas(std::span<Number> numbers, std::span<const Aabb> boxes_of, const Weight& weight) {
+    constexpr std::size_t bins = 16;
+    const auto middle = [&](Number number, std::size_t k) {
+        return 0.5f * (boxes_of[number].low[k] + boxes_of[number].high[k]);
+    };
+    Aabb middles = Aabb::none();
+    for (const Number number : numbers) middles.add(Vec3{middle(number, 0), middle(number, 1), middle(number, 2)});
+    const auto bin_of = [&](Number number, std::size_t k) {
+        const float share = (middle(number, k) - middles.low[k]) / (middles.high[k] - middles.low[k]);
+        return std::min(bins - 1, static_cast<std::size_t>(share * static_cast<float>(bins)));
+    };
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t best_axis = 0, best_bin = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!(middles.high[axis] > middles.low[axis])) continue;
+        std::array<Aabb, bins> boxes;
+        boxes.fill(Aabb::none());
+        std::array<std::size_t, bins> count{};
+        for (const Number number : numbers) {
+            const std::size_t bin = bin_of(number, axis);
+            boxes[bin].add(boxes_of[number]);
+            ++count[bin];
+        }
+        std::array<double, bins> behind{};
+        Aabb right = Aabb::none();
+        for (std::size_t bin = bins, sum = 0; bin-- > 1;) {
+            right.add(boxes[bin]);
+            behind[bin] = right.half_area() * weight(sum += count[bin]);
+        }
+        Aabb left = Aabb::none();
+        for (std::size_t bin = 1, sum = 0; bin < bins; ++bin) {
+            left.add(boxes[bin - 1]);
+            sum += count[bin - 1];
+            const double cost = left.half_area() * weight(sum) + behind[bin];
+            if (sum == 0 || sum == numbers.size() || cost >= least) continue;
+            least = cost;
+            best_axis = axis;
+            best_bin = bin;
+        }
+    }
+    if (best_bin == 0) return numbers.size() / 2;  // all middles are at one point
+    const auto end = std::partition(numbers.begin(), numbers.end(),
+                                    [&](Number number) { return bin_of(number, best_axis) < best_bin; });
+    return static_cast<std::size_t>(end - numbers.begin());
+}
+
 /// Builds from the top down: a node is split at the best of 16 bins along each axis (surface area heuristic).
 BoxTreeShape build_box_tree(std::span<const TriangleVertices> triangles, std::span<const Vec3> positions);
-
-struct Aabb {
-    std::array<float, 3> low, high;
-
-    /// Returns one that is empty.
-    static Aabb none();
-    void add(const Vec3& point);
-    void add(const Aabb& box);
-    [[nodiscard]] bool contains(const Vec3& point, float rounding) const;
-    [[nodiscard]] double half_area() const;
-};
 
 struct Obb {
     std::array<Vec3, 3> axes;        ///< of length 1, perpendicular

@@ -1,12 +1,7 @@
 // The time of a refit. Systems take turns within each pose. A turn begins with a refit to the pose before, which is not
 // measured: it brings the tree back into the cache, where those of the other systems were.
-#include <algorithm>
-#include <cstdio>
-#include <stdexcept>
 
-#include "processor_time.hpp"
-#include "refit_system.hpp"
-#include "spread.hpp"
+#include "box_tree.hpp"
 #include "subject.hpp"
 
 namespace espalier::bench {
@@ -53,7 +48,7 @@ struct Run {
     std::size_t lost_poses = 0;
 };
 
-void check(Run& run, const Pose& pose, const Subject& subject) {
+void check(Run& run, const TimedPose& pose, const MotionSubject& subject) {
     const Box& range = subject.range();
     const float rounding =
         0.001f * std::max({range.max.x - range.min.x, range.max.y - range.min.y, range.max.z - range.min.z});
@@ -71,7 +66,7 @@ void check(Run& run, const Pose& pose, const Subject& subject) {
     ++run.lost_poses;
 }
 
-void take_turn(Run& run, const std::vector<Vec3>& before, const Pose& pose) {
+void take_turn(Run& run, const std::vector<Vec3>& before, const TimedPose& pose) {
     run.system->set_positions(before);
     run.system->refit();
     run.system->set_positions(pose.positions);
@@ -80,7 +75,7 @@ void take_turn(Run& run, const std::vector<Vec3>& before, const Pose& pose) {
     run.seconds.back() += time.seconds();
 }
 
-void print(const Subject& subject, const Run& run, const Run& reference) {
+void print(const MotionSubject& subject, const Run& run, const Run& reference) {
     std::vector<double> nanoseconds, ratios;
     const double refits = static_cast<double>(subject.poses().size()) * subject.triangles();
     for (std::size_t round = 0; round < run.seconds.size(); ++round) {
@@ -109,14 +104,14 @@ void print(const Subject& subject, const Run& run, const Run& reference) {
 
 }  // namespace
 
-void measure_refits(const Subject& subject) {
+void measure_refits(const MotionSubject& subject) {
     const RefitMakers makers = selected(all_makers(subject.options().bits), subject.options().only);
     std::vector<Run> runs;
     for (const RefitMaker& maker : makers) runs.push_back({&maker, maker.make(subject.rest(), subject.range()), {}});
     for (std::size_t round = 0; round < subject.options().rounds; ++round) {
         for (Run& run : runs) run.seconds.push_back(0.0);
         for (std::size_t i = 0; i < subject.poses().size(); ++i) {
-            const Pose& pose = subject.poses()[i];
+            const TimedPose& pose = subject.poses()[i];
             const std::vector<Vec3>& before = i == 0 ? subject.rest().positions : subject.poses()[i - 1].positions;
             for (std::size_t turn = 0; turn < runs.size(); ++turn) {
                 Run& run = runs[(turn + i + round) % runs.size()];
@@ -128,5 +123,77 @@ void measure_refits(const Subject& subject) {
     for (const Run& run : runs) print(subject, run, runs.front());
     std::fflush(stdout);
 }
+
+namespace {
+
+class EspalierRefit final : public RefitSystem {
+public:
+    EspalierRefit(const Mesh& mesh, const Box& range, unsigned bits)
+        : mesh_(mesh, {.range = range, .bits = bits}), positions_(mesh.positions) {}
+    void set_positions(const std::vector<Vec3>& positions) override {
+        std::copy(positions.begin(), positions.end(), positions_.begin());
+    }
+    void refit() override { mesh_.move(positions_); }
+    [[nodiscard]] bool contains(const Vec3& point, float rounding) const override {
+        return is_within(point, mesh_.blob().bounds(), rounding);
+    }
+    /// The positions are the caller's: queries read the blob alone.
+    [[nodiscard]] std::size_t bytes() const override {
+        return mesh_.work().moving_bytes + mesh_.work().source_bytes + mesh_.work().still_bytes;
+    }
+    [[nodiscard]] std::optional<RefitWork> work() const override { return mesh_.work(); }
+
+private:
+    DeformableMesh mesh_;
+    std::vector<Vec3> positions_;
+};
+
+}  // namespace
+
+RefitMakers espalier_refit_makers(unsigned bits) {
+    return {
+        {"espalier", std::to_string(bits) + " bits", ESPALIER_BENCH_VERSION,
+         [bits](const Mesh& mesh, const Box& range) { return std::make_unique<EspalierRefit>(mesh, range, bits); }}};
+}
+
+namespace {
+
+template <class BoxKind>
+class TextbookRefit final : public RefitSystem {
+public:
+    using Renew = void (*)(const BoxTreeShape&, std::span<const Vec3>, std::span<BoxKind>);
+    TextbookRefit(const Mesh& mesh, Renew renew)
+        : positions_(mesh.positions),
+          shape_(build_box_tree(mesh.triangles, mesh.positions)),
+          boxes_(shape_.nodes.size()),
+          renew_(renew) {}
+    void set_positions(const std::vector<Vec3>& positions) override {
+        std::copy(positions.begin(), positions.end(), positions_.begin());
+    }
+    void refit() override { renew_(shape_, positions_, boxes_); }
+    [[nodiscard]] bool contains(const Vec3& point, float rounding) const override {
+        return boxes_.front().contains(point, rounding);
+    }
+    [[nodiscard]] std::size_t bytes() const override {
+        return boxes_.size() * (sizeof(BoxKind) + sizeof(BoxTreeShape::Node)) + positions_.size() * sizeof(Vec3) +
+               shape_.triangles.size() * sizeof(TriangleVertices);
+    }
+
+private:
+    std::vector<Vec3> positions_;
+    BoxTreeShape shape_;
+    std::vector<BoxKind> boxes_;
+    Renew renew_;
+};
+
+template <class BoxKind>
+RefitMaker maker(const char* profile, typename TextbookRefit<BoxKind>::Renew renew) {
+    return {"textbook", profile, ESPALIER_BENCH_VERSION,
+            [renew](const Mesh& mesh, const Box&) { return std::make_unique<TextbookRefit<BoxKind>>(mesh, renew); }};
+}
+
+}  // namespace
+
+RefitMakers textbook_refit_makers() { return {maker<Aabb>("aabb", refit_aabbs), maker<Obb>("obb anew", fit_obbs)}; }
 
 }  // namespace espalier::bench

@@ -1,9 +1,6 @@
 // The drop in Bullet.
 #include <btBulletDynamicsCommon.h>
 
-#include <chrono>
-#include <memory>
-
 #include <engines/bullet_shape.hpp>
 
 #include "bullet_world.hpp"
@@ -80,10 +77,9 @@ Drop drop_in_bullet(const tests::Mesh& mesh, const Blob& blob) {
         bodies.push_back(std::make_unique<btRigidBody>(info));
         world.addRigidBody(bodies.back().get());
     }
-    const auto began = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     for (unsigned step = 0; step < step_count; ++step) world.stepSimulation(step_seconds, 0);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-    result.ms_per_step = took.count() / step_count;
+    result.ms_per_step = 1000.0 * watch.seconds() / step_count;
     for (const auto& body : bodies) {
         const btVector3& at = body->getWorldTransform().getOrigin();
         add_rest(result, {double(at.x()), double(at.y()), double(at.z())}, double(body->getLinearVelocity().length()));

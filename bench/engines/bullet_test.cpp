@@ -5,14 +5,9 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
-
 #include <engines/bullet_shape.hpp>
-#include <espalier/bake.hpp>
 
+#include "../base.hpp"
 #include "bullet_world.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/meshes/mesh.hpp"

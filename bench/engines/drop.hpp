@@ -1,11 +1,7 @@
 // A simulation of bodies that fall onto a level, in an engine.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
-#include <espalier/blob.hpp>
+#include "../base.hpp"
 
 namespace espalier::tests {
 struct Mesh;

@@ -8,8 +8,6 @@
 #include <Jolt/Physics/Collision/Shape/SphereShape.h>
 #include <Jolt/Physics/PhysicsSystem.h>
 
-#include <chrono>
-
 #include "drop.hpp"
 #include "jolt_start.hpp"
 
@@ -86,10 +84,9 @@ Drop drop_in_jolt(const tests::Mesh& mesh, const Blob& blob) {
         ids.push_back(bodies.CreateAndAddBody(settings, JPH::EActivation::Activate));
     }
     world.OptimizeBroadPhase();
-    const auto began = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     for (unsigned step = 0; step < step_count; ++step) world.Update(step_seconds, 1, &memory, &jobs);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-    result.ms_per_step = took.count() / step_count;
+    result.ms_per_step = 1000.0 * watch.seconds() / step_count;
     for (const JPH::BodyID id : ids) {
         const JPH::RVec3 at = bodies.GetCenterOfMassPosition(id);
         add_rest(result, {double(at.GetX()), double(at.GetY()), double(at.GetZ())},

@@ -12,12 +12,7 @@
 #include <Jolt/Physics/Collision/Shape/SphereShape.h>
 #include <Jolt/Physics/Collision/ShapeCast.h>
 
-#include <cmath>
-#include <numeric>
-#include <vector>
-
-#include <espalier/bake.hpp>
-
+#include "../base.hpp"
 #include "jolt_start.hpp"
 #include "support/base/random.hpp"
 #include "support/meshes/level_maker.hpp"

@@ -1,15 +1,6 @@
 // engines: bodies that fall onto levels, with an engine's own mesh shape and with Espalier's: memory, time of a step,
 // where they come to rest, and the energy that is left. Prints Markdown.
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <iterator>
-#include <span>
-#include <vector>
-
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
 
 #include "drop.hpp"
 #include "support/meshes/level_maker.hpp"

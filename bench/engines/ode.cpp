@@ -1,6 +1,4 @@
 // The drop in ODE.
-#include <chrono>
-#include <cmath>
 
 #include <engines/ode_geom.hpp>
 
@@ -96,14 +94,13 @@ Drop drop_in_ode(const tests::Mesh& mesh, const Blob& blob) {
         dBodySetPosition(bodies.back(), static_cast<dReal>(body.place.x), static_cast<dReal>(body.place.y),
                          static_cast<dReal>(body.place.z));
     }
-    const auto began = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     for (unsigned step = 0; step < step_count; ++step) {
         dSpaceCollide(world.space, &world, &join);
         dWorldQuickStep(world.world, static_cast<dReal>(step_seconds));
         dJointGroupEmpty(world.contacts);
     }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-    result.ms_per_step = took.count() / step_count;
+    result.ms_per_step = 1000.0 * watch.seconds() / step_count;
     for (const dBodyID body : bodies) {
         const dReal *at = dBodyGetPosition(body), *way = dBodyGetLinearVel(body);
         add_rest(result, {at[0], at[1], at[2]}, std::hypot(way[0], way[1], way[2]));

@@ -1,19 +1,10 @@
 #include "edge_rays.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <utility>
-
 #include <baker/base/edge_table.hpp>
 #include <baker/input/check_input.hpp>
 #include <baker/quantise/snap.hpp>
 
 #include "../../tests/oracle/double_geometry.hpp"
-#include "../../tests/support/base/random.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -115,7 +106,7 @@ struct Place {
 
 class Aim {
 public:
-    Aim(const Surface& surface, double step, std::uint64_t seed) : surface_(surface), step_(step), random_(seed) {}
+    Aim(const Surface& surface, double step, std::uint64_t number) : surface_(surface), step_(step), random_(number) {}
 
     [[nodiscard]] std::optional<EdgeRay> try_once(AimedAt aim) {
         const Place place = draw_place(aim);
@@ -219,21 +210,15 @@ SnappedMesh snap_mesh(const Mesh& mesh, unsigned bits) {
 }
 
 std::string_view name_of(AimedAt aim) {
-    switch (aim) {
-        case AimedAt::vertex:
-            return "vertex";
-        case AimedAt::edge_middle:
-            return "edge middle";
-        default:
-            return "edge point";
-    }
+    constexpr const char* names[] = {"vertex", "edge middle", "edge point"};
+    return names[static_cast<std::size_t>(aim)];
 }
 
-std::vector<EdgeRay> edge_rays(const SnappedMesh& snapped, AimedAt aim, std::size_t count, std::uint64_t seed) {
+std::vector<EdgeRay> edge_rays(const SnappedMesh& snapped, AimedAt aim, std::size_t count, std::uint64_t number) {
     std::vector<EdgeRay> rays;
     const Surface surface(snapped);
     if (surface.triangle_count() == 0 || 8.0 * surface.largest_coordinate() >= largest_exact) return rays;
-    Aim aims(surface, snapped.step, seed);
+    Aim aims(surface, snapped.step, number);
     for (std::size_t i = 0; i < attempts * count && rays.size() < count; ++i)
         if (const std::optional<EdgeRay> ray = aims.try_once(aim)) rays.push_back(*ray);
     return rays;

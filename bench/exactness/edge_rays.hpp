@@ -1,15 +1,7 @@
 // Rays aimed at the edges and vertices that triangles share: where hits get lost.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include <espalier/ray.hpp>
-
-#include "../rays.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 
@@ -44,6 +36,6 @@ struct EdgeRay {
 /// (the cosine), and reach much farther than the ray's own rounding. So a hit is certain, whatever else the mesh is.
 /// Returns fewer rays than `count` where the mesh has few such places, and none for a mesh that is far from 0.
 [[nodiscard]] std::vector<EdgeRay> edge_rays(const SnappedMesh& snapped, AimedAt aim, std::size_t count,
-                                             std::uint64_t seed);
+                                             std::uint64_t number);
 
 }  // namespace espalier::bench

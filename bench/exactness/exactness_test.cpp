@@ -1,15 +1,8 @@
 // Aimed rays are what they are said to be, and kernels find the same hits.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
 
 #include <doctest/doctest.h>
-#include <espalier/espalier.hpp>
 
-#include "../../tests/support/meshes/makers.hpp"
 #include "edge_rays.hpp"
-#include "kernel_walk.hpp"
 #include "kernels.hpp"
 
 namespace espalier::bench {
@@ -17,7 +10,7 @@ namespace {
 
 struct Subject {
     explicit Subject(const Mesh& mesh)
-        : snapped(snap_mesh(mesh)), built(build_tree_and_blob(snapped.mesh, 4)), blob(open(built.blob)) {}
+        : snapped(snap_mesh(mesh)), built(build_tree_and_blob(snapped.mesh, 4)), blob(built.baked.blob) {}
     SnappedMesh snapped;
     TreeAndBlob built;
     Blob blob;

@@ -1,25 +1,7 @@
-#include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <espalier/espalier.hpp>
-#include <espalier/statistics.hpp>
-
-#include "../deformation/spread.hpp"
-#include "../guide/row.hpp"
-#include "../peers/stopwatch.hpp"
-#include "kernel_walk.hpp"
 #include "kernels.hpp"
-#include "options.hpp"
 
 namespace espalier::bench {
 namespace {
-
-constexpr std::uint64_t seed = 2026;
 
 /// Triangles of the tree that a ray is tested against, without a walk: all of the leaves on its way, or its hit alone.
 struct Tests {
@@ -140,7 +122,7 @@ void print_kernel_times(const SnappedMesh& snapped, const ExactnessOptions& opti
     const std::vector<Ray> rays = incoherent_rays(snapped.mesh, options.rays, seed);
     const TreeAndBlob built = build_tree_and_blob(snapped.mesh, options.leaf_triangles);
     const AabbTree& tree = built.tree;
-    const Blob blob = open(built.blob);
+    const Blob& blob = built.baked.blob;
     const Tests tests = tests_in_leaves(tree, blob, rays);
     const Tests hits = hits_among(tests, tree, blob, rays);
     std::vector<Measured> kernels;

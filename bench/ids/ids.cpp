@@ -1,35 +1,16 @@
 // What original ids take in a blob, by the order of the source's triangles: as in the file, shuffled, and as the baker
 // put them. Counted in bytes, the same on every machine.
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdio>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <espalier/bake.hpp>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/files.hpp"
-#include "../../tests/support/meshes/makers.hpp"
 #include "../program.hpp"
 
+namespace espalier::bench {
 namespace {
-
-using namespace espalier;
-using namespace espalier::bench;
-using tests::Mesh;
 
 BakeResult bake_with(const Mesh& mesh, Profile profile, bool ids) {
     BakeOptions options;
     options.profile = profile;
     options.original_ids = ids;
-    const MeshView view = mesh.view();
-    auto baked = bake({&view, 1}, options);
-    if (!baked) throw std::runtime_error(baked.message);
-    return baked;
+    return bake_blob(mesh, options).baked;
 }
 
 Mesh shuffled(Mesh mesh) {
@@ -94,7 +75,8 @@ void measure(const Mesh& mesh) {
 void run(const std::vector<std::string>& files) {
     std::printf(
         "# Original ids\n\n"
-        "Written by `espalier_bench_ids MESH...`, in bytes a triangle at 16 bits. *Fixed width*: one width for all ids "
+        "Written by `espalier_bench_study ids MESH...`, in bytes a triangle at 16 bits. *Fixed width*: one width for "
+        "all ids "
         "and 2 bits for the first corner of strips.\n"
         "Orders of the source: as in its file, shuffled, and in the order of the blob (`bake --reorder`), where ids "
         "are "
@@ -110,7 +92,10 @@ void run(const std::vector<std::string>& files) {
 
 }  // namespace
 
-int main(int count, char** words) {
-    Program program("espalier_bench_ids", "What original ids take by the order of the source; a table in Markdown");
+int ids_part(int count, char** words) {
+    Program program("espalier_bench_study ids",
+                    "What original ids take by the order of the source; a table in Markdown");
     return program.run(count, words, [](const std::vector<std::string>& meshes) { run(meshes); });
 }
+
+}  // namespace espalier::bench

@@ -1,11 +1,7 @@
 // Claims about shapes, layouts and counters of trees.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include "../../tests/support/meshes/makers.hpp"
+#include "../study/some_meshes.hpp"
 #include "systems.hpp"
 #include "walk.hpp"
 
@@ -15,11 +11,6 @@ using namespace espalier::bench;
 namespace {
 
 constexpr unsigned leaf_triangles = 3;
-
-std::vector<Mesh> some_meshes() {
-    return {tests::make_torus(24, 10, 2.0, 0.6), tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
-            tests::make_terrain(14, 1), tests::make_plane_grid(12), tests::make_soup(300, 2)};
-}
 
 double inner_areas(const TreeShape& shape, const std::vector<Aabb>& boxes) {
     double sum = 0.0;

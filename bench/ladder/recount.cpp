@@ -1,10 +1,6 @@
-#include "recount.hpp"
+#include "systems.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "../traversal/corners.hpp"
+#include "../study/aabb_tree.hpp"
 
 namespace espalier::bench {
 namespace {

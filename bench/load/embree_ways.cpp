@@ -1,6 +1,4 @@
 // Ways through Embree's builders, on one thread.
-#include <array>
-#include <limits>
 
 #include "../embree.hpp"
 #include "ways.hpp"

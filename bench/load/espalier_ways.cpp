@@ -6,12 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
-#include <utility>
-
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
 
 #include "../../tools/base/choices.hpp"
 #include "ways.hpp"

@@ -1,16 +1,8 @@
 // What is decoded is the mesh that was encoded, and all ways answer rays alike.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <tuple>
-#include <vector>
 
 #include <doctest/doctest.h>
-#include <espalier/espalier.hpp>
 
-#include "../../tests/support/meshes/makers.hpp"
-#include "deflate.hpp"
 #include "ways.hpp"
 
 namespace espalier::bench {

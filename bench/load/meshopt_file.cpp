@@ -1,13 +1,8 @@
 // The codecs of meshoptimizer: compiled where it is installed.
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <stdexcept>
 
 #include <meshoptimizer.h>
 
-#include "mesh_files.hpp"
+#include "ways.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "peak_memory.hpp"
+#include "ways.hpp"
 
 #ifdef __linux__
 #include <malloc.h>
@@ -7,7 +7,7 @@
 
 #include <exception>
 #include <fstream>
-#include <string>
+
 #endif
 
 namespace espalier::bench {

@@ -1,15 +1,122 @@
-// The interface of a system that receives new boxes or places in each step and finds all pairs.
+// What a run simulates and how often it repeats it.
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <functional>
-#include <memory>
-#include <string>
 
-#include "frames.hpp"
+#include "../base.hpp"
 
-namespace espalier::bench {
+namespace espalier::bench::moving {
+
+enum class Sizes {
+    cubes,  ///< all edges are 1
+    mixed,  ///< edges are 1 + 99 u^10 for a uniform u, those of bepuphysics' tests of its trees
+};
+
+struct Scenario {
+    std::size_t objects = 10'000;
+    double speed = 0.02;   ///< an object's largest step in multiples of its edge
+    double moving = 1.0;   ///< the share of objects that ever moves
+    bool turning = false;  ///< objects also turn
+    Sizes sizes = Sizes::cubes;
+    std::size_t unmeasured = 200;  ///< steps before those that are measured
+    std::size_t steps = 40;
+    std::size_t repeats = 5;
+    std::vector<std::string> only;  ///< names of systems; all if it is empty
+
+    /// Returns after how many steps a tree is packed anew.
+    [[nodiscard]] std::size_t steps_between_repacks() const { return moving < 1.0 ? 32 : 8; }
+    [[nodiscard]] bool repacks_in(std::size_t step) const {
+        return step % steps_between_repacks() == steps_between_repacks() - 1;
+    }
+};
+
+// Objects that fly through a cubic world, as in Broadmark (Serpa and Rodrigues 2019).
+
+/// Middles are uniform in the world, velocities in a ball. Each step draws the velocity of one moving object in a
+/// hundred anew; walls reflect. The same scenario gives the same motion.
+class Motion {
+public:
+    explicit Motion(const Scenario& scenario);
+    void step();
+
+    [[nodiscard]] float side() const { return side_; }  ///< of the world, which begins at the origin
+    [[nodiscard]] const std::vector<float>& edges() const { return edges_; }
+    /// Returns the numbers of the objects that move, in ascending order.
+    [[nodiscard]] const std::vector<std::uint32_t>& movers() const { return movers_; }
+    /// Returns the place of a cube of edge 1 around the origin.
+    [[nodiscard]] Transform place(std::uint32_t object) const {
+        return {rotations_[object], middles_[object], edges_[object]};
+    }
+
+private:
+    void draw_velocity(std::uint32_t mover);
+    Vec3 in_ball(float radius);
+    Quaternion any_rotation();
+
+    tests::Random random_;
+    float speed_;
+    float side_ = 0.0f;
+    bool turning_;
+    std::vector<float> edges_;
+    std::vector<std::uint32_t> movers_;
+    std::vector<Vec3> middles_;
+    std::vector<Quaternion> rotations_;
+    std::vector<Vec3> velocities_;   ///< of the movers
+    std::vector<Quaternion> spins_;  ///< of the movers, a step's rotation
+};
+
+// The steps of a motion as every system receives them, with the pairs that it has to find.
+
+/// Pairs as a number that no order of them changes.
+struct PairSum {
+    std::size_t count = 0;
+    std::uint64_t sum = 0;
+    void add(const InstancePair& pair);
+    friend bool operator==(const PairSum&, const PairSum&) = default;
+};
+PairSum sum_of(std::span<const InstancePair> pairs);
+
+/// One step.
+struct Frame {
+    std::size_t number = 0;
+    std::vector<Movement> movements;  ///< of the objects that move, in ascending order of slots
+    std::vector<Box> boxes;           ///< of all objects, by slot
+    std::vector<InstancePair> pairs;  ///< all, in ascending order
+    PairSum all, of_movers;
+};
+
+/// What a system begins with.
+struct Start {
+    const Scenario& scenario;
+    const Motion& motion;
+    std::span<const Blob> meshes;
+    std::span<const Instance> instances;  ///< by slot
+    std::span<const Box> boxes;           ///< by slot
+    int step_exponent;
+    std::size_t most_pairs;  ///< room for so many
+};
+
+/// Moves a scene of its own, outside of any measurement. The boxes are those of that scene: whole steps of the world,
+/// below 2^24, so that float and integer boxes are the same and systems must find the same pairs.
+class Frames {
+public:
+    /// All objects are of one mesh, whose box is that of a cube of edge 1 around the origin, or less.
+    Frames(const Scenario& scenario, const BakeResult& mesh);
+    ~Frames();
+    [[nodiscard]] Start start() const;
+    /// Finds the pairs of triangles that touch in place of those of boxes.
+    void find_colliding() { colliding_ = true; }
+    void next(Frame& frame);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+    bool colliding_ = false;
+};
+
+BakeResult baked_cube();
+
+// The interface of a system that receives new boxes or places in each step and finds all pairs.
 
 enum class Part { update, refit, repack, pairs };
 inline constexpr std::size_t part_count = 4;
@@ -94,5 +201,7 @@ BroadPhaseMakers sort_and_sweep_makers();
 BroadPhaseMakers bullet_box_makers();
 BroadPhaseMakers ode_box_makers();
 BroadPhaseMakers fcl_box_makers();
+BroadPhaseMakers espalier_colliding_makers();
+BroadPhaseMakers fcl_colliding_makers(const Mesh& mesh);
 
-}  // namespace espalier::bench
+}  // namespace espalier::bench::moving

@@ -1,11 +1,8 @@
-#include "table.hpp"
+#include "turns.hpp"
 
 #include <cstdlib>
 
-#include "../instruction_set.hpp"
-#include "../machine.hpp"
-
-namespace espalier::bench {
+namespace espalier::bench::moving {
 namespace {
 
 constexpr const char* part_names[part_count] = {"update", "refit", "repack", "pairs"};
@@ -149,4 +146,4 @@ void print_steps(const std::vector<Measured>& measured, const Scenario& scenario
     std::fflush(stdout);
 }
 
-}  // namespace espalier::bench
+}  // namespace espalier::bench::moving

@@ -1,13 +1,6 @@
 #include "turns.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <numeric>
-#include <stdexcept>
-
-#include "thread_time.hpp"
-
-namespace espalier::bench {
+namespace espalier::bench::moving {
 namespace {
 
 constexpr std::size_t turn_length = 10;
@@ -104,7 +97,7 @@ private:
         std::sort(numbers.begin(), numbers.end());
     }
 
-    tests::Random random_{moving_seed};
+    tests::Random random_{seed};
     const BroadPhaseMakers& makers_;
     const Scenario& scenario_;
     PairList pairs_;
@@ -114,10 +107,6 @@ private:
 
 }  // namespace
 
-double median_of(Steps steps) {
-    std::sort(steps.begin(), steps.end());
-    return steps[steps.size() / 2];
-}
 double mean_of(const Steps& steps) {
     return std::accumulate(steps.begin(), steps.end(), 0.0) / static_cast<double>(steps.size());
 }
@@ -132,12 +121,6 @@ std::vector<Measured> measure(const BroadPhaseMakers& makers, const Scenario& sc
         runner.run(frames, repeat);
     }
     return runner.measured;
-}
-
-const Measured* find_measured(const std::vector<Measured>& all, const std::string& name, const std::string& from) {
-    for (const Measured& one : all)
-        if (one.name == name && one.from == from) return &one;
-    return nullptr;
 }
 
 BroadPhaseMakers selected(BroadPhaseMakers makers, const Scenario& scenario) {
@@ -157,4 +140,4 @@ BroadPhaseMakers selected(BroadPhaseMakers makers, const Scenario& scenario) {
     return makers;
 }
 
-}  // namespace espalier::bench
+}  // namespace espalier::bench::moving

@@ -1,11 +1,9 @@
 // Systems that take turns at the steps of one motion.
 #pragma once
 
-#include <optional>
-
 #include "broad_phase.hpp"
 
-namespace espalier::bench {
+namespace espalier::bench::moving {
 
 /// The seconds of each step, the least of all repeats.
 using Steps = std::vector<double>;
@@ -21,7 +19,6 @@ struct Measured {
     std::size_t differing_pairs = 0;      ///< of all those steps
 };
 
-double median_of(Steps steps);
 double mean_of(const Steps& steps);
 double slowest_of(const Steps& steps);
 
@@ -33,10 +30,28 @@ double slowest_of(const Steps& steps);
 std::vector<Measured> measure(const BroadPhaseMakers& makers, const Scenario& scenario, const BakeResult& mesh,
                               bool colliding = false);
 
-/// Returns the measured system, or nothing.
-const Measured* find_measured(const std::vector<Measured>& all, const std::string& name, const std::string& from);
-
 /// Leaves out the systems that the scenario does not name. Throws std::invalid_argument for a name of no system.
 BroadPhaseMakers selected(BroadPhaseMakers makers, const Scenario& scenario);
 
-}  // namespace espalier::bench
+// What was measured, for people and as rows.
+
+/// Returns a row with the scenario and the machine, to which figures are added.
+JsonObject row_of(const Scenario& scenario, const std::string& measures);
+
+/// Prints the rows to stdout and a table to stderr. A system that takes boxes has a second row for placements, with the
+/// time of the loop that makes boxes. A ratio is its time by that of the first system, from the same input.
+void print_steps(const std::vector<Measured>& measured, const Scenario& scenario, const std::string& measures);
+
+// How good a tree stays while its boxes move, and how even the work of its steps is.
+
+/// Moves the tree that many steps, without a measurement of time, and prints a row to stdout and lines to stderr:
+/// its area beside that of a fresh tree in the last steps, and the slowest step in counted work beside the median one.
+void print_upkeep(const Scenario& scenario, std::size_t steps);
+
+// A tree from which random boxes are removed and into which others are inserted, and which is never packed.
+
+/// Inserts the scenario's objects, then removes one and inserts one so many times. Prints a row to stdout and lines to
+/// stderr: area beside that of a fresh tree, depth, fill, and the time of an operation.
+void print_churn(const Scenario& scenario, std::size_t operations);
+
+}  // namespace espalier::bench::moving

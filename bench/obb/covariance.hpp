@@ -2,9 +2,7 @@
 // Manocha 1996). In float for refits, which have to be fast, and in double.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "../base.hpp"
 
 namespace espalier::bench {
 

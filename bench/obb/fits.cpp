@@ -1,11 +1,6 @@
 #include "fits.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "covariance.hpp"
-#include "search.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -54,19 +49,8 @@ private:
 }  // namespace
 
 std::string_view name_of(BoxFit fit) {
-    switch (fit) {
-        case BoxFit::aligned:
-            return "aligned";
-        case BoxFit::vertices:
-            return "vertices";
-        case BoxFit::hull:
-            return "hull";
-        case BoxFit::flush:
-            return "flush";
-        case BoxFit::search:
-            return "search";
-    }
-    return "";
+    constexpr const char* names[] = {"aligned", "vertices", "hull", "flush", "search"};
+    return names[static_cast<std::size_t>(fit)];
 }
 
 Block box_along(const BoxAxes& axes, std::span<const Point> points) {

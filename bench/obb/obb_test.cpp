@@ -1,24 +1,14 @@
 // Claims about convex hulls, about boxes that are fitted to points, and about trees of these.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/makers.hpp"
-#include "../pairs/poses.hpp"
-#include "../traversal/corners.hpp"
-#include "convex_hull.hpp"
+#include "../study/aabb_tree.hpp"
+#include "../study/some_meshes.hpp"
+#include "hull.hpp"
 #include "fits.hpp"
-#include "kinds.hpp"
-#include "parallel_surface.hpp"
-#include "search.hpp"
+#include "box_trees.hpp"
 
 using namespace espalier;
 using namespace espalier::bench;
@@ -233,11 +223,6 @@ TEST_CASE("bench: dense vertices turn the fit to vertices and not the one to the
 }
 
 namespace {
-
-std::vector<Mesh> some_meshes() {
-    return {tests::make_torus(24, 10, 2.0, 0.6), tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
-            tests::make_terrain(14, 1), tests::make_plane_grid(12), tests::make_soup(300, 2)};
-}
 
 AabbTree tree_of(const Mesh& mesh) { return build_tree_and_blob(mesh, 1).tree; }
 

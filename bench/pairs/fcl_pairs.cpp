@@ -1,5 +1,6 @@
 #include <fcl/fcl.h>
 
+#include "../fcl.hpp"
 #include "pair_system.hpp"
 
 namespace espalier::bench {
@@ -9,14 +10,7 @@ template <class Scalar>
 class FclPairs final : public PairSystem {
 public:
     explicit FclPairs(const Mesh& mesh) : model_(std::make_shared<Model>()) {
-        std::vector<fcl::Vector3<Scalar>> positions;
-        for (const Vec3& p : mesh.positions)
-            positions.emplace_back(static_cast<Scalar>(p.x), static_cast<Scalar>(p.y), static_cast<Scalar>(p.z));
-        std::vector<fcl::Triangle> triangles;
-        for (const TriangleVertices& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
-        model_->beginModel(static_cast<int>(triangles.size()), static_cast<int>(positions.size()));
-        model_->addSubModel(positions, triangles);
-        model_->endModel();
+        FclArrays<fcl::OBBRSS<Scalar>>(mesh).build(*model_);
         here_ = fcl::Transform3<Scalar>::Identity();
     }
     bool yes_no(const Transform& pose) override {
@@ -45,9 +39,7 @@ private:
         const Matrix matrix = rotation_matrix(pose);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) result.linear()(i, j) = static_cast<Scalar>(matrix.at[i][j]);
-        result.translation() =
-            fcl::Vector3<Scalar>(static_cast<Scalar>(pose.translation.x), static_cast<Scalar>(pose.translation.y),
-                                 static_cast<Scalar>(pose.translation.z));
+        result.translation() = fcl_vector<Scalar>(pose.translation);
         return result;
     }
     std::shared_ptr<Model> model_;

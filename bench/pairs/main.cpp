@@ -1,11 +1,6 @@
 // A mesh against a second one of the same kind, in many poses: whether they touch, all pairs, how far they are apart.
 // One JSON object a line for each mesh, system and question; what systems disagree about goes to stderr.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <ctime>
 
-#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "pair_system.hpp"
 
@@ -13,8 +8,6 @@ namespace {
 
 using namespace espalier;
 using namespace espalier::bench;
-
-constexpr std::uint64_t seed = 2026;
 
 struct Options {
     std::size_t poses = 200;
@@ -50,14 +43,12 @@ Measured measure(const std::vector<Transform>& poses, unsigned repetitions, Ques
     result.answers.resize(poses.size());
     std::vector<double> times;
     for (unsigned repetition = 0; repetition < repetitions; ++repetition) {
-        // Processor time of this process, which has one thread: what others do beside it counts less.
-        const std::clock_t start = std::clock();
+        const ProcessorTime time;
         for (std::size_t i = 0; i < poses.size(); ++i) result.answers[i] = static_cast<double>(question(poses[i]));
-        times.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+        times.push_back(1000.0 * time.seconds());
     }
-    std::sort(times.begin(), times.end());
-    result.milliseconds = times[times.size() / 2];
-    result.fastest = times.front();
+    result.milliseconds = median_of(times);
+    result.fastest = *std::min_element(times.begin(), times.end());
     return result;
 }
 
@@ -132,3 +123,48 @@ int main(int count, char** words) {
         for (const std::string& file : meshes) run_mesh(file, options);
     });
 }
+
+namespace espalier::bench {
+namespace {
+
+class EspalierPairs final : public PairSystem {
+public:
+    EspalierPairs(const Mesh& mesh, Profile profile) : made_(bake_blob(mesh, profile)) {}
+    bool yes_no(const Transform& pose) override {
+        const YesNo answer = overlaps(made_.blob, {made_.blob, pose}, unlimited);
+        check(answer.status());
+        return answer.yes();
+    }
+    std::size_t all(const Transform& pose) override {
+        std::size_t count = 0;
+        check(for_each_contact(
+            made_.blob, {made_.blob, pose}, [&](const PairContact&) { ++count; }, unlimited));
+        return count;
+    }
+    double distance(const Transform& pose) override {
+        const BlobDistance nearest = espalier::distance(made_.blob, {made_.blob, pose}, unlimited);
+        check(nearest.status);
+        return static_cast<double>(nearest.distance);
+    }
+
+private:
+    static void check(QueryStatus status) {
+        if (status != QueryStatus::ok && status != QueryStatus::not_found) throw std::runtime_error(describe(status));
+    }
+    BakedBlob made_;
+};
+
+}  // namespace
+
+std::vector<PairMaker> espalier_pair_makers() {
+    std::vector<PairMaker> makers;
+    const auto add = [&](const char* name, Profile profile) {
+        makers.push_back(
+            {"espalier", name, [profile](const Mesh& mesh) { return std::make_unique<EspalierPairs>(mesh, profile); }});
+    };
+    add("fast", Profile::fast);
+    add("balanced", Profile::balanced);
+    return makers;
+}
+
+}  // namespace espalier::bench

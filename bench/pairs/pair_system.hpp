@@ -1,14 +1,7 @@
 // The interface of a system that queries a mesh together with a second one of the same kind, in many poses.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "poses.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

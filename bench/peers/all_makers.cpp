@@ -1,7 +1,4 @@
-#include <cstddef>
 #include <iterator>
-#include <utility>
-#include <vector>
 
 #include "system.hpp"
 

@@ -1,8 +1,6 @@
 #include <btBulletCollisionCommon.h>
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
-#include "hit_geometry.hpp"
-#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

@@ -1,5 +1,4 @@
 #include "../embree.hpp"
-#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

@@ -1,12 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
-
 #include "../../tools/base/choices.hpp"
-#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

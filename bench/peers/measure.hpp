@@ -1,16 +1,44 @@
-// Measures every system on one mesh: they take turns at building and at each kind of ray, so that a change of the
-// machine's speed hits them alike. A ratio is taken between neighbours in time; a figure is the median of the
-// repetitions' ratios, with the smallest and the largest beside it.
+// The words behind espalier_bench_peers.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "options.hpp"
+#include "../program.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
+
+struct Options {
+    bool json = false;
+    std::vector<std::string> systems;  ///< NAME or NAME/PROFILE; none: all
+    unsigned repetitions = 9;
+    unsigned builds = 3;
+    std::size_t incoherent = 500000;
+    std::uint64_t seed = 2026;
+    BakeSettings bake;
+};
+
+void add_options(Program& program, Options& options);
+
+/// Whether --system asks for this one; the reference is always measured.
+bool is_asked_for(const Maker& maker, const Options& options);
+
+// How far the answers of two systems are the same.
+
+struct Agreement {
+    std::size_t disagreeing = 0;    ///< one says hit, the other miss
+    std::size_t t_disagreeing = 0;  ///< both hit, but further apart than rounding explains
+};
+
+/// `max_error` is how far the surface of `own` may be from that of `reference`. `size` is the largest coordinate that
+/// took part in the computation, which sets the unit of its rounding.
+Agreement compare(const std::vector<Ray>& rays, const std::vector<Hit>& reference, const std::vector<Hit>& own,
+                  double max_error, double size);
+
+/// Rays to which a system's any-hit query says something else than its closest-hit query.
+std::size_t contradictions(const std::vector<Hit>& closest, const std::vector<std::uint8_t>& any);
+
+// Measures every system on one mesh: they take turns at building and at each kind of ray, so that a change of the
+// machine's speed hits them alike. A ratio is taken between neighbours in time; a figure is the median of the
+// repetitions' ratios, with the smallest and the largest beside it.
 
 struct Spread {
     double low = 0.0, median = 0.0, high = 0.0;
@@ -46,5 +74,12 @@ struct MeshResult {
 
 /// Throws std::exception when the mesh cannot be read or baked.
 MeshResult measure(const std::string& path, const std::vector<Maker>& makers, const Options& options);
+
+// Rows for programs (JSON lines) and for people (a table).
+
+/// One JSON object a line for each row; null where a system has no such query and where there is no reference.
+void print_json(const MeshResult& result, const Options& options);
+
+void print_table(const MeshResult& result, const Options& options);
 
 }  // namespace espalier::bench

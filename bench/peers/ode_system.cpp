@@ -1,8 +1,6 @@
 #include <malloc.h>
 #include <ode/ode.h>
 
-#include "hit_geometry.hpp"
-#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

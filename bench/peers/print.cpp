@@ -1,12 +1,8 @@
-#include "print.hpp"
+#include "measure.hpp"
 
-#include <cstdio>
 #include <thread>
 
 #include "../../tools/base/choices.hpp"
-#include "../instruction_set.hpp"
-#include "../json_object.hpp"
-#include "../machine.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,8 +1,5 @@
 #include "embree_points.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "../embree.hpp"
 
 namespace espalier::bench {

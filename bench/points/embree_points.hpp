@@ -1,13 +1,7 @@
 // Embree's point query, asked for what Espalier answers. Compiled where Embree is installed.
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <vector>
-
-#include <espalier/types.hpp>
-
-#include "../rays.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

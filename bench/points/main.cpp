@@ -1,23 +1,8 @@
 // Spheres and closest points, beside Embree's point query: one thread, the systems take turns within each repetition,
 // and a ratio is taken between neighbours in time. JSON, an object for each mesh and profile.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/files.hpp"
 #include "../../tools/base/choices.hpp"
-#include "../peers/stopwatch.hpp"
 #include "../program.hpp"
-#include "../rays.hpp"
 #if defined(ESPALIER_BENCH_EMBREE)
 #include "embree_points.hpp"
 #endif
@@ -39,15 +24,11 @@ struct Questions {
 };
 
 Questions questions_about(const Mesh& mesh, std::size_t count) {
-    Vec3 low = mesh.positions.front(), high = low;
-    for (const Vec3& p : mesh.positions) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    const auto [low, high] = box_around(mesh.positions);
     const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
     Questions questions;
     questions.radius = 0.02f * std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z);
-    tests::Random random(2026);
+    tests::Random random(seed);
     for (std::size_t i = 0; i < count; ++i)
         questions.points.push_back(
             {low.x + size.x * random.unit(), low.y + size.y * random.unit(), low.z + size.z * random.unit()});
@@ -58,13 +39,18 @@ Questions questions_about(const Mesh& mesh, std::size_t count) {
 struct Contestant {
     const char* name;
     std::function<double(const Questions&)> answer;
-    std::vector<double> seconds;
+    std::vector<double> seconds = {};
     double sum = 0.0;
 };
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
+/// Adds up what `ask(point, radius)` returns.
+template <class Ask>
+Contestant sum_of(const char* name, const Ask& ask) {
+    return {name, [ask](const Questions& q) {
+                double sum = 0.0;
+                for (const Vec3& p : q.points) sum += ask(p, q.radius);
+                return sum;
+            }};
 }
 
 void take_turns(std::span<Contestant> contestants, const Questions& questions, unsigned repetitions) {
@@ -77,68 +63,40 @@ void take_turns(std::span<Contestant> contestants, const Questions& questions, u
 }
 
 void print_kind(const char* kind, const Contestant* reference, const Contestant& own, std::size_t count) {
-    std::printf(",\"%s_k\":%.1f", kind, static_cast<double>(count) / median(own.seconds) * 1e-3);
+    std::printf(",\"%s_k\":%.1f", kind, static_cast<double>(count) / median_of(own.seconds) * 1e-3);
     if (reference == nullptr) return;
     std::vector<double> ratios;
     for (std::size_t i = 0; i < own.seconds.size(); ++i) ratios.push_back(reference->seconds[i] / own.seconds[i]);
-    std::printf(",\"%s_ratio\":%.3f,\"%s_low\":%.3f,\"%s_high\":%.3f,\"%s_sums\":[%.9g,%.9g]", kind, median(ratios),
+    std::printf(",\"%s_ratio\":%.3f,\"%s_low\":%.3f,\"%s_high\":%.3f,\"%s_sums\":[%.9g,%.9g]", kind, median_of(ratios),
                 kind, *std::min_element(ratios.begin(), ratios.end()), kind,
                 *std::max_element(ratios.begin(), ratios.end()), kind, reference->sum, own.sum);
 }
 
 void measure(const Mesh& mesh, const std::string& profile_name, Profile profile, const Options& options) {
-    const MeshView view = mesh.view();
-    BakeOptions bake_options;
-    bake_options.profile = profile;
-    const auto baked = bake({&view, 1}, bake_options);
-    if (!baked) throw std::runtime_error(baked.message);
-    const Blob blob = open(baked.bytes);
-    if (!blob) throw std::runtime_error(describe(blob.status()));
+    const BakedBlob made = bake_blob(mesh, profile);
+    const Blob& blob = made.blob;
     const Questions questions = questions_about(mesh, options.points);
 
     std::vector<Contestant> all, any, closest;
 #if defined(ESPALIER_BENCH_EMBREE)
     const EmbreePoints embree(mesh);
-    const auto count_all = [&embree](const Questions& q) {
-        double sum = 0.0;
-        for (const Vec3& p : q.points) sum += static_cast<double>(embree.count_within(p, q.radius));
-        return sum;
+    const auto count_all = [&embree](const Vec3& p, float radius) {
+        return static_cast<double>(embree.count_within(p, radius));
     };
-    all.push_back({"embree", count_all, {}});
-    any.push_back({"embree", count_all, {}});  // it has no any: its rate of all is what ours of any is held against
-    closest.push_back({"embree",
-                       [&embree](const Questions& q) {
-                           double sum = 0.0;
-                           for (const Vec3& p : q.points) sum += static_cast<double>(embree.closest_distance(p));
-                           return sum;
-                       },
-                       {}});
+    all.push_back(sum_of("embree", count_all));
+    any.push_back(sum_of("embree", count_all));  // it has no any: its rate of all is what ours of any is held against
+    closest.push_back(sum_of("embree", [&embree](const Vec3& p, float) { return double(embree.closest_distance(p)); }));
 #endif
-    all.push_back({"espalier",
-                   [&blob](const Questions& q) {
-                       double sum = 0.0;
-                       for (const Vec3& p : q.points) {
-                           std::size_t count = 0;
-                           (void)for_each_overlap(blob, Sphere{p, q.radius}, [&count](TriangleId) { ++count; });
-                           sum += static_cast<double>(count);
-                       }
-                       return sum;
-                   },
-                   {}});
-    any.push_back({"espalier",
-                   [&blob](const Questions& q) {
-                       double sum = 0.0;
-                       for (const Vec3& p : q.points) sum += overlaps(blob, Sphere{p, q.radius}).yes() ? 1.0 : 0.0;
-                       return sum;
-                   },
-                   {}});
-    closest.push_back({"espalier",
-                       [&blob](const Questions& q) {
-                           double sum = 0.0;
-                           for (const Vec3& p : q.points) sum += static_cast<double>(closest_point(blob, p).distance);
-                           return sum;
-                       },
-                       {}});
+    all.push_back(sum_of("espalier", [&blob](const Vec3& p, float radius) {
+        std::size_t count = 0;
+        (void)for_each_overlap(blob, Sphere{p, radius}, [&count](TriangleId) { ++count; });
+        return static_cast<double>(count);
+    }));
+    any.push_back(sum_of("espalier", [&blob](const Vec3& p, float radius) {
+        return overlaps(blob, Sphere{p, radius}).yes() ? 1.0 : 0.0;
+    }));
+    closest.push_back(
+        sum_of("espalier", [&blob](const Vec3& p, float) { return double(closest_point(blob, p).distance); }));
     std::printf("{\"mesh\":\"%s\",\"triangles\":%zu,\"profile\":\"%s\",\"points\":%zu,\"repetitions\":%u",
                 mesh.name.c_str(), mesh.triangles.size(), profile_name.c_str(), options.points, options.repetitions);
     const auto kind = [&](const char* name, std::vector<Contestant>& contestants) {

@@ -1,5 +1,3 @@
-#include <cstring>
-
 #include "../embree.hpp"
 #include "scene_system.hpp"
 

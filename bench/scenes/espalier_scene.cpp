@@ -1,9 +1,3 @@
-#include <cstring>
-#include <optional>
-#include <stdexcept>
-
-#include <espalier/bake.hpp>
-
 #include "scene_system.hpp"
 
 namespace espalier::bench {
@@ -11,13 +5,7 @@ namespace {
 
 std::vector<std::byte> bake_placed(const Placed& placed, Profile profile) {
     std::vector<std::vector<std::byte>> blobs;
-    for (const Mesh& mesh : placed.meshes) {
-        BakeOptions options;
-        options.profile = profile;
-        BakeResult baked = bake(std::array{mesh.view()}, options);
-        if (!baked) throw std::runtime_error(baked.message);
-        blobs.push_back(std::move(baked.bytes));
-    }
+    for (const Mesh& mesh : placed.meshes) blobs.push_back(bake_blob(mesh, profile).baked.bytes);
     SceneBakeResult baked =
         bake_scene(std::vector<std::span<const std::byte>>(blobs.begin(), blobs.end()), placed.instances);
     if (!baked) throw std::runtime_error(baked.message);
@@ -51,13 +39,10 @@ private:
 class EspalierMesh final : public SceneSystem {
 public:
     EspalierMesh(const Placed& placed, Profile profile, Pages pages) {
-        BakeOptions options;
-        options.profile = profile;
-        BakeResult baked = bake(std::array{placed.meshes.front().view()}, options);
-        if (!baked) throw std::runtime_error(baked.message);
-        memory_.emplace(baked.bytes.size(), pages);
-        std::memcpy(memory_->data(), baked.bytes.data(), baked.bytes.size());
-        blob_ = open({memory_->data(), baked.bytes.size()});
+        const std::vector<std::byte> bytes = bake_blob(placed.meshes.front(), profile).baked.bytes;
+        memory_.emplace(bytes.size(), pages);
+        std::memcpy(memory_->data(), bytes.data(), bytes.size());
+        blob_ = open({memory_->data(), bytes.size()});
     }
     void closest(const std::vector<Ray>& rays, std::vector<float>& hits) override {
         for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -1,22 +1,13 @@
 // Many instances of one mesh or of some, and a mesh alone; or a baked scene, and its triangles in one mesh.
 // Interleaved; one JSON object a line.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/files.hpp"
-#include "../peers/stopwatch.hpp"
 #include "../program.hpp"
-#include "scene_file.hpp"
 #include "scene_system.hpp"
 
 namespace {
 
 using namespace espalier;
 using namespace espalier::bench;
-
-constexpr std::uint64_t seed = 2026;
 
 struct Options {
     std::size_t instances = 10'000;
@@ -67,12 +58,6 @@ struct Run {
     std::unique_ptr<SceneSystem> system;
     std::vector<double> seconds;
     std::vector<float> hits;
-
-    [[nodiscard]] double median() const {
-        std::vector<double> sorted = seconds;
-        std::sort(sorted.begin(), sorted.end());
-        return sorted[sorted.size() / 2];
-    }
 };
 
 /// Returns the given makers, and those of peers.
@@ -119,7 +104,7 @@ void print(const std::string& name, std::size_t triangles, const char* what, con
             "{\"mesh\":\"%s\",\"triangles\":%zu,\"scene\":\"%s\",\"instances\":%zu,\"copies\":%zu,\"system\":\"%s\","
             "\"us_per_ray\":%.4f,\"ratio_to_last\":[%.3f,%.3f,%.3f],\"bytes\":%zu,\"rays_that_differ\":%zu}\n",
             name.c_str(), triangles, what, options.instances, options.copies, run.name.c_str(),
-            1e6 * run.median() / static_cast<double>(options.rays), ratios.front(), ratios[ratios.size() / 2],
+            1e6 * median_of(run.seconds) / static_cast<double>(options.rays), ratios.front(), ratios[ratios.size() / 2],
             ratios.back(), run.system->bytes(), differing(run, reference));
     }
     std::fflush(stdout);

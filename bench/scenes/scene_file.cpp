@@ -1,13 +1,9 @@
-#include "scene_file.hpp"
+#include "scene_system.hpp"
 
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <stdexcept>
 #include <tuple>
-
-#include <espalier/walk.hpp>
 
 namespace espalier::bench {
 

@@ -1,17 +1,7 @@
 // The interface of a system that casts rays at many instances of a few meshes.
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <espalier/scene.hpp>
-
 #include "../memory.hpp"
-#include "../rays.hpp"
 
 namespace espalier::bench {
 
@@ -42,5 +32,19 @@ std::vector<SceneMaker> espalier_scene_makers();
 /// Returns the makers of a scene that is baked already, whatever they are given.
 std::vector<SceneMaker> baked_scene_makers(const std::vector<std::byte>& scene);
 std::vector<SceneMaker> embree_scene_makers();
+
+// Scenes that are read from files, for systems that place meshes themselves.
+
+/// A baked scene without tiles, with the triangles of its meshes as they are baked.
+struct SceneFile {
+    std::vector<std::byte> bytes;
+    Placed placed;
+
+    /// Throws std::runtime_error where the file is no such scene.
+    explicit SceneFile(const std::string& path);
+
+    /// Returns all triangles of all instances in the world.
+    [[nodiscard]] Mesh flattened() const;
+};
 
 }  // namespace espalier::bench

@@ -1,8 +1,4 @@
-#include "grid.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "structures.hpp"
 
 namespace espalier::bench {
 

@@ -1,10 +1,4 @@
-#include "kd_tree.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <utility>
+#include "structures.hpp"
 
 namespace espalier::bench {
 namespace {

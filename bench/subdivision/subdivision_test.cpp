@@ -1,12 +1,7 @@
 // Claims about subdivisions: they have the answers of a loop over all triangles, and cells hold what touches them.
 #include <doctest/doctest.h>
 
-#include <string>
-#include <vector>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/makers.hpp"
-#include "../traversal/ray_walk.hpp"
+#include "../study/walks.hpp"
 #include "structures.hpp"
 
 using namespace espalier;

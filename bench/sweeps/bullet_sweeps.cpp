@@ -1,7 +1,5 @@
 #include "bullet_sweeps.hpp"
 
-#include <vector>
-
 #include <btBulletCollisionCommon.h>
 
 namespace espalier::bench {

@@ -1,13 +1,7 @@
 // Bullet's convex sweep over its triangle mesh. Compiled where Bullet is installed.
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <span>
-
-#include <espalier/shapes.hpp>
-
-#include "../rays.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

@@ -1,22 +1,7 @@
 // Oriented boxes and convex hulls that move through a mesh, beside Bullet's convex sweep: one thread, the systems take
 // turns, and the least time of several repetitions counts. JSON, an object for each mesh, shape and size.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/files.hpp"
-#include "../peers/stopwatch.hpp"
 #include "../program.hpp"
-#include "../rays.hpp"
 #if defined(ESPALIER_BENCH_BULLET)
 #include "bullet_sweeps.hpp"
 #endif
@@ -48,15 +33,11 @@ Vec3 unit(const Vec3& a) { return times(a, 1.0f / std::sqrt(a.x * a.x + a.y * a.
 
 /// Shapes of so many vertices, about `size` wide; with eight vertices they are boxes.
 std::vector<Moving> some_shapes(const Mesh& mesh, std::size_t count, std::size_t vertices, float share) {
-    Vec3 low = mesh.positions.front(), high = low;
-    for (const Vec3& p : mesh.positions) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    const auto [low, high] = box_around(mesh.positions);
     const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
     const float half = 0.5f * share * std::max({size.x, size.y, size.z});
-    tests::Random random(2026);
-    const auto place = [&] {
+    tests::Random random(seed);
+    const auto place = [&, low = low] {
         return Vec3{low.x + size.x * (1.5f * random.unit() - 0.25f), low.y + size.y * (1.5f * random.unit() - 0.25f),
                     low.z + size.z * (1.5f * random.unit() - 0.25f)};
     };
@@ -84,11 +65,8 @@ std::vector<Moving> some_shapes(const Mesh& mesh, std::size_t count, std::size_t
 }
 
 void measure(const Mesh& mesh, const Options& options) {
-    const MeshView view = mesh.view();
-    const auto baked = bake({&view, 1}, {});
-    if (!baked) throw std::runtime_error(baked.message);
-    const Blob blob = open(baked.bytes);
-    if (!blob) throw std::runtime_error(describe(blob.status()));
+    const BakedBlob made = bake_blob(mesh);
+    const Blob& blob = made.blob;
     for (const std::size_t vertices : {std::size_t{8}, std::size_t{16}, max_hull_vertices}) {
         for (const float share : {0.01f, 0.05f, 0.15f}) {
             const std::vector<Moving> shapes = some_shapes(mesh, options.sweeps, vertices, share);

@@ -1,19 +1,9 @@
 // Claims about walks: every rule of descent and every order of children has the answers of a test of all triangles.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/makers.hpp"
-#include "../pairs/poses.hpp"
-#include "corners.hpp"
-#include "pair_walk.hpp"
-#include "placed_triangle.hpp"
-#include "ray_walk.hpp"
+#include "../study/aabb_tree.hpp"
+#include "../study/some_meshes.hpp"
+#include "../study/walks.hpp"
 
 using namespace espalier;
 using namespace espalier::bench;
@@ -21,11 +11,6 @@ using namespace espalier::bench;
 namespace {
 
 constexpr unsigned leaf_triangles = 3;
-
-std::vector<Mesh> some_meshes() {
-    return {tests::make_torus(24, 10, 2.0, 0.6), tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
-            tests::make_terrain(14, 1), tests::make_plane_grid(12), tests::make_soup(300, 2)};
-}
 
 AabbTree tree_of(const Mesh& mesh) { return build_tree_and_blob(mesh, leaf_triangles).tree; }
 

@@ -1,9 +1,4 @@
-#include "dop_turn.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "volume_tests.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,31 +1,17 @@
 // Claims about trees of volumes: volumes contain their triangles, and every kind has the answers of brute force.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "../../tests/support/base/random.hpp"
-#include "../../tests/support/meshes/makers.hpp"
-#include "../pairs/poses.hpp"
-#include "../traversal/corners.hpp"
-#include "../traversal/ray_walk.hpp"
-#include "dop_turn.hpp"
-#include "kinds.hpp"
-#include "stored.hpp"
+#include "../study/aabb_tree.hpp"
+#include "../study/some_meshes.hpp"
+#include "../study/walks.hpp"
+#include "volume_tests.hpp"
 #include "trees.hpp"
+#include "../study/shapes.hpp"
 
 using namespace espalier;
 using namespace espalier::bench;
 
 namespace {
-
-std::vector<Mesh> some_meshes() {
-    return {tests::make_torus(24, 10, 2.0, 0.6), tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
-            tests::make_terrain(14, 1), tests::make_plane_grid(12), tests::make_soup(300, 2)};
-}
 
 struct Trees {
     explicit Trees(const Mesh& mesh)

@@ -56,7 +56,7 @@ public:
         }
     }
 
-    /// Incoherent, as in bench/rays.hpp: from a sphere around the box of 1.2 times its radius towards points in the
+    /// Incoherent, as in bench/base.hpp: from a sphere around the box of 1.2 times its radius towards points in the
     /// box.
     Ray ray() {
         const float radius = 1.2f * 0.5f * diagonal();

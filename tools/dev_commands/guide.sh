@@ -1,6 +1,6 @@
 # The rows, tables and figures of docs/guide.md.
 
-# A part is a program and its options; its rows are kept in build/guide/PART.jsonl.
+# A part is one of the study (bench/study) and its options; its rows are kept in build/guide/PART.jsonl.
 guide_parts=(growth subdivision volumes obb builders ladder traversal cost_model deformation moving exactness load)
 guide_folder=build/guide
 
@@ -9,21 +9,21 @@ smaller_meshes() { find "$@" -maxdepth 0 -size -10M -printf '%p\n'; }
 
 # guide_rows PART MESH...: the rows of a part, to stdout
 guide_rows() {
-    local part=$1 program=$guide_folder/bench/espalier_bench_$1 few
+    local part=$1 study=$guide_folder/bench/espalier_bench_study few
     shift
     case $part in
-        growth) "$program" ;;
+        growth) "$study" growth ;;
         cost_model)
-            "$program" --profile fast --json "$@"
-            "$program" --profile fast --pairs --json "$@"
-            "$program" --scene --json
+            "$study" cost_model --profile fast --json "$@"
+            "$study" cost_model --profile fast --pairs --json "$@"
+            "$study" cost_model --scene --json
             ;;
         deformation) # a bake over many poses of a large mesh takes minutes
             mapfile -t few < <(smaller_meshes "$@")
-            "$program" "${few[@]}" --times 2 --rounds 1 --rays 20000 --part refits --part bakes --part rays --part boxes
+            "$study" deformation "${few[@]}" --times 2 --rounds 1 --rays 20000 --part refits --part bakes --part rays --part boxes
             ;;
-        moving) "$program" --objects 10000 --speed 0.02 --steps 20 --aged 0 ;;
-        *) "$program" "$@" ;;
+        moving) "$study" moving --objects 10000 --speed 0.02 --steps 20 --aged 0 ;;
+        *) "$study" "$part" "$@" ;;
     esac
 }
 
@@ -54,7 +54,7 @@ guide() {
     check_cmake
     if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(guide_meshes); fi
     [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
-    build "$guide_folder" espalier_bench_guide -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
+    build "$guide_folder" espalier_bench_study -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
     for part in "${parts[@]}"; do
         started=$SECONDS
         guide_rows "$part" "${meshes[@]}" >"$guide_folder/$part.partial" || fail "guide: the part '$part' failed"

@@ -1,0 +1,270 @@
+// What queries cost on this machine: T = Nv Cv + Np Cp + Nu Cu + Co (Gottschalk, Lin, Manocha 1996; van den Bergen
+// 1997), with the work counted and the costs fitted to measured times.
+//
+// Of a ray, Nv are the visited nodes and Np the tested triangles. Of two blobs, Nv are the visited pairs of boxes and
+// Np the compared pairs of triangles. Nu, the boxes that are updated, is 0 for both: assets do not change, and a box is
+// placed beside another where their pair is visited. Of a step of a moving scene, Nv are the tests of a box against a
+// node, Np the pairs that are found and Nu the boxes of instances and nodes that are renewed.
+
+#include "../program.hpp"
+#include "model.hpp"
+
+namespace espalier::bench {
+namespace {
+
+struct ProfileRun {
+    const char* name;
+    Profile profile;
+    unsigned largest_leaf;
+};
+inline constexpr ProfileRun profiles[] = {{"fast", Profile::fast, format::plain_leaf::max_triangles},
+                                          {"balanced", Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
+                                          {"small", Profile::small, format::strip_leaf::max_small_entries - 2},
+                                          {"tiny", Profile::tiny, format::predicted_strip::max_entries - 2}};
+
+/// Blobs of one mesh and profile with leaves of several sizes, which go into one fit: else nodes and triangles grow
+/// together, and their costs cannot be told apart.
+class BlobsOfMesh {
+public:
+    /// Throws std::runtime_error with the mesh's name.
+    BlobsOfMesh(const Mesh& mesh, const ProfileRun& profile, unsigned bits);
+    [[nodiscard]] const std::vector<Blob>& blobs() const { return blobs_; }
+
+private:
+    std::vector<BakedBlob> baked_;
+    std::vector<Blob> blobs_;
+};
+
+/// Returns the names of all profiles.
+std::vector<std::string> profile_names() {
+    std::vector<std::string> names;
+    for (const ProfileRun& profile : profiles) names.emplace_back(profile.name);
+    return names;
+}
+
+/// Returns the profiles with these names, or all where there are none.
+std::vector<ProfileRun> chosen_profiles(const std::vector<std::string>& names) {
+    std::vector<ProfileRun> chosen;
+    for (const ProfileRun& profile : profiles)
+        if (names.empty() || std::find(names.begin(), names.end(), profile.name) != names.end())
+            chosen.push_back(profile);
+    return chosen;
+}
+
+BlobsOfMesh::BlobsOfMesh(const Mesh& mesh, const ProfileRun& profile, unsigned bits) {
+    for (const unsigned divisor : {4u, 2u, 1u}) {
+        BakeOptions options;
+        options.resolution = Resolution::bits(bits);
+        options.profile = profile.profile;
+        options.build.max_leaf_triangles = profile.largest_leaf / divisor;
+        baked_.push_back(bake_blob(mesh, options));
+        blobs_.push_back(baked_.back().blob);
+    }
+}
+
+using Counts = std::vector<std::uint64_t>;
+
+/// A query of a blob whose cost is fitted to its counts.
+template <class Call>
+struct Query {
+    const char* name;
+    const char* call;
+    std::vector<Term> terms;  ///< of the counts; calls are grouped by the first two
+    /// Makes it and returns its counts.
+    Counts (*count)(const Blob& blob, const Call& call);
+    /// Makes it as a program does. Returns whether it found something.
+    bool (*run)(const Blob& blob, const Call& call);
+    std::vector<std::vector<std::size_t>> models;  ///< numbers of the counts that each is made of
+    Differences differences;
+};
+
+/// Np are the tested triangles (the classic one), Ng the groups of 8 of a leaf that lanes test at once, and Nl the
+/// leaves they lie in.
+const Query<Ray> ray_query = {"raycast",
+                              "a ray",
+                              {{"Nv", "node"}, {"Np", "triangle"}, {"Ng", "group of 8 triangles"}, {"Nl", "leaf"}},
+                              [](const Blob& blob, const Ray& ray) -> Counts {
+                                  QueryCounters work;
+                                  static_cast<void>(raycast(blob, ray, work));
+                                  return {work.nodes, work.triangles, work.groups, work.leaves};
+                              },
+                              [](const Blob& blob, const Ray& ray) { return bool(raycast(blob, ray)); },
+                              {{0, 1}, {0, 2}, {0, 3}},
+                              Differences::absolute};
+
+Counts counts_of(QueryStatus status, const PairCounters& work) {
+    if (is_refused(status)) throw std::runtime_error(std::string("a pose is refused: ") + describe(status));
+    return {work.box_pairs, work.triangle_pairs, work.leaf_pairs};
+}
+
+/// Of a blob at the origin and the same blob in a pose. What stands for the compared triangles: their pairs, the pairs
+/// of leaves that they lie in, or both.
+Query<Transform> pair_query(const char* name, Counts (*count)(const Blob&, const Transform&),
+                            bool (*run)(const Blob&, const Transform&)) {
+    return {name,
+            "a pose",
+            {{"Nv", "pair of boxes"}, {"Np", "pair of triangles"}, {"Nl", "pair of leaves"}},
+            count,
+            run,
+            {{0, 1}, {0, 2}, {0, 2, 1}},
+            Differences::relative};
+}
+
+const Query<Transform> pair_queries[] = {
+    pair_query(
+        "overlaps",
+        [](const Blob& blob, const Transform& pose) {
+            PairCounters work;
+            const QueryStatus status = first_contact(blob, {blob, pose}, unlimited, work).status;
+            return counts_of(status, work);
+        },
+        [](const Blob& blob, const Transform& pose) {
+            return overlaps(blob, {blob, pose}, unlimited).yes();
+        }),
+    pair_query(
+        "distance",
+        [](const Blob& blob, const Transform& pose) {
+            PairCounters work;
+            const QueryStatus status = distance(blob, {blob, pose}, unlimited, infinity, work).status;
+            return counts_of(status, work);
+        },
+        [](const Blob& blob, const Transform& pose) {
+            return bool(distance(blob, {blob, pose}, unlimited));
+        })};
+
+template <class Call>
+struct Group {
+    Blob blob;
+    std::vector<Call> calls;
+    std::vector<double> means;  ///< of the counts of a call
+};
+
+template <class Call>
+void append_groups(const Query<Call>& query, const Blob& blob, const std::vector<Call>& calls,
+                   std::vector<Group<Call>>& groups) {
+    std::vector<Counts> work;
+    Counts first, second;
+    for (const Call& call : calls) {
+        work.push_back(query.count(blob, call));
+        first.push_back(work.back()[0]);
+        second.push_back(work.back()[1]);
+    }
+    for (const Members& members : group_by_work(first, second)) {
+        Group<Call> group = {blob, {}, std::vector<double>(query.terms.size())};
+        for (const std::uint32_t call : members) {
+            group.calls.push_back(calls[call]);
+            for (std::size_t k = 0; k < group.means.size(); ++k) group.means[k] += static_cast<double>(work[call][k]);
+        }
+        for (double& mean : group.means) mean /= static_cast<double>(members.size());
+        groups.push_back(std::move(group));
+    }
+}
+
+template <class Call>
+std::vector<Model> measure(const Query<Call>& query, const std::string& mesh, const std::vector<Blob>& blobs,
+                           const std::vector<Call>& calls, unsigned repetitions) {
+    std::vector<Group<Call>> groups;
+    for (const Blob& blob : blobs) append_groups(query, blob, calls, groups);
+    std::vector<std::size_t> sizes;
+    for (const Group<Call>& group : groups) sizes.push_back(group.calls.size());
+    const std::vector<double> times = time_in_turns(sizes, repetitions, false, [&](std::size_t i) {
+        unsigned found = 0;
+        for (const Call& call : groups[i].calls) found += query.run(groups[i].blob, call);
+        return found;
+    });
+    std::vector<Model> models;
+    for (const std::vector<std::size_t>& counts : query.models) {
+        std::vector<Term> terms;
+        for (const std::size_t count : counts) terms.push_back(query.terms[count]);
+        std::vector<Observation> observations;
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+            Observation& observation = observations.emplace_back(Observation{{}, times[i]});
+            for (const std::size_t count : counts) observation.terms.push_back(groups[i].means[count]);
+            observation.terms.push_back(1.0);
+        }
+        models.push_back(fit_model(mesh, std::move(terms), std::move(observations), query.differences));
+    }
+    return models;
+}
+
+void print_ray_costs(const std::vector<Model>& models) {
+    const double node = models[1].fit.coefficients[0], group = models[1].fit.coefficients[1];
+    if (node > 0.0 && group >= 0.0)
+        std::printf("  RayCosts of collapse.hpp: node_visit 1, leaf_visit 0, leaf_group %.3f\n", group / node);
+    else std::printf("  no cost model: a cost came out negative; measure on a quiet machine, with more rays\n");
+}
+
+template <class Call>
+void model(const Query<Call>& query, const Mesh& mesh, const ProfileRun& profile, const std::vector<Blob>& blobs,
+           const std::vector<Call>& calls, const CostOptions& options) {
+    constexpr bool is_ray = std::is_same_v<Call, Ray>;
+    const std::vector<Model> models = measure(query, mesh.name, blobs, calls, options.repetitions);
+    if (options.json) {
+        print_json(models, [&](const std::string& measures) {
+            JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
+            row.add("query", query.name);
+            row.add("profile", profile.name);
+            return row;
+        });
+    } else {
+        std::printf("%s, %s%s%s:\n", mesh.name.c_str(), profile.name, is_ray ? "" : ", ", is_ray ? "" : query.name);
+        for (const Model& each : models) print_text(each, query.call);
+        if (is_ray) print_ray_costs(models);
+    }
+    std::fflush(stdout);
+}
+
+/// Fits the cost of a ray, or of overlaps() and of distance() of two blobs, for each mesh and profile, and prints it.
+void model_meshes(const std::vector<std::string>& meshes, bool pairs, const CostOptions& options) {
+    if (!options.json)
+        std::printf("%s",
+                    pairs ? "Nv: pairs of boxes visited; Np: pairs of triangles in the leaves that were compared; "
+                            "Nl: pairs of these\nleaves. Nu is 0: Nv includes that a box is placed beside another.\n"
+                          : "Nv: nodes visited; Np: triangles tested; Ng: groups of 8 of them in a leaf; Nl: leaves "
+                            "visited; all\ncounted by the scalar path. Nu is 0: a ray updates no boxes.\n");
+    for (const std::string& path : meshes) {
+        const Mesh mesh = tests::read_mesh(path);
+        std::vector<Transform> poses;
+        for (const ProfileRun& profile : chosen_profiles(options.profiles)) {
+            const BlobsOfMesh baked(mesh, profile, options.bits);
+            const Blob& blob = baked.blobs().front();
+            if (!pairs) {
+                model(ray_query, mesh, profile, baked.blobs(), incoherent_rays(mesh, options.rays, seed), options);
+                continue;
+            }
+            if (poses.empty())
+                poses = some_poses(mesh, options.poses, seed, [&](const Transform& pose) {
+                    return overlaps(blob, {blob, pose}, unlimited).yes();
+                });
+            for (const Query<Transform>& query : pair_queries)
+                model(query, mesh, profile, baked.blobs(), poses, options);
+        }
+    }
+}
+
+}  // namespace
+
+int cost_model_part(int count, char** words) {
+    CostOptions options;
+    bool pairs = false, scene = false;
+    Program program("espalier_bench_study cost_model", "What queries cost on this machine, fitted to measured times");
+    program.allow_no_meshes();
+    program.add_flag("--pairs", pairs, "Two blobs of each mesh instead of rays: overlaps and distances");
+    program.add_flag("--scene", scene, "A scene of moving cubes instead of rays; takes no meshes");
+    program.add_flag("--json", options.json, "A JSON object for each row instead of text");
+    program.add_choices("--profile", options.profiles, profile_names(), "Only this profile; may be repeated");
+    program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
+    program.add_number("--poses", options.poses, 128u, 1'000'000u, "Poses of the second blob");
+    program.add_number("--cubes", options.cubes, 1000u, 1'000'000u, "Cubes of the scene");
+    program.add_count("--repetitions", options.repetitions, "How often each group of queries is made");
+    program.add_number("--bits", options.bits, 1u, 24u, "Lattice bits");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        if (pairs && scene) throw std::invalid_argument("--pairs and --scene exclude each other");
+        if (meshes.empty() != scene)
+            throw std::invalid_argument(scene ? "--scene takes no meshes" : "meshes is required");
+        if (scene) model_scene(options);
+        else model_meshes(meshes, pairs, options);
+    });
+}
+
+}  // namespace espalier::bench

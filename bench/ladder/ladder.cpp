@@ -1,0 +1,180 @@
+// How small can a tree be? Terdiman's ladder from the complete tree to the quantised one without leaf nodes, and trees
+// of degree 2, 4, 8 and 16: bytes, work and time of rays and boxes, beside Espalier's own. One thread; one JSON object
+// a line.
+
+#include "../program.hpp"
+#include "systems.hpp"
+#include "walk.hpp"
+
+namespace espalier::bench {
+namespace {
+
+struct LadderOptions {
+    unsigned leaf_triangles = 4;
+    std::size_t rays = 20'000;
+    std::size_t boxes = 2'000;
+    std::size_t recounted = 100;
+    std::size_t rounds = 5;
+};
+
+/// The answers of a blob are exact, those of the others are not: at the edges of triangles they may differ, and so may
+/// t within its rounding.
+constexpr double most_differing_share = 0.001;
+constexpr float most_relative_difference = 1e-5f;
+
+struct Queries {
+    std::vector<Ray> rays;
+    std::vector<Aabb> boxes;
+    std::vector<std::vector<TriangleOnRay>> hits;  ///< of the first rays, which are counted twice
+
+    [[nodiscard]] std::span<const Ray> recounted_rays() const { return std::span(rays).first(hits.size()); }
+    [[nodiscard]] std::span<const Aabb> recounted_boxes() const {
+        return std::span(boxes).first(std::min(hits.size(), boxes.size()));
+    }
+};
+
+/// A system, its answers, and what they took.
+struct Run {
+    const char* measures;
+    TreeSystem* system;
+    std::vector<float> hits = {};                           ///< of each ray
+    std::vector<std::uint64_t> touching = {};               ///< of each box
+    std::vector<double> ns_of_rays = {}, ns_of_boxes = {};  ///< of one query, in each round
+};
+
+void make_round(Run& run, const Queries& queries) {
+    run.hits.resize(queries.rays.size());
+    run.touching.resize(queries.boxes.size());
+    const ProcessorTime ray_time;
+    run.system->find_closest(queries.rays, run.hits);
+    run.ns_of_rays.push_back(1e9 * ray_time.seconds() / static_cast<double>(queries.rays.size()));
+    const ProcessorTime box_time;
+    run.system->count_touching(queries.boxes, run.touching);
+    run.ns_of_boxes.push_back(1e9 * box_time.seconds() / static_cast<double>(queries.boxes.size()));
+}
+
+bool are_equal(float a, float b, bool exactly) {
+    if (exactly || !std::isfinite(a) || !std::isfinite(b)) return a == b;
+    return std::abs(a - b) <= most_relative_difference * std::max(std::abs(a), std::abs(b));
+}
+
+struct Difference {
+    std::size_t rays = 0;
+    std::size_t boxes = 0;
+};
+
+Difference difference(const Run& run, const Run& reference) {
+    Difference found;
+    for (std::size_t i = 0; i < run.hits.size(); ++i)
+        found.rays += are_equal(run.hits[i], reference.hits[i], run.system->is_textbook()) ? 0u : 1u;
+    for (std::size_t i = 0; i < run.touching.size(); ++i)
+        found.boxes += run.touching[i] != reference.touching[i] ? 1u : 0u;
+    return found;
+}
+
+void check_answers(const std::string& mesh, const Run& run, const Run& reference) {
+    const Difference found = difference(run, reference);
+    const double most = run.system->is_textbook() ? 0.0 : most_differing_share;
+    if (static_cast<double>(found.rays) > most * static_cast<double>(run.hits.size()) ||
+        static_cast<double>(found.boxes) > most * static_cast<double>(run.touching.size()))
+        throw std::runtime_error(mesh + ": " + run.system->name() + " has other answers than " +
+                                 reference.system->name());
+}
+
+/// Tests the first answers against loops over all triangles.
+void check_by_loops(const Mesh& mesh, const Run& run, const Queries& queries) {
+    for (std::size_t i = 0; i < queries.hits.size(); ++i) {
+        float nearest = no_hit;
+        for (const TriangleOnRay& hit : queries.hits[i]) nearest = std::min(nearest, hit.t);
+        if (run.hits[i] != nearest) throw std::runtime_error(mesh.name + ": a ray has another hit than the loop finds");
+    }
+    for (std::size_t i = 0; i < queries.recounted_boxes().size(); ++i) {
+        const TriangleBoxTest test(queries.boxes[i]);
+        std::uint64_t touching = 0;
+        for (const TriangleVertices& triangle : mesh.triangles)
+            touching += test.touches(corners_of(mesh, triangle)) ? 1u : 0u;
+        if (run.touching[i] != touching)
+            throw std::runtime_error(mesh.name + ": a box touches other triangles than the loop finds");
+    }
+}
+
+void add_work(JsonObject& row, const std::string& query, const TreeWork& work, std::size_t count, bool has_boxes) {
+    const auto mean = [&](std::uint64_t sum) { return per(sum, count); };
+    row.add("nodes_per_" + query, mean(work.nodes), 2);
+    row.add("leaves_per_" + query, mean(work.leaves), 2);
+    row.add("box_tests_per_" + query, has_boxes ? std::optional(mean(work.box_tests)) : std::nullopt, 2);
+    row.add("triangle_tests_per_" + query, mean(work.triangle_tests), 2);
+}
+
+void print(const LadderSubject& subject, const Run& run, const Run& reference, const Queries& queries,
+           const LadderOptions& options) {
+    const auto triangles = static_cast<double>(subject.mesh.triangles.size());
+    const TreeBytes bytes = run.system->bytes();
+    const auto tree_bytes = static_cast<double>(bytes.nodes * bytes.node_bytes);
+    const Difference differing = difference(run, reference);
+    JsonObject row = guide_row(run.measures, subject.mesh.name, subject.mesh.triangles.size());
+    row.add("tree", run.system->name());
+    row.add("degree", std::size_t{run.system->degree()});
+    row.add("leaf_triangles", std::size_t{options.leaf_triangles});
+    row.add("nodes", bytes.nodes);
+    row.add("node_bytes", bytes.node_bytes);
+    row.add("bytes_per_triangle", tree_bytes / triangles, 2);
+    row.add("all_bytes_per_triangle", static_cast<double>(bytes.all_bytes) / triangles, 2);
+    row.add("rays", queries.rays.size());
+    add_work(row, "ray", run.system->count_rays(queries.rays), queries.rays.size(), run.system->is_textbook());
+    add_spread(row, "ns_per_ray", run.ns_of_rays, 1);
+    row.add("boxes", queries.boxes.size());
+    add_work(row, "box", run.system->count_boxes(queries.boxes), queries.boxes.size(), true);
+    double touching = 0.0;
+    for (const std::uint64_t count : run.touching) touching += static_cast<double>(count);
+    row.add("touching_per_box", touching / static_cast<double>(queries.boxes.size()), 2);
+    add_spread(row, "ns_per_box", run.ns_of_boxes, 0);
+    row.add("rays_that_differ", differing.rays);
+    row.add("boxes_that_differ", differing.boxes);
+    row.add("counted_twice", queries.hits.size());
+    row.add("rounds", options.rounds);
+    row.print();
+}
+
+Queries make_queries(const LadderSubject& subject, const LadderOptions& options) {
+    Queries queries{
+        incoherent_rays(subject.mesh, options.rays, seed), boxes_on_surface(subject, options.boxes, seed), {}};
+    for (std::size_t i = 0; i < std::min(options.recounted, options.rays); ++i)
+        queries.hits.push_back(triangles_on(queries.rays[i], subject.mesh));
+    return queries;
+}
+
+/// Prints a row for each step of the ladder and for each degree. Throws std::runtime_error if a tree has other answers
+/// than the others, or if two counters differ for one of the first `recounted` rays and boxes.
+void measure_ladder(Mesh mesh, const LadderOptions& options) {
+    const LadderSubject subject = make_subject(std::move(mesh));
+    const LadderShapes shapes(subject, options.leaf_triangles);
+    const Queries queries = make_queries(subject, options);
+    const TreeSystems steps = ladder_systems(subject, shapes), degrees = degree_systems(subject, shapes);
+    std::vector<Run> runs;
+    for (const auto& system : steps) runs.push_back({"ladder", system.get()});
+    for (const auto& system : degrees) runs.push_back({"degree", system.get()});
+    for (Run& run : runs) run.system->recount(queries.recounted_rays(), queries.hits, queries.recounted_boxes());
+    for (std::size_t round = 0; round < options.rounds; ++round)
+        for (Run& run : runs) make_round(run, queries);
+    check_by_loops(subject.mesh, runs.front(), queries);
+    for (const Run& run : runs) check_answers(subject.mesh.name, run, runs.front());
+    for (const Run& run : runs) print(subject, run, runs.front(), queries, options);
+}
+
+}  // namespace
+
+int ladder_part(int count, char** words) {
+    LadderOptions options;
+    Program program("espalier_bench_study ladder",
+                    "Layouts and degrees of trees: bytes, work and time of queries; JSON");
+    program.add_number("--leaf-size", options.leaf_triangles, 1u, 16u,
+                       "Triangles in a leaf, at most, of trees that have several");
+    program.add_count("--rays", options.rays, "Incoherent rays");
+    program.add_count("--boxes", options.boxes, "Boxes on the surface");
+    program.add_count("--recounted", options.recounted, "Rays and boxes that are counted by a second counter");
+    program.add_count("--rounds", options.rounds, "How often everything is measured; the medians count");
+    return program.run_on_meshes(count, words, [&](Mesh mesh) { measure_ladder(std::move(mesh), options); });
+}
+
+}  // namespace espalier::bench

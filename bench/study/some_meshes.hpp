@@ -1,0 +1,13 @@
+// The small meshes that tests of the study's trees share.
+#pragma once
+
+#include "../base.hpp"
+
+namespace espalier::bench {
+
+inline std::vector<Mesh> some_meshes() {
+    return {tests::make_torus(24, 10, 2.0, 0.6), tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
+            tests::make_terrain(14, 1), tests::make_plane_grid(12), tests::make_soup(300, 2)};
+}
+
+}  // namespace espalier::bench

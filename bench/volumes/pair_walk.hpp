@@ -1,0 +1,204 @@
+// A volume of one hierarchy against a volume of another one, which is placed. What is the same for all pairs is
+// computed once for a pose, and what is the same for all pairs of a placed volume once for that volume.
+#pragma once
+
+#include "../study/walks.hpp"
+#include "trees.hpp"
+#include "volume_tests.hpp"
+
+namespace espalier::bench {
+
+/// A pose for volumes of one kind. `placed` returns a volume of the second hierarchy as tests take it, and `touch`
+/// tests it against a volume of the first.
+template <class Stored>
+class PreparedPose;
+
+inline void place(const Placement& placement, const float* p, float* to) {
+    for (int i = 0; i < 3; ++i) to[i] = dot3(placement.rotation[i], p) + placement.shift[i];
+}
+
+/// Tests the distance of the centers.
+template <>
+class PreparedPose<StoredSphere> {
+public:
+    using Placed = StoredSphere;
+    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    [[nodiscard]] Placed placed(const StoredSphere& b) const {
+        Placed moved;
+        place(*placement_, b.center, moved.center);
+        moved.radius = b.radius;
+        return moved;
+    }
+    [[nodiscard]] bool touch(const StoredSphere& a, const Placed& b) const {
+        float out[3];
+        for (int i = 0; i < 3; ++i) out[i] = b.center[i] - a.center[i];
+        const float reach = a.radius + b.radius;
+        return dot3(out, out) <= reach * reach;
+    }
+
+private:
+    const Placement* placement_;
+};
+
+/// Tests the 15 axes that can separate two boxes (Gottschalk, Lin, Manocha 1996): three of each, and the cross products
+/// of these. `r` turns from the axes of b to those of a, `m` has its magnitudes, and `t` leads to the center of b.
+inline bool boxes_touch(const float (&half_a)[3], const float (&half_b)[3], const float (&r)[3][3],
+                        const float (&m)[3][3], const float (&t)[3]) {
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(t[i]) > half_a[i] + dot3(m[i], half_b)) return false;
+    for (int j = 0; j < 3; ++j)
+        if (std::abs(t[0] * r[0][j] + t[1] * r[1][j] + t[2] * r[2][j]) >
+            half_b[j] + m[0][j] * half_a[0] + m[1][j] * half_a[1] + m[2][j] * half_a[2])
+            return false;
+    for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; ++j) {
+            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            if (std::abs(t[i2] * r[i1][j] - t[i1] * r[i2][j]) >
+                half_a[i1] * m[i2][j] + half_a[i2] * m[i1][j] + half_b[j1] * m[i][j2] + half_b[j2] * m[i][j1])
+                return false;
+        }
+    }
+    return true;
+}
+
+/// A placed box is an oriented one, so all boxes of a hierarchy are turned alike.
+template <>
+class PreparedPose<StoredAabb> {
+public:
+    using Placed = StoredAabb;
+    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    [[nodiscard]] Placed placed(const StoredAabb& b) const {
+        Placed moved = b;
+        place(*placement_, b.center, moved.center);
+        return moved;
+    }
+    [[nodiscard]] bool touch(const StoredAabb& a, const Placed& b) const {
+        float t[3];
+        for (int i = 0; i < 3; ++i) t[i] = b.center[i] - a.center[i];
+        return boxes_touch(a.half, b.half, placement_->rotation, placement_->magnitude, t);
+    }
+
+private:
+    const Placement* placement_;
+};
+
+/// Each pair of boxes has a rotation of its own.
+template <>
+class PreparedPose<StoredObb> {
+public:
+    using Placed = StoredObb;
+    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    [[nodiscard]] Placed placed(const StoredObb& b) const {
+        Placed moved = b;
+        place(*placement_, b.center, moved.center);
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) moved.axes[j][i] = dot3(placement_->rotation[i], b.axes[j]);
+        return moved;
+    }
+    [[nodiscard]] bool touch(const StoredObb& a, const Placed& b) const {
+        float out[3], t[3], r[3][3], m[3][3];
+        for (int i = 0; i < 3; ++i) out[i] = b.center[i] - a.center[i];
+        for (int i = 0; i < 3; ++i) {
+            t[i] = dot3(a.axes[i], out);
+            for (int j = 0; j < 3; ++j) {
+                r[i][j] = dot3(a.axes[i], b.axes[j]);
+                m[i][j] = std::abs(r[i][j]) + nearly_parallel;
+            }
+        }
+        return boxes_touch(a.half, b.half, r, m, t);
+    }
+
+private:
+    static constexpr float nearly_parallel = 1e-6f;  ///< for edges whose cross product is almost zero
+    const Placement* placement_;
+};
+
+/// Encloses the second k-DOP in one with the normals of the first, and tests k / 2 intervals.
+template <std::size_t k>
+class PreparedPose<StoredDop<k>> {
+public:
+    using Placed = StoredDop<k>;
+    explicit PreparedPose(const Placement& placement) : turn_(placement.exact) {}
+    [[nodiscard]] Placed placed(const StoredDop<k>& b) const {
+        Placed moved;
+        turn_.enclose(b.reach, moved.reach);
+        return moved;
+    }
+    [[nodiscard]] bool touch(const StoredDop<k>& a, const Placed& b) const {
+        for (std::size_t i = 0; i < k / 2; ++i)
+            if (a.reach[i] + b.reach[i + k / 2] < 0.0f || b.reach[i] + a.reach[i + k / 2] < 0.0f) return false;
+        return true;
+    }
+
+private:
+    DopTurn<k> turn_;
+};
+
+/// A walk in which all children of both nodes replace a pair, so that each child is placed once for two tests: the same
+/// steps for all kinds, so that these alone make a difference. `Pose` tests the volumes, as PreparedPose does.
+template <class Pose, class Stored>
+class VolumePairWalk {
+public:
+    VolumePairWalk(const NodesOfTree<Stored>& a, const NodesOfTree<Stored>& b)
+        : a_(a), b_(b), stack_(3 * (std::size_t{a.tree->height} + b.tree->height) + 1) {}
+
+    /// Calls `visit(a, b)` for each pair of volumes that is tested.
+    template <class Visit>
+    [[nodiscard]] PairWork run(PairQuestion question, const Placement& placement, const Visit& visit) {
+        const Pose pose(placement);
+        const float* t = placement.shift;
+        const auto largest = static_cast<double>(
+            std::max(a_.tree->largest, 2.0f * b_.tree->largest + std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2])));
+        PairWork work;
+        std::size_t size = 0;
+        const auto push_touching = [&](const Range& of_a, const Range& of_b) {
+            for (std::uint32_t b = of_b.first; b < of_b.end; ++b) {
+                const typename Pose::Placed placed = pose.placed(b_.nodes[b].volume);
+                for (std::uint32_t a = of_a.first; a < of_a.end; ++a) {
+                    ++work.box_tests;
+                    visit(a, b);
+                    if (pose.touch(a_.nodes[a].volume, placed)) stack_[size++] = {a, b};
+                }
+            }
+        };
+        push_touching({0, 1}, {0, 1});
+        while (size > 0) {
+            const Entry top = stack_[--size];
+            const auto& a = a_.nodes[top.a];
+            const auto& b = b_.nodes[top.b];
+            if (a.count == 0 || b.count == 0) {
+                push_touching(a.count == 0 ? Range{a.first, a.first + 2} : Range{top.a, top.a + 1},
+                              b.count == 0 ? Range{b.first, b.first + 2} : Range{top.b, top.b + 1});
+                continue;
+            }
+            for (const FloatTriangle& of_b : std::span(b_.tree->triangles).subspan(b.first, b.count)) {
+                const PlacedTriangle placed(of_b, placement.exact, largest);
+                for (const FloatTriangle& of_a : std::span(a_.tree->triangles).subspan(a.first, a.count)) {
+                    ++work.triangle_tests;
+                    if (!placed.touches(of_a)) continue;
+                    ++work.pairs;
+                    if (question == PairQuestion::any) return work;
+                }
+            }
+        }
+        return work;
+    }
+    [[nodiscard]] PairWork run(PairQuestion question, const Placement& placement) {
+        return run(question, placement, [](std::uint32_t, std::uint32_t) {});
+    }
+
+private:
+    struct Entry {
+        std::uint32_t a;
+        std::uint32_t b;
+    };
+    struct Range {
+        std::uint32_t first;
+        std::uint32_t end;
+    };
+    NodesOfTree<Stored> a_, b_;
+    std::vector<Entry> stack_;
+};
+
+}  // namespace espalier::bench
