@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "files/depfile.hpp"
 #include "files/output_file.hpp"
 
 namespace espalier::tools {

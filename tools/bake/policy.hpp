@@ -9,7 +9,7 @@
 #include <espalier/bake.hpp>
 
 #include "base/verb_arguments.hpp"
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
 
 namespace espalier::tools {

@@ -173,7 +173,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["triangles"] = report.tree.triangles;
     document["vertices"] = report.tree.vertices;
     document["findings"] = findings_json(report);
-    document["bounds"] = {{"min", json_point(report.bounds.min)}, {"max", json_point(report.bounds.max)}};
+    document["bounds"] = json_box(report.bounds.min, report.bounds.max);
     Json volumes = Json::object();
     if (report.bounds.volumes.box > 0.0) volumes["box"] = report.bounds.volumes.box;
     for (const NamedVolume& volume : volumes_of(report)) volumes[volume.key] = volume.volume;

@@ -8,7 +8,7 @@
 #include <espalier/blob.hpp>
 
 #include "base/verb_arguments.hpp"
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
 #include "policy.hpp"
 #include "report/console.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/verb_arguments.hpp"
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
 
 namespace espalier::tools {

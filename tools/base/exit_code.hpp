@@ -1,4 +1,4 @@
-// How the command ends. The numbers are part of its interface: scripts branch on them.
+// How the command ends, and what it warns of. The numbers are part of its interface: scripts branch on them.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "warning.hpp"
-
 namespace espalier::tools {
+
+struct Warning {
+    std::string kind;     ///< one lower-case word or several joined by '_'; part of the command's interface
+    std::string message;  ///< whole sentences: what was found, where, and what to do
+    std::string file;     ///< empty for a warning about the whole bake
+    std::optional<std::uint32_t> mesh;
+    std::optional<std::uint64_t> triangle;
+};
 
 enum class ExitCode : int {
     ok = 0,
@@ -70,5 +76,8 @@ private:
     ExitCode code_;
     ErrorDetails details_;
 };
+
+/// Throws CommandError (file_access) with the reason, a value of errno.
+[[noreturn]] void fail_to_read(const std::string& path, int error);
 
 }  // namespace espalier::tools

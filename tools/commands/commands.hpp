@@ -1,6 +1,9 @@
 // The verbs of the command, one file each. Each returns the exit status, or throws CommandError.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
 
@@ -17,5 +20,8 @@ ExitCode run_dump(const DumpArguments& arguments);
 
 struct QueryKind;
 ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments);
+
+/// Prints it. Throws CommandError for bytes that are no sound scene.
+void print_scene_info(const InfoArguments& arguments, std::span<const std::byte> bytes);
 
 }  // namespace espalier::tools

@@ -15,7 +15,6 @@
 #include "layout/tree_quality.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
-#include "scene_info.hpp"
 
 namespace espalier::tools {
 
@@ -65,7 +64,7 @@ void print_blob_json(const InfoArguments& arguments, const BlobFile& file) {
     document["step"] = json_number(std::ldexp(1.0f, blob.lattice().step_exponent));
     document["extent"] = extent_of(blob);
     document["max_error"] = json_number(blob.max_error());
-    document["bounds"] = {{"min", json_point(blob.bounds().min)}, {"max", json_point(blob.bounds().max)}};
+    document["bounds"] = json_box(blob.bounds().min, blob.bounds().max);
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         document["sphere"] = {{"center", json_point(sphere->center)}, {"radius", json_number(sphere->radius)}};
     }

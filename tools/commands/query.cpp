@@ -1,7 +1,6 @@
 // query: runs one query of a blob. Each family of kinds is in query/<family>.cpp.
 #include "commands.hpp"
 #include "query/kinds.hpp"
-#include "query/refusal.hpp"
 
 namespace espalier::tools {
 

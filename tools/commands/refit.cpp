@@ -100,7 +100,7 @@ Json refit_json(const RefitArguments& arguments, const Imported& pose, const Ref
     document["pose"] = arguments.pose;
     document["output"] = arguments.output;
     document["positions"] = positions_in_a_row(pose).size();
-    document["bounds"] = {{"min", json_point(bounds.min)}, {"max", json_point(bounds.max)}};
+    document["bounds"] = json_box(bounds.min, bounds.max);
     document["quality"] = json_number(refitted.quality);
     document["bytes"] = refitted.blob.size();
     document["checksum"] = checksum_text(refitted.blob.checksum());

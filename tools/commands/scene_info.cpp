@@ -1,4 +1,4 @@
-#include "scene_info.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ void print_scene_json(const InfoArguments& arguments, std::span<const std::byte>
     document["sections"] = std::move(sections);
     document["step"] = json_number(lattice_step_of(scene));
     document["max_error"] = json_number(scene.max_error());
-    document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
+    document["bounds"] = json_box(scene.bounds().min, scene.bounds().max);
     if (const auto common = scene.common_lattice()) {
         document["common_lattice"] = {{"step", json_number(std::ldexp(1.0f, common->step_exponent))},
                                       {"origin", json_point(common->origin)},

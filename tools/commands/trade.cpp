@@ -20,7 +20,7 @@
 #include "report/json_output.hpp"
 #include "trade/chart.hpp"
 #include "trade/measure.hpp"
-#include "trade/table.hpp"
+#include "trade/point.hpp"
 
 namespace espalier::tools {
 

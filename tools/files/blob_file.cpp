@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"

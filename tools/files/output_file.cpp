@@ -6,12 +6,37 @@
 #include <system_error>
 #include <utility>
 
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
 #include "output_names.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 #include "platform/standard_streams.hpp"
 
 namespace espalier::tools {
+
+namespace {
+
+/// As compilers write them: a space gets a backslash, and those before it double; a dollar doubles.
+std::string escaped_for_make(const std::string& path) {
+    std::string result;
+    std::size_t backslashes = 0;
+    for (const char character : path) {
+        if (character == '\n' || character == '\r') {
+            throw CommandError(ExitCode::unsupported,
+                               text("'", printable(path),
+                                    "': a name with a line break cannot be written to a depfile. Rename the file."));
+        }
+        if (character == ' ' || character == '\t') result.append(backslashes + 1, '\\');
+        if (character == '#') result += '\\';
+        if (character == '$') result += '$';
+        result += character;
+        backslashes = character == '\\' ? backslashes + 1 : 0;
+    }
+    return result;
+}
+
+}  // namespace
 
 OutputFiles::~OutputFiles() {
     std::error_code error;
@@ -62,6 +87,13 @@ void write_output_file_if_changed(const std::string& path, std::span<const std::
         if (read_whole_file(path_of(path), before) == 0 && std::ranges::equal(bytes, before)) return;
     }
     write_output_file(path, bytes);
+}
+
+std::string depfile_text(const std::string& target, std::span<const std::string> sources) {
+    std::string result = escaped_for_make(target) + ':';
+    for (const std::string& source : sources) result += " \\\n " + escaped_for_make(source);
+    result += '\n';
+    return result;
 }
 
 }  // namespace espalier::tools

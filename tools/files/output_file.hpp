@@ -45,4 +45,8 @@ void write_output_file(const std::string& path, std::span<const std::byte> bytes
 /// As write_output_file, but a file that has these bytes already keeps its time: nobody who reads it is built again.
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes);
 
+/// Returns one rule: `target` is made again when one of `sources` changes. Throws CommandError (unsupported) for a path
+/// that this syntax cannot express.
+std::string depfile_text(const std::string& target, std::span<const std::string> sources);
+
 }  // namespace espalier::tools

@@ -10,15 +10,11 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "import/assimp/importer.hpp"
 #include "import/gltf/importer.hpp"
 #include "import/guards/limit_guard.hpp"
-#include "import/readers/obj_reader.hpp"
-#include "import/readers/ply_reader.hpp"
-#include "import/readers/raw_reader.hpp"
-#include "import/readers/stl_reader.hpp"
+#include "import/readers/readers.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 

@@ -258,7 +258,7 @@ Motion motion_of(const Blob& blob) {
 Json motion_json(const Blob& blob) {
     const Motion motion = motion_of(blob);
     return {{"positions", motion.positions},
-            {"range", {{"min", json_point(motion.range.min)}, {"max", json_point(motion.range.max)}}},
+            {"range", json_box(motion.range.min, motion.range.max)},
             {"moving_bytes", motion.moving_bytes},
             {"moving_bytes_per_triangle", static_cast<double>(motion.moving_bytes) / blob.triangle_count()}};
 }

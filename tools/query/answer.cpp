@@ -56,7 +56,7 @@ Record& Record::add(const char* key, const std::string& value) { return put(key,
 Record& Record::add_count(const char* key, std::uint64_t value) { return put(key, value, tools::text(value)); }
 
 Record& Record::add(const char* key, const Box& value) {
-    return put(key, json_box(value), tools::text(shortest(value.min), " to ", shortest(value.max)));
+    return put(key, json_box(value.min, value.max), tools::text(shortest(value.min), " to ", shortest(value.max)));
 }
 
 Record& Record::add(const char* key, const Record& value) {
@@ -156,8 +156,6 @@ Answer& Answer::counted_list(const char* name, const char* singular, const std::
     if (status == QueryStatus::output_full && next != nullptr) record.add_silently("next", *next);
     return *this;
 }
-
-Json json_box(const Box& box) { return {{"min", json_point(box.min)}, {"max", json_point(box.max)}}; }
 
 QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
 

@@ -81,8 +81,6 @@ private:
     bool is_full_ = false;
 };
 
-Json json_box(const Box& box);
-
 /// The status of an answer that has words for a miss: that nothing was found is an answer like any other.
 QueryStatus complete(QueryStatus status);
 /// A status as it is spelled in status.hpp.

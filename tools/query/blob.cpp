@@ -140,7 +140,7 @@ Record node_record(const QueryCall& call, const TreeNode& node) {
         } else {
             made.title(text(indent, "node ", child.node, box)).add_silently("node", child.node);
         }
-        made.add_silently("box", json_box(child.box));
+        made.add_silently("box", json_box(child.box.min, child.box.max));
     }
     return record.add("children", children);
 }

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "answer.hpp"
+#include "base/verb_arguments.hpp"
 #include "call.hpp"
 
 namespace espalier::tools {
@@ -134,5 +136,9 @@ inline constexpr const char* scene_family = "What the scene holds; not of blobs"
 
 /// All of them, in the order in which help lists them.
 const QueryKinds& query_kinds();
+
+/// Returns the reason of a query that was answered in part or not at all, without a full stop: which argument is out
+/// of its range, or the description of the status.
+std::string reason_of(const QueryKind& kind, const QueryArguments& arguments, QueryStatus status);
 
 }  // namespace espalier::tools

@@ -1,4 +1,4 @@
-#include "refusal.hpp"
+#include "kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

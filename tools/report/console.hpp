@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 
 namespace espalier::tools {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/exit_code.hpp"
-#include "base/warning.hpp"
 #include "json_output.hpp"
 
 namespace espalier::tools {

@@ -74,7 +74,7 @@ Json scene_json(const BakeArguments& arguments, const Imported& imported, const 
     document["source_vertices"] = baked.total.source.vertices;
     document["triangles"] = report.triangles;
     document["findings"] = findings_json(baked.total);
-    document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
+    document["bounds"] = json_box(scene.bounds().min, scene.bounds().max);
     document["max_error"] = json_number(report.max_error);
     document["placing_error"] = baked.placing_error;
     document["total_error"] = baked.max_error;

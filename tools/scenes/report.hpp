@@ -11,7 +11,7 @@
 
 #include "baking.hpp"
 #include "base/verb_arguments.hpp"
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"

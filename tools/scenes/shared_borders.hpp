@@ -6,7 +6,7 @@
 
 #include <espalier/scene.hpp>
 
-#include "base/warning.hpp"
+#include "base/exit_code.hpp"
 #include "baking.hpp"
 #include "import/base/imported.hpp"
 

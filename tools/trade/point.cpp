@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "base/choices.hpp"
+#include "base/numbers.hpp"
+
 namespace espalier::tools {
 
 namespace {
@@ -22,6 +25,13 @@ double decoding_factor(Profile profile) {
             return 1.8;
     }
     return 1.0;
+}
+
+/// Quoted, as RFC 4180 has it: a name may hold commas and quotes.
+std::string csv_text(const std::string& value) {
+    std::string quoted = "\"";
+    for (const char character : printable(value)) quoted += character == '"' ? "\"\"" : std::string(1, character);
+    return quoted + '"';
 }
 
 }  // namespace
@@ -51,6 +61,56 @@ CountedWork count_work(const Blob& blob, std::span<const Ray> rays) {
 
 double counted_cost(const CountedWork& work, Profile profile) {
     return decoding_factor(profile) * (work.nodes + leaf_visit * work.leaves + triangle_test * work.triangles);
+}
+
+Json trade_json(const std::vector<TradePoint>& points) {
+    Json rows = Json::array();
+    std::vector<std::vector<bool>> fronts;
+    for (const TimedQuery& query : timed_queries) fronts.push_back(pareto_front(points, query));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const TradePoint& point = points[i];
+        Json row{{"profile", name_in(profile_choices, point.profile)},
+                 {"builder", name_in(builder_choices, point.builder)},
+                 {"bits", point.bits},
+                 {"leaf_size", point.leaf_size},
+                 {"byte_price", json_number(point.byte_price)},
+                 {"triangles", point.triangles},
+                 {"bytes", point.bytes},
+                 {"bytes_per_triangle", point.bytes_per_triangle()},
+                 {"max_error", point.max_error},
+                 {"mean_error", point.mean_error},
+                 {"closest_ns", point.closest_ns},
+                 {"any_ns", point.any_ns},
+                 {"overlap_ns", point.overlap_ns},
+                 {"nodes_per_ray", point.work.nodes},
+                 {"leaves_per_ray", point.work.leaves},
+                 {"triangles_per_ray", point.work.triangles},
+                 {"candidates_per_ray", point.work.candidates},
+                 {"counted_cost", point.cost},
+                 {"depth", point.depth},
+                 {"bake_seconds", point.bake_seconds}};
+        for (std::size_t query = 0; query < fronts.size(); ++query) {
+            row[text("pareto_", timed_queries[query].name)] = fronts[query][i] ? 1 : 0;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string trade_csv(const std::string& mesh, const std::vector<TradePoint>& points) {
+    std::string lines;
+    const Json rows = trade_json(points);
+    for (const Json& row : rows.elements()) {
+        if (lines.empty()) {
+            lines = "mesh";
+            for (const auto& [key, value] : row.members()) lines += ',' + key;
+            lines += '\n';
+        }
+        lines += csv_text(mesh);
+        for (const auto& [key, value] : row.members()) lines += ',' + value.plain();
+        lines += '\n';
+    }
+    return lines;
 }
 
 }  // namespace espalier::tools

@@ -11,6 +11,8 @@
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
 
+#include "report/json_output.hpp"
+
 namespace espalier::tools {
 
 /// Work of one closest-hit ray, on average.
@@ -65,5 +67,10 @@ inline constexpr TimedQuery timed_queries[] = {
 /// For each point whether it is on the Pareto front of bytes, time of the query, and largest error: no other point is
 /// as good in all three and better in one.
 std::vector<bool> pareto_front(const std::vector<TradePoint>& points, const TimedQuery& query);
+
+/// One line of names and one for each point.
+std::string trade_csv(const std::string& mesh, const std::vector<TradePoint>& points);
+/// The same, as a list of objects.
+Json trade_json(const std::vector<TradePoint>& points);
 
 }  // namespace espalier::tools

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "hidden_defects.hpp"
 #include "import/guards/crash_guard.hpp"

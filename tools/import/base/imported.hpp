@@ -13,7 +13,6 @@
 
 #include "base/exit_code.hpp"
 #include "base/placement.hpp"
-#include "base/warning.hpp"
 
 namespace espalier::tools {
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/exit_code.hpp"
-#include "base/file_error.hpp"
 #include "base/numbers.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"

@@ -1,4 +1,4 @@
-#include "obj_reader.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ply_reader.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "raw_reader.hpp"
+#include "readers.hpp"
 
 #include <array>
 #include <cstdint>

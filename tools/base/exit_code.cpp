@@ -1,8 +1,7 @@
-#include "file_error.hpp"
+#include "exit_code.hpp"
 
 #include <cstring>
 
-#include "exit_code.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
