@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """single_file.py FOLDER: writes the runtime as espalier.hpp and espalier.cpp (and the C header espalier.h) into FOLDER.
 
-For programs that have no build system to add a library to: copy the files, compile espalier.cpp with the rest. Every instruction
-set is in it; which one answers is chosen when the program runs, as in the library. The files of lib/runtime are put one after the
-other: what several of them include, or repeat, is written once, and what is private to a file gets its name where another has
-something that is called the same.
+For programs that have no build system to add a library to: copy the files, compile espalier.cpp with the rest. Macros choose what
+of it is compiled; which instruction set answers is chosen when the program runs, as in the library. The files of lib/runtime are
+put one after the other: what several of them include, or repeat, is written once, and what is private to a file gets its name
+where another has something that is called the same.
 """
 import collections
+import fnmatch
 import pathlib
 import re
 import sys
@@ -22,6 +23,48 @@ ALONE = re.compile(r"^#ifndef ESPALIER_IN_INSTRUCTION_SET.*?^#endif\n", re.MULTI
 # What is left of code for an instruction set when all of it stood before; Clang warns of it.
 EMPTY_REGION = re.compile(r"^ESPALIER_BEGIN_TARGET.*\nnamespace .*\n(//.*\n|\n)*\}.*\nESPALIER_END_TARGET\n", re.MULTILINE)
 
+# The macros that leave out families, and which of them a file of lib/runtime needs: the first pattern that matches counts. Of the
+# queries of instruction sets only those are compiled that something calls.
+FAMILIES = ("OVERLAPS", "DISTANCES", "SWEEPS", "CONTACTS", "PAIRS", "SCENES", "MOVING_SCENES", "BATCHES", "DEFORMATION", "C")
+BY_SHAPES = "OVERLAPS DISTANCES SWEEPS"
+COLLIDING = "MOVING_SCENES SCENES PAIRS OVERLAPS"
+FILES_OF_FAMILIES = (
+    ("overlap/*", "OVERLAPS"),
+    ("proximity/*", "DISTANCES"),
+    ("kernels/box_distance.cpp", "DISTANCES"),
+    ("sweeps/*", "SWEEPS"),
+    ("kernels/moving_*", "SWEEPS"),
+    ("contacts/find.cpp", "CONTACTS OVERLAPS DISTANCES"),
+    ("contacts/*pair.cpp", "CONTACTS PAIRS"),
+    ("contacts/*", "CONTACTS"),
+    ("pairs/*", "PAIRS"),
+    ("kernels/triangle_distance.cpp", "PAIRS"),
+    ("scenes/overlaps.cpp", "SCENES OVERLAPS"),
+    ("scenes/distances.cpp", "SCENES DISTANCES"),
+    ("scenes/sweeps.cpp", "SCENES SWEEPS"),
+    ("scenes/*", "SCENES"),
+    ("moving_scenes/queries.cpp", f"MOVING_SCENES SCENES {BY_SHAPES}"),
+    ("moving_scenes/colli*", COLLIDING),
+    ("moving_scenes/pairs.cpp", COLLIDING),
+    ("moving_scenes/*", "MOVING_SCENES SCENES"),
+    ("batches/shapes.cpp", "BATCHES OVERLAPS DISTANCES"),
+    ("batches/*", "BATCHES"),
+    ("deformation/*", "DEFORMATION"),
+    ("c/approximations.cpp", "C OVERLAPS DISTANCES"),
+    ("c/batches.cpp", "C BATCHES OVERLAPS DISTANCES"),
+    ("c/contacts.cpp", "C CONTACTS OVERLAPS DISTANCES"),
+    ("c/deformation.cpp", "C DEFORMATION"),
+    ("c/moving_scenes.cpp", f"C MOVING_SCENES SCENES {BY_SHAPES}"),
+    ("c/moving_shapes.cpp", "C SWEEPS"),
+    ("c/pairs.cpp", "C PAIRS CONTACTS"),
+    ("c/points.cpp", "C DISTANCES"),
+    ("c/rounding.cpp", "C SWEEPS"),
+    ("c/scene_pairs.cpp", f"C {COLLIDING}"),
+    ("c/scenes.cpp", f"C SCENES {BY_SHAPES}"),
+    ("c/volumes.cpp", "C OVERLAPS"),
+    ("c/*", "C"),
+)
+
 HEADER_PREAMBLE = """\
 // Espalier {version} in one file: what answers queries from a blob. Made by tools/single_file.py out of the library's headers.
 // Compile espalier.cpp with the program, as C++20 or later.
@@ -33,10 +76,17 @@ HEADER_PREAMBLE = """\
 SOURCE_PREAMBLE = """\
 // Espalier {version} in one file: the runtime. Made by tools/single_file.py out of lib/runtime.
 //
-// Macros, for the compiler's command line: ESPALIER_PLAIN_LEAVES=0 leaves out the code that reads profile `fast`,
-// ESPALIER_STRIP_LEAVES=0 that of `balanced` and `small`, ESPALIER_PREDICTED_STRIPS=0 that of `tiny`;
-// ESPALIER_IDS=0, ESPALIER_MATERIALS=0, ESPALIER_COPIES=0, ESPALIER_EDGES=0 and ESPALIER_BOUNDS=0 that of an optional
-// section. Blobs with what is left out are refused by open.
+// Macros, for the compiler's command line. By default all queries are compiled, for processors of x86 with AVX2 and for those
+// without: the latter take the code of microcontrollers, with the same answers.
+// Instruction sets of x86: ESPALIER_SET_SSE42=1 adds one for processors from before 2013, ESPALIER_SET_AVX512=1 one for servers
+// and some desktops; ESPALIER_SET_AVX2=0 leaves out that one.
+// Families: ESPALIER_OVERLAPS=0, ESPALIER_DISTANCES=0, ESPALIER_SWEEPS=0, ESPALIER_CONTACTS=0, ESPALIER_PAIRS=0,
+// ESPALIER_SCENES=0, ESPALIER_MOVING_SCENES=0, ESPALIER_BATCHES=0 and ESPALIER_C=0 leave out queries, and those that are made of
+// them; a program that calls one does not link. Rays are always there.
+// Profiles: ESPALIER_PLAIN_LEAVES=0 leaves out the code that reads profile `fast`, ESPALIER_STRIP_LEAVES=0 that of `balanced` and
+// `small`, ESPALIER_PREDICTED_STRIPS=0 that of `tiny`. Optional sections: ESPALIER_IDS=0, ESPALIER_MATERIALS=0,
+// ESPALIER_COPIES=0, ESPALIER_EDGES=0, ESPALIER_BOUNDS=0 and ESPALIER_DEFORMATION=0. Blobs with what is left out are refused by
+// open.
 // ESPALIER_SMALL_CODE=1 answers the same by less code, as on microcontrollers, where it is the default; 0 is fast.
 // Recommended: -O2 -fno-exceptions -fno-rtti.
 //
@@ -44,16 +94,27 @@ SOURCE_PREAMBLE = """\
 
 // Answers are the same bits everywhere only if each operation is rounded by itself. The library is compiled with flags for
 // that; this file has pragmas, before anything else, so that they also hold for what it includes. Clang ignores the pragma
-// where its command line has -ffp-contract=fast: leave that out.
+// where its command line has -ffp-contract=fast: leave that out. What pays in lanes is written in lanes: GCC need not look for
+// more.
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 // In a header, Clang does not warn about functions that are not used.
 #pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off,no-tree-vectorize")
 #endif
 
 #include "espalier.hpp"
+
+// What a game on a desktop needs.
+#ifndef ESPALIER_SET_SSE42
+#define ESPALIER_SET_SSE42 0
+#endif
+#ifndef ESPALIER_SET_AVX512
+#define ESPALIER_SET_AVX512 0
+#endif
+#define ESPALIER_QUERY_OF_SET inline
+{families}
 """
 
 
@@ -165,11 +226,19 @@ class SingleFile:
         if guard is not None:
             self.lines.append(f"#endif  // {guard}")
 
-    def add(self, path, renamed=None):
-        """Appends the lines of a file. Names in `renamed` are replaced, unless a class or namespace qualifies them."""
+    def add(self, path, renamed=None, condition=None):
+        """Appends the lines of a file. Names in `renamed` are replaced, unless a class or namespace qualifies them. What follows
+        the first includes is compiled under the condition; those are for all that comes later."""
         self.lines.append(f"// ---- {path.relative_to(LIBRARY)}")
         definitions = []
+        waits = condition is not None
         for line, kind, match in classify(path):
+            if waits and kind != "includes" and line.strip() and not line.startswith("//"):
+                self.add_definitions(definitions)
+                definitions = []
+                waits = False
+                self.lines.append(f"#if {condition}")
+                self.conditions.append(f"if {condition}")
             if renamed:
                 line = re.sub(r"(?<![\w.:>])(\w+)\b", lambda word: renamed.get(word.group(1), word.group(1)), line)
             if kind in ("code", "directive"):
@@ -188,6 +257,9 @@ class SingleFile:
                 self.namespaces.pop()
             self.lines.append(line)
         self.add_definitions(definitions)
+        if condition is not None:
+            self.conditions.pop()
+            self.lines.append(f"#endif  // {condition}")
 
     def add_definitions(self, lines):
         """Appends the lines between two includes. Definitions that files of one namespace repeat are written once."""
@@ -225,7 +297,16 @@ class SingleFile:
         headers = "".join(f"#include <{name}>\n" for name in sorted(self.system_headers))
         body = re.sub(r"\n{3,}", "\n\n", "\n".join(self.lines))
         body = EMPTY_REGION.sub("", body)
-        return f"{preamble.format(version=version(), licence=licence())}\n{headers}\n{body}\n"
+        families = "".join(f"#ifndef ESPALIER_{name}\n#define ESPALIER_{name} 1\n#endif\n" for name in FAMILIES)
+        return f"{preamble.format(version=version(), licence=licence(), families=families)}\n{headers}\n{body}\n"
+
+
+def condition_of(path):
+    """Returns the condition under which a file of lib/runtime is compiled, or None."""
+    for pattern, families in FILES_OF_FAMILIES:
+        if fnmatch.fnmatch(path, pattern):
+            return " && ".join(f"ESPALIER_{family}" for family in families.split())
+    return None
 
 
 def make_header():
@@ -277,7 +358,8 @@ def make_source():
         new = set().union(*(words for other, words in everything.items() if other != path and other not in seen))
         renamed = {name for name in private[path] if name not in known and (users[name] > 1 or name in new)}
         place = "_".join(path.relative_to(runtime).with_suffix("").parts)
-        source.add(path, {name: f"{name}_of_{place}" for name in renamed})
+        condition = condition_of(str(path.relative_to(runtime)))
+        source.add(path, {name: f"{name}_of_{place}" for name in renamed}, condition)
     return source.text(SOURCE_PREAMBLE)
 
 

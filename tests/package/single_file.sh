@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # single_file.sh PYTHON FOLDER BLOBS COMPILER C_COMPILER: makes espalier.hpp and espalier.cpp, compiles them by the C++ compiler
 # without any of the library's flags, links them to the program that asks blobs everything, and compares its answers with those that
-# all machines give (tests/platform), by every instruction set that this machine has. Then links them to a program in C.
+# all machines give (tests/platform), by the instruction sets of the default and then by every one that this machine has. Then links
+# them to a program in C, and what is left without any family to a program that casts rays.
 set -euo pipefail
 
 python=$1 folder=$2 blobs=$3 compiler=$4 c_compiler=$5
@@ -14,8 +15,9 @@ rm -rf "$folder"
 cd "$folder/single"
 "$compiler" -std=c++20 -O1 "${warnings[@]}" -c espalier.cpp -o ../espalier.o
 ! nm -u ../espalier.o | grep -w sqrtf || { echo "failed: it asks for libm"; exit 1; }
-for macro in ESPALIER_PLAIN_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_PREDICTED_STRIPS=0 ESPALIER_SMALL_CODE=1; do
-    "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-D$macro" espalier.cpp
+families=(OVERLAPS DISTANCES SWEEPS CONTACTS PAIRS SCENES MOVING_SCENES BATCHES DEFORMATION C)
+for macro in PLAIN_LEAVES=0 STRIP_LEAVES=0 PREDICTED_STRIPS=0 SMALL_CODE=1 SET_AVX2=0 FAST_SCALAR=1 "${families[@]/%/=0}"; do
+    "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-DESPALIER_$macro" espalier.cpp
 done
 case $compiler in  # the lanes of another machine
     g++*) other=aarch64-linux-gnu-g++ ;;
@@ -41,10 +43,25 @@ for header in "$project"/lib/espalier/{base,scenes,batches}/*.hpp; do
     echo '#include "../../../single/espalier.hpp"' >"include/${header#"$project"/lib/}"
 done
 ln -s "$project/lib/runtime" include/runtime  # it chooses instruction sets
-"$compiler" -std=c++20 -O1 -Iinclude "$project/tests/platform/query_answers.cpp" espalier.o -o query_answers
+answers_by() {  # OBJECT MACRO...: query_answers, by the sets of that object
+    "$compiler" -std=c++20 -O1 -Iinclude "${@:2}" "$project/tests/platform/query_answers.cpp" "$1" -o query_answers
+}
 check() { "$project/tests/platform/check_golden.sh" "$project/tests/platform/golden.txt" 100 "$blobs" "$PWD/query_answers" "$@"; }
+without_others=(-DESPALIER_SET_SSE42=0 -DESPALIER_SET_AVX512=0)
+answers_by espalier.o "${without_others[@]}"
 check
-for set in scalar sse42 avx2 avx512; do
+for set in scalar avx2; do
+    check --set "$set" || [[ $? -eq 77 ]]
+done
+for set in sse42 avx512; do
+    status=0
+    ./query_answers --set "$set" 1 2>/dev/null || status=$?
+    [[ $status -eq 77 ]] || { echo "failed: $set is not left out"; exit 1; }
+done
+with_others=("${without_others[@]/%=0/=1}")
+"$compiler" -std=c++20 -O1 "${with_others[@]}" -c single/espalier.cpp -o every_set.o
+answers_by every_set.o "${with_others[@]}"
+for set in sse42 avx512; do
     check --set "$set" || [[ $? -eq 77 ]]
 done
 
@@ -52,4 +69,19 @@ done
 "$compiler" cast_ray.o espalier.o -o cast_ray
 hit=$(./cast_ray "$project/tests/format_versions/2.0_everything_fast.espl" 0.1 0.2 -100 0 0 1)
 [[ $hit == "hit triangle 68 at t = 100.039,"* ]] || { echo "failed: from C: $hit"; exit 1; }
+
+# Each macro leaves out what it names, and all that needs it: what is left links.
+defined=("${families[@]/#/-DESPALIER_}")
+"$compiler" -std=c++20 -O1 "${defined[@]/%/=0}" -c single/espalier.cpp -o rays.o
+names=$(nm -C --defined-only rays.o)
+for name in overlaps closest_point sweep find_contacts collides scene_raycast MovingScene::refit collect_hits refit espalier_raycast; do
+    ! grep -E "espalier::$name\(|T $name$" <<<"$names" || { echo "failed: $name is not left out"; exit 1; }
+done
+cat >ray.cpp <<'PROGRAM'
+#include "single/espalier.hpp"
+
+int main() { return espalier::raycast(espalier::open({}), {.origin = {3, 10, 1}, .direction = {0, -1, 0}}) ? 1 : 0; }
+PROGRAM
+"$compiler" -std=c++20 ray.cpp rays.o -o ray
+./ray
 echo "$compiler: $(wc -l <single/espalier.cpp) lines compile without a warning and give everybody's answers"

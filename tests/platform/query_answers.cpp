@@ -145,13 +145,13 @@ void answer_moving_scenes(const std::vector<Scene>& scenes, std::uint32_t questi
     std::fputs(platform::summary(questions_of_a_kind, count, "moving scenes", blocks, all).c_str(), stdout);
 }
 
-/// False when this machine has no such set.
+/// False when this machine, or the build, has no such set.
 bool choose_instruction_set(const char* name) {
 #if ESPALIER_X86
     using espalier::detail::InstructionSet;
     const char* const names[] = {"scalar", "sse42", "avx2", "avx512"};
     for (std::uint8_t set = 0; set <= static_cast<std::uint8_t>(espalier::detail::detect_instruction_set()); ++set) {
-        if (std::strcmp(name, names[set]) == 0) {
+        if (std::strcmp(name, names[set]) == 0 && espalier::detail::is_built(static_cast<InstructionSet>(set))) {
             espalier::detail::known_instruction_set = static_cast<std::uint8_t>(set + 1);
             return true;
         }

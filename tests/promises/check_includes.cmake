@@ -19,7 +19,7 @@ function(check what allowed)
 endfunction()
 
 set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|span|type_traits|utility)>")
-set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
+set(machine_headers "<(immintrin|nmmintrin|x86gprintrin|avxintrin|avx2intrin|fmaintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
 file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp ${root}/lib/espalier/scenes/*.hpp ${root}/lib/espalier/batches/*.hpp)

@@ -45,6 +45,19 @@ ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
 #else
 #define ESPALIER_X86 0
 #endif
+// Which of those of x86, 1 or 0. AVX-512 takes parts of AVX2.
+#ifndef ESPALIER_SET_SSE42
+#define ESPALIER_SET_SSE42 1
+#endif
+#ifndef ESPALIER_SET_AVX2
+#define ESPALIER_SET_AVX2 1
+#endif
+#ifndef ESPALIER_SET_AVX512
+#define ESPALIER_SET_AVX512 ESPALIER_SET_AVX2
+#endif
+#if ESPALIER_SET_AVX512 && !ESPALIER_SET_AVX2
+#error "ESPALIER_SET_AVX512=1 needs ESPALIER_SET_AVX2=1"
+#endif
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__) && !ESPALIER_SMALL_CODE
 #define ESPALIER_NEON 1
 #else
@@ -54,6 +67,20 @@ ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
 #define ESPALIER_SIMD128 1  // WebAssembly's
 #else
 #define ESPALIER_SIMD128 0
+#endif
+// Before the queries that each set defines. `inline` leaves out those that nothing calls: where all is one file, as the
+// linker does elsewhere.
+#ifndef ESPALIER_QUERY_OF_SET
+#define ESPALIER_QUERY_OF_SET
+#endif
+// Whether the scalar set is compiled to be fast. It is the only one of some machines. Those of x86 run it where they
+// have none of the others: there it is small, and single rays are answered by the code of small cores.
+#ifndef ESPALIER_FAST_SCALAR
+#if ESPALIER_X86 || ESPALIER_SMALL_CODE
+#define ESPALIER_FAST_SCALAR 0
+#else
+#define ESPALIER_FAST_SCALAR 1
+#endif
 #endif
 // Whether integers of 128 bits are the compiler's. Small code shares functions of its own.
 #if defined(__SIZEOF_INT128__) && !ESPALIER_SMALL_CODE
@@ -78,14 +105,15 @@ ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
 namespace espalier::detail {
 
 inline constexpr bool small_code = ESPALIER_SMALL_CODE != 0;
+inline constexpr bool has_fast_scalar = ESPALIER_FAST_SCALAR != 0;
 
 /// The queries of one ray where there are no lanes. Small cores have a walk of their own, almost without floats.
 namespace scalar {}
 namespace small {}
-#if ESPALIER_SMALL_CODE
-namespace single_rays = small;
-#else
+#if ESPALIER_FAST_SCALAR
 namespace single_rays = scalar;
+#else
+namespace single_rays = small;
 #endif
 
 /// The alignment of data that one vector register, or two, load at once. Small cores have none and save the stack.

@@ -1,6 +1,6 @@
 // AVX2: eight lanes.
 #include <runtime/instruction_sets/queries.hpp>
-#if ESPALIER_X86
+#if ESPALIER_HAS_AVX2
 #include <runtime/lanes/avx2.hpp>
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)

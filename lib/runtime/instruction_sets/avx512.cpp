@@ -1,7 +1,7 @@
 // AVX-512: leaves and plain nodes sixteen lanes at a time, packed nodes and the ray itself as with AVX2. Two blobs have
 // a file of their own.
 #include <runtime/instruction_sets/queries.hpp>
-#if ESPALIER_X86 && defined(__x86_64__)
+#if ESPALIER_HAS_AVX512
 #include <runtime/lanes/avx512.hpp>
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)

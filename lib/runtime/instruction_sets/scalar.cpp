@@ -19,21 +19,21 @@ using scalar_walk::find_nearest_first_in;
 #include <runtime/moving_scenes/box_tree/self_join.inl>
 #include <runtime/moving_scenes/walks.inl>
 
-RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {
+ESPALIER_QUERY_OF_SET RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {
     return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});
 }
 
-void count_join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit,
-                SceneCounters& counters) {
+ESPALIER_QUERY_OF_SET void count_join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
+                                      const OnTouchingBoxes& visit, SceneCounters& counters) {
     join_counting(block, joined, slot, visit, Counted{&counters});
 }
 
 // One ray after the other: a core without lanes has little to gain from company, and no stack for it.
-void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
+ESPALIER_QUERY_OF_SET void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
     closest_hits_one_by_one<single_rays::closest_hit>(blob, rays, hits, count);
 }
 
-void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
+ESPALIER_QUERY_OF_SET void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
     any_hits_one_by_one<single_rays::any_hit>(blob, rays, occluded, count);
 }
 

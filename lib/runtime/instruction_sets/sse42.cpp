@@ -1,6 +1,6 @@
-// SSE4.2: four lanes.
+// SSE4.2: four lanes, for processors from before 2013 and some of the cheapest since.
 #include <runtime/instruction_sets/queries.hpp>
-#if ESPALIER_X86
+#if ESPALIER_HAS_SSE42
 #include <runtime/lanes/sse42.hpp>
 
 ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)

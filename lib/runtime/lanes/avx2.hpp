@@ -1,7 +1,7 @@
 // The vocabulary of the lanes for AVX2: eight lanes.
 #pragma once
 
-#include <immintrin.h>
+#include <runtime/lanes/intrinsics.hpp>
 
 #include <runtime/lanes/fragments.hpp>
 #include <runtime/lanes/pivot_table.hpp>

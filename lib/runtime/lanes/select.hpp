@@ -9,6 +9,23 @@
 #include <cpuid.h>
 #endif
 
+/// Whether a set of x86 is a part of this build.
+#if ESPALIER_X86 && ESPALIER_SET_SSE42
+#define ESPALIER_HAS_SSE42 1
+#else
+#define ESPALIER_HAS_SSE42 0
+#endif
+#if ESPALIER_X86 && ESPALIER_SET_AVX2
+#define ESPALIER_HAS_AVX2 1
+#else
+#define ESPALIER_HAS_AVX2 0
+#endif
+#if ESPALIER_X86 && ESPALIER_SET_AVX512 && defined(__x86_64__)
+#define ESPALIER_HAS_AVX512 1
+#else
+#define ESPALIER_HAS_AVX512 0
+#endif
+
 /// The instruction set of all queries, where it is known without a test of the processor.
 #if ESPALIER_NEON
 #define ESPALIER_ONLY_SET neon
@@ -37,8 +54,24 @@ enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon, si
 
 #if ESPALIER_X86
 
+/// Returns whether a set is a part of this build.
+constexpr bool is_built(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::scalar:
+            return true;
+        case InstructionSet::sse42:
+            return ESPALIER_HAS_SSE42 != 0;
+        case InstructionSet::avx2:
+            return ESPALIER_HAS_AVX2 != 0;
+        case InstructionSet::avx512:
+            return ESPALIER_HAS_AVX512 != 0;
+        default:
+            return false;
+    }
+}
+
 /// Returns the best set that the processor and the operating system support.
-inline InstructionSet detect_instruction_set() {
+inline InstructionSet set_of_machine() {
     unsigned a = 0, b = 0, c = 0, d = 0;
     if (__get_cpuid(1, &a, &b, &c, &d) == 0) return InstructionSet::scalar;
     constexpr unsigned ssse3 = 1u << 9, sse41 = 1u << 19, sse42 = 1u << 20, popcnt = 1u << 23;
@@ -63,6 +96,13 @@ inline InstructionSet detect_instruction_set() {
     return InstructionSet::avx2;
 }
 
+/// Returns the best set that the machine supports and this build has.
+inline InstructionSet detect_instruction_set() {
+    InstructionSet set = set_of_machine();
+    while (!is_built(set)) set = static_cast<InstructionSet>(static_cast<unsigned>(set) - 1u);
+    return set;
+}
+
 /// 0 until it is detected, else the set + 1. Tests write it to run every query on a lesser set.
 inline std::uint8_t known_instruction_set = 0;
 
@@ -84,18 +124,31 @@ constexpr InstructionSet instruction_set() { return InstructionSet::ESPALIER_ONL
 
 }  // namespace espalier::detail
 
-#if ESPALIER_X86 && defined(__x86_64__)
+// The variant of a query for a set, if it is a part of this build and the machine runs it, or what follows.
+#if ESPALIER_HAS_SSE42
+#define ESPALIER_SSE42_OR(query, arguments) \
+    ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query arguments:
+#else
+#define ESPALIER_SSE42_OR(query, arguments)
+#endif
+#if ESPALIER_HAS_AVX2
+#define ESPALIER_AVX2_OR(query, arguments) \
+    ::espalier::detail::instruction_set() == InstructionSet::avx2 ? avx2::query arguments:
+#else
+#define ESPALIER_AVX2_OR(query, arguments)
+#endif
+#if ESPALIER_HAS_AVX512
+#define ESPALIER_AVX512_OR(query, arguments) \
+    ::espalier::detail::instruction_set() == InstructionSet::avx512 ? avx512::query arguments:
+#else
+#define ESPALIER_AVX512_OR(query, arguments)
+#endif
+
+#if ESPALIER_X86
 /// Calls the variant of a query that the machine runs; `without_lanes` has the scalar one.
-#define ESPALIER_DISPATCH_OR(without_lanes, query, ...)                                            \
-    (::espalier::detail::instruction_set() == InstructionSet::avx512  ? avx512::query(__VA_ARGS__) \
-     : ::espalier::detail::instruction_set() == InstructionSet::avx2  ? avx2::query(__VA_ARGS__)   \
-     : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__)  \
-                                                                      : without_lanes::query(__VA_ARGS__))
-#elif ESPALIER_X86
-#define ESPALIER_DISPATCH_OR(without_lanes, query, ...)                                           \
-    (::espalier::detail::instruction_set() == InstructionSet::avx2    ? avx2::query(__VA_ARGS__)  \
-     : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__) \
-                                                                      : without_lanes::query(__VA_ARGS__))
+#define ESPALIER_DISPATCH_OR(without_lanes, query, ...)                              \
+    (ESPALIER_AVX512_OR(query, (__VA_ARGS__)) ESPALIER_AVX2_OR(query, (__VA_ARGS__)) \
+         ESPALIER_SSE42_OR(query, (__VA_ARGS__)) without_lanes::query(__VA_ARGS__))
 #elif ESPALIER_NEON || ESPALIER_SIMD128
 #define ESPALIER_DISPATCH_OR(without_lanes, query, ...) ESPALIER_ONLY_SET::query(__VA_ARGS__)
 #else

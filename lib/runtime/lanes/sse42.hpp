@@ -1,7 +1,7 @@
 // The vocabulary of the lanes for SSE4.2: four lanes.
 #pragma once
 
-#include <immintrin.h>
+#include <runtime/lanes/intrinsics.hpp>
 
 #include <runtime/lanes/fragments.hpp>
 

@@ -98,15 +98,15 @@ void walk_moving_nearest_first(const Region& region, AnyInstanceAnswer& answer) 
 
 }  // namespace
 
-void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
     (walk_moving_nearest_first)(passage, answer);
 }
 
-void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
     (walk_moving_nearest_first)(point, answer);
 }
 
-Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     const MovingTree tree(answer.scene);
     const BlockHead& head = *tree.block.head;
     struct Level {

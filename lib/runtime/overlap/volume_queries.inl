@@ -165,7 +165,8 @@ struct VolumeShape {
     }
 };
 
-bool find_overlaps_of_volume(const BlobData& blob, const Volume& volume, Each& answer, const WalkAccuracy& accuracy) {
+ESPALIER_QUERY_OF_SET bool find_overlaps_of_volume(const BlobData& blob, const Volume& volume, Each& answer,
+                                                   const WalkAccuracy& accuracy) {
     VolumeShape shape = {blob, volume};
     return find_each<Each>(blob, shape, answer, accuracy);
 }

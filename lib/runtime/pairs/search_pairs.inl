@@ -1,7 +1,8 @@
 // Two blobs: the search of an instruction set, for touching pairs or for the least distance.
 #include <runtime/pairs/search.inl>
 
-QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept {
+ESPALIER_QUERY_OF_SET QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search,
+                                               std::uint64_t& work) noexcept {
 #if ESPALIER_SMALL_CODE
     PairVisitor visitor = {frame, search};
     return search.least != nullptr ? search_nearest(frame, visitor, *search.least, work)

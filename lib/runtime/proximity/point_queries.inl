@@ -214,7 +214,8 @@ struct BoundedPointShape : PointShape {
     }
 };
 
-bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy) {
+ESPALIER_QUERY_OF_SET bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer,
+                                         const WalkAccuracy& accuracy) {
     answer.limit = sphere.limit;
     if constexpr (small_code) {  // one query for every answer by distance
         PointShape shape = {sphere, blob};
@@ -225,7 +226,8 @@ bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answe
     }
 }
 
-void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy) {
+ESPALIER_QUERY_OF_SET void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer,
+                                        const WalkAccuracy& accuracy) {
     answer.limit = point.limit;
     if constexpr (small_code && has_square_root) {
         BoundedPointShape shape(point, blob);

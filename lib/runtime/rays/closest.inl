@@ -143,11 +143,12 @@ ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, cons
 
 }  // namespace
 
-RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     return find_closest_hit(blob, world, filter);
 }
 
-Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits,
+                                        const TriangleFilter* filter) {
     return with_leaves_of(blob, [&]<class Leaf>() -> Filled {
         PreparedRayOf<typename Leaf::Node> prepared;
         if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok)
@@ -162,6 +163,7 @@ Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits
     });
 }
 
-RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
+                                                    const TriangleFilter* filter) {
     return find_closest_hit(blob, ray, filter);
 }

@@ -115,28 +115,31 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus list_every_hit(const BlobData& blob, c
 
 }  // namespace
 
-YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     return find_any_kept_hit(blob, world, filter);
 }
-YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
+                                               const TriangleFilter* filter) {
     return find_any_kept_hit(blob, ray, filter);
 }
 
-QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
+ESPALIER_QUERY_OF_SET QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
     return list_every_hit<false>(blob, world, visit);
 }
-QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
+ESPALIER_QUERY_OF_SET QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
     return list_every_hit<true>(blob, world, visit);
 }
-QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit) {
+ESPALIER_QUERY_OF_SET QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
+                                                       Visitor<const RayHit&> visit) {
     return list_every_hit<false>(blob, ray, visit);
 }
-QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit) {
+ESPALIER_QUERY_OF_SET QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray,
+                                                            Visitor<const RayHit&> visit) {
     return list_every_hit<true>(blob, ray, visit);
 }
 
 /// Also one that passes through a small box.
-YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy) {
+ESPALIER_QUERY_OF_SET YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy) {
     return with_leaves_of(blob, [&]<class Leaf>() {
         PreparedRayOf<typename Leaf::Node> prepared;
         if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);

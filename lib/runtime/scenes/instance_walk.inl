@@ -38,16 +38,16 @@ ESPALIER_ALWAYS_INLINE inline void walk_nearest_first(const Passage& passage, An
 
 }  // namespace
 
-void instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET void instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
     (walk_nearest_first)(passage, answer);
 }
 
-void instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET void instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
     InstanceWalk<RoundedPoint, AnyInstanceAnswer> walk = {point, answer};
     (traverse_nearest_first<InstancePlace>)(answer.scene.tree, walk);
 }
 
-Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
+ESPALIER_QUERY_OF_SET Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     const BlobData& tree = answer.scene.tree;
     const auto lanes_ = passage.lanes<PassageLanes>(tree);
     InstanceWalk<PassageLanes, AnyInstanceAnswer> walk = {lanes_, answer};
@@ -58,12 +58,13 @@ namespace {
 
 /// Returns what closest_hit() of this instruction set returns.
 RayHit closest_hit_of(const BlobData& mesh, const Ray& local, const TriangleFilter* filter) {
-    return find_closest_hit(mesh, local, filter);
+    if constexpr (lanes == 1 && !has_fast_scalar) return single_rays::closest_hit(mesh, local, filter);
+    else return find_closest_hit(mesh, local, filter);
 }
 
 }  // namespace
 
-void search_nearest_first(ClosestRay& closest) {
+ESPALIER_QUERY_OF_SET void search_nearest_first(ClosestRay& closest) {
     const ClosestRayVisitor<closest_hit_of> visit = {closest};
     InstanceAnswer<ClosestRayVisitor<closest_hit_of>> answer = {closest.scene(), closest.mask(), closest.limit(),
                                                                 visit};

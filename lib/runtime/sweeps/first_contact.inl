@@ -175,9 +175,7 @@ struct MovingShape {
     template <class Leaf>
     Visit scan(const Leaf& leaf, Closest<FoundContact>& answer) const {
         LeafTimes<Leaf> times;
-        const auto near = with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
-            return times.template fill<groups, typename Mover::Bounds>(leaf, in_lanes, answer.limit);
-        });
+        const auto near = times.template fill<typename Mover::Bounds>(leaf, in_lanes, answer.limit);
         decide_earliest_first(times.first, near, answer.limit, [&](unsigned slot) {
             offer(leaf, slot, leaf.triangle(slot), times.first[slot], answer);
             return answer.limit;
@@ -272,12 +270,15 @@ inline FoundContact find_first_contact(const BlobData& blob, const typename Move
     return best;
 }
 
-FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const SweepOptions& options) {
+ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep,
+                                                 const SweepOptions& options) {
     return find_first_contact<CapsuleMover>(blob, sweep, options);
 }
-FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const SweepOptions& options) {
+ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep,
+                                                 const SweepOptions& options) {
     return find_first_contact<BoxMover>(blob, sweep, options);
 }
-FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const SweepOptions& options) {
+ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const HullSweep& sweep,
+                                                 const SweepOptions& options) {
     return find_first_contact<HullMover>(blob, sweep, options);
 }

@@ -209,7 +209,7 @@ ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Ori
 template <class Lanes>
 inline Lanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
     const float step = power_of_two(-sweep.fraction_bits);
-    float lows[3], highs[3], ways[3];
+    float lows[3] = {}, highs[3] = {}, ways[3] = {};
     float reach = 0.0f;
     for (unsigned k = 0; k < 3; ++k) {
         lows[k] = to_float(sweep.low[k]) * step;

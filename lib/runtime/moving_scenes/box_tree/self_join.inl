@@ -193,6 +193,7 @@ ESPALIER_ALWAYS_INLINE inline void join_counting(const SceneBlock& block, Joined
 
 }  // namespace
 
-void join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit) {
+ESPALIER_QUERY_OF_SET void join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
+                                const OnTouchingBoxes& visit) {
     join_counting(block, joined, slot, visit, Uncounted{});
 }

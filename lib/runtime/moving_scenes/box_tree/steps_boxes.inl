@@ -168,7 +168,8 @@ ESPALIER_ALWAYS_INLINE inline void load_eight(const Structure* const* from, Lane
 
 }  // namespace
 
-bool find_steps_boxes(const EightPlaces& places, std::int32_t step_exponent, EightStepsBoxes& boxes) {
+ESPALIER_QUERY_OF_SET bool find_steps_boxes(const EightPlaces& places, std::int32_t step_exponent,
+                                            EightStepsBoxes& boxes) {
     for (unsigned first = 0; first < EightStepsBoxes::count; first += lanes) {
         LaneNumbers of_place[8], of_part[8];
         (load_eight<lanes>)(places.transforms + first, of_place);

@@ -111,10 +111,10 @@ inline void answer_batch(const BlobData& blob, const Ray* rays, const BatchAnswe
     });
 }
 
-void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
+ESPALIER_QUERY_OF_SET void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
     answer_batch(blob, rays, {hits, nullptr}, count);
 }
 
-void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
+ESPALIER_QUERY_OF_SET void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
     answer_batch(blob, rays, {nullptr, occluded}, count);
 }
