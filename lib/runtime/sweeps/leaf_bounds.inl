@@ -60,23 +60,30 @@ public:
         }
     }
 
-private:
-    ESPALIER_NOINLINE static Slots visit(const Base& base, Slots wanted, void* function, typename Base::Call call) {
+    /// The same without a call through a pointer.
+    template <class Function>
+    ESPALIER_ALWAYS_INLINE Slots for_each_group(Slots wanted, Function function) const {
         constexpr Slots all = (Slots{1} << lanes) - 1;
-        const auto& self = static_cast<const VerticesInTable&>(base);
-        auto corners = corners_of(self.leaf_);
+        auto corners = corners_of(leaf_);
         Slots slots = 0;
-        for (unsigned start = 0; start < self.leaf_.slot_count; start += lanes) {
+        for (unsigned start = 0; start < leaf_.slot_count; start += lanes) {
             const auto numbers = corners.next();
             if ((wanted >> start & all) == 0) continue;
             const auto look_up = [&](const Numbers& number) ESPALIER_ALWAYS_INLINE_LAMBDA {
-                return Floats3{self.coordinates_[0].look_up(number), self.coordinates_[1].look_up(number),
-                               self.coordinates_[2].look_up(number)};
+                return Floats3{coordinates_[0].look_up(number), coordinates_[1].look_up(number),
+                               coordinates_[2].look_up(number)};
             };
             const CornersFromPoint seen = {look_up(numbers.a), look_up(numbers.b), look_up(numbers.c)};
-            slots |= Slots{call(function, start, seen)} << start;
+            slots |= Slots{function(start, seen)} << start;
         }
         return slots;
+    }
+
+private:
+    ESPALIER_NOINLINE static Slots visit(const Base& base, Slots wanted, void* function, typename Base::Call call) {
+        return static_cast<const VerticesInTable&>(base).for_each_group(
+            wanted, [&](unsigned start, const CornersFromPoint& seen)
+                        ESPALIER_ALWAYS_INLINE_LAMBDA { return call(function, start, seen); });
     }
 
     const Leaf& leaf_;
@@ -95,7 +102,9 @@ struct LeafTimes {
     template <class Bounds, class Sweep>
     Slots fill(const Leaf& leaf, const Sweep& sweep, float limit) {
         return with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
-            return fill_with<groups>(leaf, sweep, &sweep, limit, finish<Bounds, Sweep>);
+            // Where few groups hold every leaf, copies for each number of them take little code.
+            if constexpr (lanes > 8) return fill_alone<groups, Bounds>(leaf, sweep, limit);
+            else return fill_with<groups>(leaf, sweep, &sweep, limit, finish<Bounds, Sweep>);
         });
     }
 
@@ -109,6 +118,12 @@ private:
         const VerticesInTable<Leaf, groups> vertices(leaf, sweep);
         return finish_with(*this, leaf, vertices, shape, limit);
     }
+    template <unsigned groups, class Bounds, class Sweep>
+    ESPALIER_NOINLINE Slots fill_alone(const Leaf& leaf, const Sweep& sweep, float limit) {
+        const VerticesInTable<Leaf, groups> vertices(leaf, sweep);
+        const Slots met = meet<typename Bounds::Beside>(leaf, vertices, sweep, limit);
+        return met == 0 || sweep.is_far ? met : tighten<Bounds>(vertices, sweep, limit, met);
+    }
     template <class Bounds, class Sweep>
     static Slots finish(LeafTimes& self, const Leaf& leaf, const Vertices& vertices, const void* shape, float limit) {
         const Sweep& sweep = *static_cast<const Sweep*>(shape);
@@ -119,8 +134,8 @@ private:
     // Out of line: in one function, compilers give either step a place on the stack of its own.
 
     /// Returns the triangles that are not beside the way, and whose boxes the box of the shape meets.
-    template <class Beside>
-    ESPALIER_NOINLINE Slots meet(const Leaf& leaf, const Vertices& vertices, const typename Beside::Shape& sweep,
+    template <class Beside, class SomeVertices>
+    ESPALIER_NOINLINE Slots meet(const Leaf& leaf, const SomeVertices& vertices, const typename Beside::Shape& sweep,
                                  float limit) {
         const SweptBox box(sweep);
         const Beside beside(sweep, limit);
@@ -132,8 +147,8 @@ private:
         return met & leaf.used_slots();
     }
     /// Returns those of them that the shape may touch by its own bounds.
-    template <class Bounds, class Sweep>
-    ESPALIER_NOINLINE Slots tighten(const Vertices& vertices, const Sweep& sweep, float limit, Slots met) {
+    template <class Bounds, class SomeVertices, class Sweep>
+    ESPALIER_NOINLINE Slots tighten(const SomeVertices& vertices, const Sweep& sweep, float limit, Slots met) {
         const Bounds bounds(sweep);
         const LaterBounds<Bounds> later(bounds, sweep, earliest(first, met));
         return met & vertices.for_each_group(
