@@ -15,7 +15,7 @@ from judge import Judge, earlier_results, key_of
 from programs import JOBS
 
 LONGEST_QUICK = 20  # seconds of a processor, for a case
-WHOLE_SECONDS = float(os.environ.get("MUTATION_WHOLE_SECONDS", "600"))  # for all other claims about one mutant
+WHOLE_SECONDS = float(os.environ.get("MUTATION_WHOLE_SECONDS", "120"))  # for all other claims about one mutant
 
 
 def drawn(mutants, count, seed):
