@@ -71,8 +71,8 @@ EXCUSED_PARTS = {
 }
 # Only one instruction set runs these: the programs here have one lane, four and the code for microcontrollers, and other
 # tests compare all sets.
-SINGLE_SETS = re.compile(
-    r"runtime/(instruction_sets/.*|lanes/(avx2|avx512|neon|simd128|sse42|select)\.hpp|rays/slab_test_avx2\.inl)")
+SINGLE_SETS = re.compile(r"runtime/(instruction_sets/.*|lanes/((avx2|avx512|neon|simd128|sse42|select)\.hpp|predicted_points\.inl)"
+                         r"|rays/slab_test_avx2\.inl)")
 
 LIBRARIES = ("runtime", "baker", "espalier")
 NUMBERS_OF_A_FILE = 1000
