@@ -7,17 +7,17 @@ skipped=0
 # count_cases LOG: adds the cases of the programs of tests, and prints why some were skipped
 count_cases() {
     local run
-    run=$(grep -aoE 'test cases: +[0-9]+ \| +[0-9]+ passed' "$1" | awk '{ all += $5 } END { print all + 0 }')
+    run=$(awk '/test cases: +[0-9]+ [|] +[0-9]+ passed/ { sub(/.*test cases:/, ""); all += $3 } END { print all + 0 }' "$1")
     passed=$((passed + run))
     skipped=$((skipped + $(grep -ac 'SKIPPED: ' "$1" || true)))
 }
 
 # run_tests FOLDER CTEST_OPTION...: shows ctest's own summary and adds to the totals
 run_tests() {
-    local folder=$1 results=$PWD/$1/results.xml log=$PWD/$1/Testing/Temporary/LastTest.log run not_run all
+    local folder=$1 results=$PWD/$1/results.xml run not_run all
     shift
     rm -f "$results"
-    ctest --test-dir "$folder" --output-on-failure --no-tests=error --output-junit "$results" \
+    ctest --test-dir "$folder" --output-on-failure --no-tests=error --output-junit "$results" --test-output-size-passed 1000000 \
         --parallel "$(nproc)" "$@" || true
     if [[ ! -s $results ]]; then
         failed=$((failed + 1))
@@ -31,7 +31,7 @@ run_tests() {
     passed=$((passed + run - $(grep -c '<testcase name="cases: .* status="run"' "$results" || true)))
     skipped=$((skipped + not_run))
     failed=$((failed + all - run - not_run))
-    count_cases "$log"
+    count_cases "$results"
 }
 
 # summarise: prints the totals; fails if a test failed
