@@ -162,7 +162,8 @@ run_part() {
 # write_line PART SECONDS RESULT: replaces the part's line of docs/proven.md
 write_line() {
     local commit processor flags set sets="" lines part line
-    commit=$(git describe --always --abbrev=12 --dirty=+changes)
+    commit=$(git rev-parse --short=12 HEAD)
+    git diff --quiet HEAD -- . ":!$proven" || commit+=+changes
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
     flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
     for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
