@@ -12,10 +12,10 @@ void put_plain_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::
     const unsigned unit = format::unit_shift(from.mesh.lattice.bits);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < from.boxes.size(); ++i) {
-            std::byte* const row = bytes + layout::row_bytes * axis + 2 * i;
+            std::byte* const planes_of_child = bytes + layout::row_bytes * axis + 2 * i;
             // mutant(+ -> -, + -> right side dropped) equivalent: lo_at is 0
-            set_u16(row + layout::lo_at, static_cast<std::uint32_t>(from.boxes[i].lo[axis]) >> unit);
-            set_u16(row + layout::hi_at, static_cast<std::uint32_t>(from.boxes[i].hi[axis]) >> unit);
+            set_u16(planes_of_child + layout::lo_at, static_cast<std::uint32_t>(from.boxes[i].lo[axis]) >> unit);
+            set_u16(planes_of_child + layout::hi_at, static_cast<std::uint32_t>(from.boxes[i].hi[axis]) >> unit);
         }
     }
     set_u32(bytes + layout::children_at, node.first_child | std::uint32_t{node.node_children} << 24);
