@@ -9,13 +9,13 @@ namespace espalier::baker {
 void put_plain_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::byte>& leaves) {
     namespace layout = format::plain_node;
     const WideNode& node = from.node;
-    const unsigned unit = format::unit_shift(from.mesh.lattice.bits);
+    const unsigned unit_shift = format::unit_shift(from.mesh.lattice.bits);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < from.boxes.size(); ++i) {
             std::byte* const planes_of_child = bytes + layout::row_bytes * axis + 2 * i;
             // mutant(+ -> -, + -> right side dropped) equivalent: lo_at is 0
-            set_u16(planes_of_child + layout::lo_at, static_cast<std::uint32_t>(from.boxes[i].lo[axis]) >> unit);
-            set_u16(planes_of_child + layout::hi_at, static_cast<std::uint32_t>(from.boxes[i].hi[axis]) >> unit);
+            set_u16(planes_of_child + layout::lo_at, static_cast<std::uint32_t>(from.boxes[i].lo[axis]) >> unit_shift);
+            set_u16(planes_of_child + layout::hi_at, static_cast<std::uint32_t>(from.boxes[i].hi[axis]) >> unit_shift);
         }
     }
     set_u32(bytes + layout::children_at, node.first_child | std::uint32_t{node.node_children} << 24);
