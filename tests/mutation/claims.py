@@ -39,8 +39,9 @@ class Claim:
 
     def run(self, scratch, limit, **environment):
         """Exit status, what is compared, and how many seconds of a processor it took; it is stopped at the limit."""
-        # A mutant that crashes where doctest reports may wait for itself, which takes no processor's time.
-        command = ["timeout", "-s", "KILL", str(60 + 20 * limit), "prlimit", f"--cpu={limit}", f"--as={MOST_MEMORY}",
+        # A mutant that crashes where doctest reports may wait for itself, which takes no processor's time. On a busy machine a
+        # second of a processor may take a minute.
+        command = ["timeout", "-s", "KILL", str(300 + 60 * limit), "prlimit", f"--cpu={limit}", f"--as={MOST_MEMORY}",
                    *(str(part) for part in self.command)]
         if self.compares_folder:
             shutil.rmtree(scratch, ignore_errors=True)

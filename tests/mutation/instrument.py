@@ -177,8 +177,8 @@ class Source:
     def add(self, at, what):
         line = self.text.count("\n", 0, at) + 1
         number = self.first_number + len(self.mutants)
-        self.mutants.append({"number": number, "part": self.part, "file": self.name, "line": line, "change": what, "at": at,
-                             "text": self.text.split("\n")[line - 1].strip()})
+        self.mutants.append({"number": number, "nth": len(self.mutants), "part": self.part, "file": self.name, "line": line,
+                             "change": what, "at": at, "text": self.text.split("\n")[line - 1].strip()})
         return number
 
     def wrap(self, start, end, before, after, what):
@@ -319,7 +319,7 @@ def sources(folder):
         text = filled_at_start(file.instrument())
         assert len(file.mutants) <= NUMBERS_OF_A_FILE
         for mutant in file.mutants:
-            mutant["version"] = version_of(text)
+            mutant["version"] = version_of(file.text)
         yield file, text
 
 

@@ -5,7 +5,7 @@ import shutil
 
 
 def key_of(mutant):
-    return mutant["number"], mutant["version"], mutant["change"]
+    return mutant["file"], mutant["version"], mutant["nth"], mutant["change"]
 
 
 class Judge:
