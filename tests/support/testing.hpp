@@ -33,7 +33,6 @@
 #include "support/blobs/test_blobs.hpp"
 #include "support/meshes/makers.hpp"
 #include "support/format/node_edits.hpp"
-#include "support/machine/instruction_paths.hpp"
 #include "support/queries/ray_maker.hpp"
 
 namespace espalier::tests {

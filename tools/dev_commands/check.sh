@@ -13,7 +13,7 @@ check() {
     build build/check espalier_unit_tests --preset check
     single_file_compiles &
     single_file=$!
-    quick_cases run_tests build/check --label-regex '^unit$' >build/check/tests.log 2>&1
+    quick_cases quick check run_tests build/check --label-regex '^unit$' >build/check/tests.log 2>&1
     [[ $failed -eq 0 ]] || { tail -n 60 build/check/tests.log >&2; fail "tests failed; all output is in build/check/tests.log"; }
     wait "$single_file" || fail "what tools/single_file.py makes of lib/runtime does not compile"
     summarise

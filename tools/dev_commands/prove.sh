@@ -62,7 +62,7 @@ prove_instruction_sets() {
             status=$?
         [[ $status -ne 77 ]] || continue
         [[ $status -eq 0 ]] || failed=$((failed + 1))
-        ESPALIER_TEST_SET=$set quick_cases run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
+        ESPALIER_TEST_SET=$set quick_cases quick run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
     done
     summarise
 }

@@ -26,8 +26,8 @@ run_quick_tests() {
     local installation=$!
     build build/test all --preset test "${options[@]}" || failed=$((failed + 1))
     wait "$installation" || fail "packages are missing"
-    quick_cases run_tests build/test --label-exclude '^(prove_|bench$)'
-    quick_cases test_hostile_bytes || failed=$((failed + 1))
+    quick_cases quick run_tests build/test --label-exclude '^(prove_|bench$)'
+    quick_cases quick test_hostile_bytes || failed=$((failed + 1))
     summarise
 }
 

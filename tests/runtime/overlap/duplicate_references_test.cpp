@@ -2,6 +2,7 @@
 #include "support/testing.hpp"
 
 #include "support/loops/triangle_loop.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::overlap_duplicate_references_test {

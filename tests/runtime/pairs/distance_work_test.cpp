@@ -1,6 +1,7 @@
 // Claims about the work that the distance of two blobs is, which is counted alike on every machine.
 #include "support/testing.hpp"
 
+#include "support/machine/instruction_paths.hpp"
 #include "support/queries/placement_maker.hpp"
 #include "support/queries/test_pair_frame.hpp"
 

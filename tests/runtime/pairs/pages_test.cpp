@@ -2,6 +2,7 @@
 #include "support/testing.hpp"
 
 #include "contacts.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/queries/test_pair_frame.hpp"
 
 namespace espalier::tests::pages_test {

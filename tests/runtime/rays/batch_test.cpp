@@ -1,6 +1,8 @@
 // Claims about batches of rays: the answers of one call for each ray, to the bit, whatever stands next to it.
 #include "support/testing.hpp"
 
+#include "support/machine/instruction_paths.hpp"
+
 namespace espalier::tests::batch_test {
 namespace {
 

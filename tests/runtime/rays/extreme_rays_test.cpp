@@ -7,6 +7,7 @@
 #include "support/answers/differences.hpp"
 #include "support/blobs/extreme_shapes.hpp"
 #include "support/machine/float_mode.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/queries/aimed_rays.hpp"
 
 namespace espalier::tests::extreme_rays_test {

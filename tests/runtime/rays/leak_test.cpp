@@ -1,6 +1,8 @@
 // No ray gets out of a closed mesh: not through a vertex, not through a side, on no instruction set.
 #include "support/testing.hpp"
 
+#include "support/machine/instruction_paths.hpp"
+
 #include <numbers>
 
 namespace espalier::tests::leak_test {

@@ -5,6 +5,7 @@
 
 #include "every_hit.hpp"
 #include "support/exact/as_rationals.hpp"
+#include "support/machine/instruction_paths.hpp"
 
 namespace espalier::tests::ray_test {
 namespace {

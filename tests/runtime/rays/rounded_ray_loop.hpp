@@ -3,6 +3,8 @@
 
 #include "support/testing.hpp"
 
+#include "support/machine/instruction_paths.hpp"
+
 #include <runtime/kernels/ray_triangle.hpp>
 
 namespace espalier::tests {

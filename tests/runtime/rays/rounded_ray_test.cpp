@@ -2,6 +2,7 @@
 #include "support/testing.hpp"
 
 #include "rounded_ray_loop.hpp"
+#include "support/machine/instruction_paths.hpp"
 
 namespace espalier::tests::rounded_ray_test {
 namespace {

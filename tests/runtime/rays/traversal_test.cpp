@@ -3,6 +3,7 @@
 #include "support/testing.hpp"
 
 #include "support/answers/differences.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/meshes/real_meshes.hpp"
 
 namespace espalier::tests::traversal_test {

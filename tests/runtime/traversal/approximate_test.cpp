@@ -7,6 +7,7 @@
 
 #include "approximate_checks.hpp"
 #include "support/blobs/node_kinds.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/meshes/real_meshes.hpp"
 #include "support/queries/shape_maker.hpp"
 

@@ -7,7 +7,6 @@
 #include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/sweep.hpp>
-#include <runtime/answers/found.hpp>
 
 namespace espalier::tests {
 
@@ -32,22 +31,6 @@ inline bool same_bits(const SweepHit& a, const SweepHit& b) {
     return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
            same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
            a.feature == b.feature && a.starts_overlapping == b.starts_overlapping;
-}
-
-inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            if (a.corner[i][k] != b.corner[i][k]) return false;
-        }
-    }
-    return true;
-}
-
-inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest& b) {
-    return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
-           same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&
-           a.distance.denominator == b.distance.denominator && a.index == b.index &&
-           a.distance.feature == b.distance.feature && same_corners(a.triangle, b.triangle);
 }
 
 }  // namespace espalier::tests

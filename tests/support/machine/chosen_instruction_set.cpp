@@ -16,8 +16,8 @@ constexpr const char* names[] = {"scalar", "sse42", "avx2", "avx512", "neon", "s
 std::vector<InstructionSet> all_sets() {
 #if ESPALIER_X86
     std::vector<InstructionSet> sets;
-    for (unsigned set = 0; set <= static_cast<unsigned>(detail::detect_instruction_set()); ++set)
-        sets.push_back(static_cast<InstructionSet>(set));
+    for (unsigned i = 0; i <= static_cast<unsigned>(detail::detect_instruction_set()); ++i)
+        if (const auto set = static_cast<InstructionSet>(i); detail::is_built(set)) sets.push_back(set);
     return sets;
 #else
     return {detail::instruction_set()};

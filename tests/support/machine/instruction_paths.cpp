@@ -20,9 +20,13 @@ const std::vector<InstructionPath>& instruction_paths() {
 #if ESPALIER_X86
         const detail::InstructionSet best = best_instruction_set();
         using detail::InstructionSet;  // each has all of those before it
+#if ESPALIER_HAS_SSE42
         if (best >= InstructionSet::sse42) found.push_back(ESPALIER_PATH(sse42));
+#endif
+#if ESPALIER_HAS_AVX2
         if (best >= InstructionSet::avx2) found.push_back(ESPALIER_PATH(avx2));
-#if defined(__x86_64__)
+#endif
+#if ESPALIER_HAS_AVX512
         if (best >= InstructionSet::avx512) found.push_back(ESPALIER_PATH(avx512));
 #endif
 #elif ESPALIER_NEON

@@ -11,6 +11,8 @@
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 
+#include "support/base/same_bits.hpp"
+
 namespace espalier::tests {
 
 struct InstructionPath {
@@ -52,5 +54,21 @@ struct InstructionPath {
 };
 
 const std::vector<InstructionPath>& instruction_paths();
+
+inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (a.corner[i][k] != b.corner[i][k]) return false;
+        }
+    }
+    return true;
+}
+
+inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest& b) {
+    return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
+           same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&
+           a.distance.denominator == b.distance.denominator && a.index == b.index &&
+           a.distance.feature == b.distance.feature && same_corners(a.triangle, b.triangle);
+}
 
 }  // namespace espalier::tests

@@ -42,11 +42,15 @@ summarise() {
     [[ $failed -eq 0 ]]
 }
 
-# quick_cases COMMAND...: with a twentieth of the random cases, without the slow ones that tests/scales.txt lists and without meshes
-# from files
+# quick_cases TIER... COMMAND...: with a twentieth of the random cases, without the slow ones that tests/scales.txt lists for these tiers
+# (quick, check) and without meshes from files
 quick_cases() {
-    ESPALIER_TEST_SCALE=0.05 ESPALIER_MESHES=none \
-        ESPALIER_TEST_LEAVE_OUT=$(patterns_of quick | cut -d ' ' -f 2- | paste -sd ,) "$@"
+    local left_out=()
+    while [[ $1 == quick || $1 == check ]]; do
+        mapfile -t -O "${#left_out[@]}" left_out < <(patterns_of "$1" | cut -d ' ' -f 2-)
+        shift
+    done
+    ESPALIER_TEST_SCALE=0.05 ESPALIER_MESHES=none ESPALIER_TEST_LEAVE_OUT=$(IFS=,; echo "${left_out[*]}") "$@"
 }
 
 # compile_by_ccache: where that is installed. A checkout is new each time and has another name; what did not change is compiled once.
