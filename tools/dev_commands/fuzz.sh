@@ -19,11 +19,15 @@ fuzz() {
     build "$folder" espalier_fuzz_targets -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -g" \
         -DCMAKE_CXX_COMPILER="$compiler" -DESPALIER_SANITIZE=ON -DESPALIER_FUZZ=ON -DESPALIER_BENCH=OFF \
         -DESPALIER_SMALL_CODE="$small_code"
+    local jobs=() job
     for target in "${fuzz_targets[@]}"; do
         [[ -x $folder/fuzz/espalier_fuzz_$target ]] || fail "there is no fuzz target '$target'"
         mkdir -p "build/fuzz/corpus/$target" "build/fuzz/findings" "fuzz/corpus/$target"
-        "fuzz_with_$engine" "$folder/fuzz/espalier_fuzz_$target" "$target" "$seconds" || found=1
+        "fuzz_with_$engine" "$folder/fuzz/espalier_fuzz_$target" "$target" "$seconds" &
+        jobs+=($!)
+        while [[ $(jobs -rp | wc -l) -ge $(nproc) ]]; do wait -n || true; done
     done
+    for job in "${jobs[@]}"; do wait "$job" || found=1; done
     return "$found"
 }
 
