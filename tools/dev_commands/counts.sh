@@ -17,11 +17,11 @@ add_up_calls() {
 }
 
 counts() {
-    local folder=${1-} log=$PWD/build/counts/claims.log
+    local folder=${1-} log=$PWD/build/release/claims.log
     [[ -z $folder || -d $folder ]] || fail "there is no folder $folder"
-    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev python3 >&2
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev python3 >&2
     check_cmake
-    build build/counts espalier_tests -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
+    build build/release espalier_tests --preset release >&2
     : >"$log"
     run_patterns counts none "$log"
     [[ -z $folder ]] || run_patterns counts_real "$folder" "$log"

@@ -1,9 +1,9 @@
 # Extreme sizes, places and forms, by the hundred million.
 extremes() {
-    local log=$PWD/build/counts/extremes.log
-    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev python3 >&2
+    local log=$PWD/build/release/extremes.log
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev python3 >&2
     check_cmake
-    build build/counts espalier_tests -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
+    build build/release espalier_tests --preset release >&2
     : >"$log"
     run_patterns extremes none "$log"
     sed -nE 's/.*MESSAGE: ((aimed rays|extreme rays|decisions of).*)/\1/p' "$log"

@@ -21,7 +21,7 @@ run_patterns() {
 # run_pattern FOLDER FACTOR PATTERN: prints what its tests print, and a line that begins with FAILED if one does or there is none
 run_pattern() {
     local program output found=no
-    for program in $(test_programs build/counts); do
+    for program in $(test_programs build/release); do
         output=$(ESPALIER_MESHES=$1 ESPALIER_TEST_SCALE=$2 "$program" -tc="$3" 2>&1) || output+=$'\n'"FAILED: $3"
         grep -qE "test cases: +0 " <<<"$output" && continue
         found=yes
