@@ -2,114 +2,74 @@
 #include "questions.hpp"
 #include "words.hpp"
 
-#include <espalier/contact.hpp>
+namespace espalier::answers {
 
 namespace {
 
-void answer_rays(const espalier::Blob& blob, const Questions& questions) {
-    Words closest("raycast");
-    Words any("occluded");
-    Words first("closest_hits");
-    Words all("all_hits");
-    Words crossings("crossings");
-    Words originals("original_hits");
-    for (std::size_t i = 0; i < questions.origins.size(); ++i) {
-        const espalier::Ray ray = questions.ray(i);
-        const espalier::RayHit hit = espalier::raycast(blob, ray);
-        add(closest, hit);
-        any.add(espalier::occluded(blob, ray).status());
-        const espalier::OriginalHit original = espalier::original_hit(blob, hit);
-        originals.add(original.file, original.mesh, original.triangle, original.u, original.v, original.status);
-        espalier::RayHit hits[3];
-        const espalier::Filled filled = espalier::closest_hits(blob, ray, hits);
-        first.add(filled.count, filled.status);
-        for (std::size_t k = 0; k < filled.count; ++k) add(first, hits[k]);
-        all.add(espalier::for_each_hit(blob, ray, [&](const espalier::RayHit& each) { add(all, each); }));
-        crossings.add(
-            espalier::for_each_crossing(blob, ray, [&](const espalier::RayHit& each) { add(crossings, each); }));
-    }
+constexpr auto keep = [](TriangleId triangle) { return triangle.index % 3 != 1; };
+
+void answer_rays(const Blob& blob, const Questions& questions, std::size_t i) {
+    const Ray ray = questions.ray(i, static_cast<FaceCulling>(i % 3));
+    const RayHit hit = raycast(blob, ray);
+    words["raycast"].add(hit);
+    words["occluded"].add(occluded(blob, ray).status());
+    words["original_hits"].add(original_hit(blob, hit));
+    RayHit hits[3];
+    add_filled("closest_hits", closest_hits(blob, ray, hits), hits);
+    Words &all = words["all_hits"], &crossings = words["crossings"];
+    all.add(for_each_hit(blob, ray, [&](const RayHit& each) { all.add(each); }));
+    crossings.add(for_each_crossing(blob, ray, [&](const RayHit& each) { crossings.add(each); }));
+    const Ray filtered = questions.ray(i, FaceCulling::front);
+    words["filtered_raycast"].add(raycast(blob, filtered, keep));
+    words["filtered_occluded"].add(occluded(blob, filtered, keep).status());
+    add_filled("filtered_closest_hits", closest_hits(blob, filtered, hits, keep), hits);
 }
 
-void answer_points(const espalier::Blob& blob, const Questions& questions) {
-    Words closest("closest_point");
-    Words signed_distances("signed_distance");
-    Words inside("contains");
-    Words several("closest_triangles");
-    Words windings("winding_number");
-    for (const espalier::Vec3& point : questions.origins) {
-        add(closest, espalier::closest_point(blob, point, 2.5f));
-        add(signed_distances, espalier::signed_distance(blob, point, 2.5f));
-        inside.add(espalier::contains(blob, point).status());
-        espalier::ClosestPoint nearest[3];
-        const espalier::Filled filled = espalier::closest_triangles(blob, point, nearest, 2.5f);
-        several.add(filled.count, filled.status);
-        for (std::size_t k = 0; k < filled.count; ++k) add(several, nearest[k]);
-        const auto winding = espalier::winding_number(blob, point, 7);
-        windings.add(winding.value, winding.status);
-    }
+void answer_points(const Blob& blob, const Questions& questions, std::size_t i) {
+    const Vec3 point = questions.origins[i];
+    words["closest_point"].add(closest_point(blob, point, 2.5f));
+    words["signed_distance"].add(signed_distance(blob, point, 2.5f));
+    words["contains"].add(contains(blob, point).status());
+    ClosestPoint nearest[3];
+    add_filled("closest_triangles", closest_triangles(blob, point, nearest, 2.5f), nearest);
+    words["winding_number"].add(winding_number(blob, point, 7));
+    words["closest_to_segments"].add(closest_point(blob, Segment{point, questions.directions[i]}, 1.5f));
+    words["closest_to_boxes"].add(closest_point(blob, questions.box(i), 1.5f));
 }
 
-template <class Shape>
-void answer_volume(const espalier::Blob& blob, Words& words, const Shape& shape) {
-    words.add(espalier::overlaps(blob, shape).status());
-    words.add(espalier::for_each_overlap(
-        blob, shape, [&](espalier::TriangleId triangle, const espalier::Triangle&) { words.add(triangle); }));
-}
-
-template <class Body>
-void answer_contacts(const espalier::Blob& blob, Words& words, const Body& body, float margin) {
-    espalier::Contact contacts[5];
-    const espalier::Filled filled = espalier::find_contacts(blob, body, margin, contacts);
-    words.add(filled.count, filled.status);
-    for (std::size_t k = 0; k < filled.count; ++k) add(words, contacts[k]);
-}
-
-template <class Shape>
-void answer_sweep(const espalier::Blob& blob, Words& words, const Shape& shape, const espalier::Vec3& displacement) {
-    espalier::SweepOptions options;
-    options.culling = espalier::FaceCulling::back;
-    options.ignore_leaving = true;
-    options.skin = 0.01f;
-    add(words, espalier::sweep(blob, shape, displacement, options));
-}
-
-void answer_shapes(const espalier::Blob& blob, const Questions& questions) {
-    Words segments("closest_to_segments");
-    Words boxes("closest_to_boxes");
-    Words touching[] = {Words("sphere"), Words("capsule"),  Words("box"),          Words("oriented_box"),
-                        Words("cone"),   Words("triangle"), Words("convex_volume")};
-    Words contacts[] = {Words("contacts_sphere"), Words("contacts_capsule"), Words("contacts_oriented_box"),
-                        Words("contacts_convex_hull")};
-    Words sweeps[] = {Words("sweep_sphere"), Words("sweep_capsule"), Words("sweep_box"), Words("sweep_oriented_box"),
-                      Words("sweep_convex_hull")};
-    for (std::size_t i = 0; i < questions.origins.size(); ++i) {
-        const auto [sphere, capsule, box, oriented_box, cone, triangle] = questions.shapes(i);
-        const espalier::Vec3 displacement = questions.directions[i];
-        add(segments, espalier::closest_point(blob, espalier::Segment{capsule.from, capsule.to}, 1.5f));
-        add(boxes, espalier::closest_point(blob, box, 1.5f));
-        answer_volume(blob, touching[0], sphere);
-        answer_volume(blob, touching[1], capsule);
-        answer_volume(blob, touching[2], box);
-        answer_volume(blob, touching[3], oriented_box);
-        answer_volume(blob, touching[4], cone);
-        answer_volume(blob, touching[5], triangle);
-        answer_volume(blob, touching[6], questions.volume(i));
-        answer_contacts(blob, contacts[0], sphere, questions.limits[i]);
-        answer_contacts(blob, contacts[1], capsule, questions.limits[i]);
-        answer_contacts(blob, contacts[2], oriented_box, questions.limits[i]);
-        answer_contacts(blob, contacts[3], questions.hull(i), questions.limits[i]);
-        answer_sweep(blob, sweeps[0], sphere, displacement);
-        answer_sweep(blob, sweeps[1], capsule, displacement);
-        answer_sweep(blob, sweeps[2], box, displacement);
-        answer_sweep(blob, sweeps[3], oriented_box, displacement);
-        answer_sweep(blob, sweeps[4], questions.hull(i), displacement);
-    }
+void answer_shapes(const Blob& blob, const Questions& questions, std::size_t i) {
+    const auto answer_volume = [&](const char* name, const auto& volume) {
+        Words& touching = words[name];
+        touching.add(overlaps(blob, volume).status());
+        touching.add(
+            for_each_overlap(blob, volume, [&](TriangleId triangle, const Triangle&) { touching.add(triangle); }));
+    };
+    questions.for_each_volume(i, answer_volume);
+    answer_volume("convex_volume", questions.volume(i));
+    const auto answer_contacts = [&](const char* name, const auto& body) {
+        Contact contacts[5];
+        add_filled(name, find_contacts(blob, body, questions.limits[i], contacts), contacts);
+    };
+    answer_contacts("contacts_sphere", questions.sphere(i));
+    answer_contacts("contacts_capsule", questions.capsule(i));
+    answer_contacts("contacts_oriented_box", questions.oriented_box(i));
+    answer_contacts("contacts_convex_hull", questions.hull(i));
+    questions.for_each_body(i, [&](const std::string& name, const auto& body) {
+        SweepOptions options = {.culling = FaceCulling::back, .ignore_leaving = true, .skin = 0.01f};
+        words[name].add(sweep(blob, body, questions.directions[i], options));
+        options = {.filter = keep, .skin = 0.01f};
+        words["filtered_" + name].add(sweep(blob, body, questions.directions[i], options));
+    });
 }
 
 }  // namespace
 
-void answer_blob(const espalier::Blob& blob, const Questions& questions) {
-    answer_rays(blob, questions);
-    answer_points(blob, questions);
-    answer_shapes(blob, questions);
+void answer_blob(const Blob& blob, const Questions& questions) {
+    for (std::size_t i = 0; i < questions.count(); ++i) {
+        answer_rays(blob, questions, i);
+        answer_points(blob, questions, i);
+        answer_shapes(blob, questions, i);
+    }
 }
+
+}  // namespace espalier::answers

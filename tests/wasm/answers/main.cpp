@@ -3,94 +3,88 @@
 // planes, and those of uint32 FOLDER/vertexOffsets and planeOffsets. Writes the answers of each query to a file of its
 // name, as words in the order of the fields. Each comes from one call of C++ for each question.
 #include <cstdio>
-#include <cstdlib>
-#include <span>
-#include <string>
-#include <vector>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
 
 #include <espalier/bake.hpp>
-#include <espalier/espalier.hpp>
 
 #include "questions.hpp"
 #include "words.hpp"
 
-std::string folder;
-
-void write_file(const std::string& name, const void* bytes, std::size_t size) {
-    std::FILE* const file = std::fopen((folder + name).c_str(), "wb");
-    if (file == nullptr) return;
-    std::fwrite(bytes, 1, size, file);
-    std::fclose(file);
-}
-
-Words::~Words() { write_file(name_, words_.data(), sizeof(std::uint32_t) * words_.size()); }
+namespace espalier::answers {
 
 namespace {
 
-template <class Element>
-std::vector<Element> read(const char* name) {
-    std::vector<Element> elements;
-    std::FILE* const file = std::fopen((folder + name).c_str(), "rb");
-    if (file == nullptr) return elements;
-    for (Element element; std::fread(&element, sizeof element, 1, file) == 1;) elements.push_back(element);
-    std::fclose(file);
-    return elements;
-}
+/// Reads and writes files of a folder.
+class Folder {
+public:
+    explicit Folder(const char* path) : path_(std::string(path) + "/") {}
 
-espalier::BakeResult bake(const espalier::MeshView& mesh, const espalier::BakeOptions& options, const char* name) {
-    espalier::BakeResult baked = espalier::bake(std::span(&mesh, 1), options);
-    if (!baked) {
-        std::fprintf(stderr, "answers: %s\n", baked.message.c_str());
-        std::exit(2);
+    template <class Element>
+    [[nodiscard]] std::vector<Element> read(const char* name) const {
+        std::ifstream file(path_ + name, std::ios::binary);
+        const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+        std::vector<Element> elements(bytes.size() / sizeof(Element));
+        std::memcpy(elements.data(), bytes.data(), sizeof(Element) * elements.size());
+        return elements;
     }
-    write_file(name, baked.bytes.data(), baked.bytes.size());
-    return baked;
+    void write(const std::string& name, std::span<const std::byte> bytes) const {
+        std::ofstream(path_ + name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    template <class Baked>
+    [[nodiscard]] std::vector<std::byte> write_baked(const std::string& name, Baked baked) const {
+        if (!baked) throw std::runtime_error(baked.message);
+        write(name, baked.bytes);
+        return std::move(baked.bytes);
+    }
+
+private:
+    std::string path_;
+};
+
+void answer_all(const Folder& folder) {
+    const auto positions = folder.read<Vec3>("positions");
+    const auto triangles = folder.read<TriangleVertices>("triangles");
+    MeshView mesh;
+    mesh.positions = positions;
+    mesh.triangles = triangles;
+    const auto baked = folder.write_baked("blob", bake(std::span(&mesh, 1), {.original_ids = true, .flat_angle = 5.0}));
+    const auto coarse = folder.write_baked(
+        "coarse_blob", bake(std::span(&mesh, 1), {.resolution = Resolution::bits(10), .profile = Profile::small}));
+    const Blob blob = open(baked), coarse_blob = open(coarse);
+    const Questions questions = {folder.read<Vec3>("origins"),  folder.read<Vec3>("directions"),
+                                 folder.read<float>("limits"),  folder.read<float>("radii"),
+                                 folder.read<Vec3>("vertices"), folder.read<std::uint32_t>("vertexOffsets"),
+                                 folder.read<Plane>("planes"),  folder.read<std::uint32_t>("planeOffsets")};
+    answer_blob(blob, questions);
+    answer_pairs(blob, coarse_blob, questions);
+    const std::span<const std::byte> blobs[] = {baked, coarse};
+    const auto joined = folder.write_baked("scene", bake_scene(blobs, instances_of(questions)));
+    Blob meshes[2];
+    const BakedScene scene = open_scene(joined, meshes);
+    answer_scene(scene, questions);
+    folder.write("moving_scene", answer_moving(blob, coarse_blob, scene, questions));
+    for (const auto& [name, answers] : words) folder.write(name, answers.bytes());
 }
 
 }  // namespace
+
+}  // namespace espalier::answers
 
 int main(int argument_count, char** arguments) {
     if (argument_count != 2) {
         std::fputs("usage: answers FOLDER\n", stderr);
         return 1;
     }
-    folder = std::string(arguments[1]) + "/";
-    const auto positions = read<espalier::Vec3>("positions");
-    const auto triangles = read<espalier::TriangleVertices>("triangles");
-    espalier::MeshView mesh;
-    mesh.positions = positions;
-    mesh.triangles = triangles;
-    espalier::BakeOptions options;
-    options.original_ids = true;
-    options.flat_angle = 5.0;
-    const espalier::BakeResult baked = bake(mesh, options, "blob");
-    options = {};
-    options.resolution = espalier::Resolution::bits(10);
-    options.profile = espalier::Profile::small;
-    const espalier::BakeResult coarse = bake(mesh, options, "coarse_blob");
-    const espalier::Blob blob = espalier::open(baked.bytes);
-    const espalier::Blob coarse_blob = espalier::open(coarse.bytes);
-    const Questions questions = {read<espalier::Vec3>("origins"),
-                                 read<espalier::Vec3>("directions"),
-                                 read<float>("limits"),
-                                 read<float>("radii"),
-                                 read<espalier::Vec3>("vertices"),
-                                 read<std::uint32_t>("vertexOffsets"),
-                                 read<espalier::Plane>("planes"),
-                                 read<std::uint32_t>("planeOffsets")};
-    answer_blob(blob, questions);
-    answer_filtered(blob, questions);
-    answer_pairs(blob, coarse_blob, questions);
-    const std::span<const std::byte> blobs[] = {baked.bytes, coarse.bytes};
-    const espalier::SceneBakeResult joined = espalier::bake_scene(blobs, instances_of(questions));
-    if (!joined) {
-        std::fprintf(stderr, "answers: %s\n", joined.message.c_str());
+    try {
+        espalier::answers::answer_all(espalier::answers::Folder(arguments[1]));
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "answers: %s\n", error.what());
         return 2;
     }
-    write_file("scene", joined.bytes.data(), joined.bytes.size());
-    espalier::Blob meshes[2];
-    const espalier::BakedScene scene = espalier::open_scene(joined.bytes, meshes);
-    answer_scene(scene, questions);
-    answer_moving(blob, coarse_blob, scene, questions);
-    return 0;
 }

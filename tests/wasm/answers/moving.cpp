@@ -5,6 +5,8 @@
 
 #include "scene_queries.hpp"
 
+namespace espalier::answers {
+
 namespace {
 
 constexpr std::uint32_t capacity = 40;
@@ -24,115 +26,117 @@ private:
     std::size_t size_;
 };
 
-using Handles = std::vector<espalier::InstanceHandle>;
+/// Changes of a scene, at the places of questions.
+class Changes {
+public:
+    Changes(MovingScene& scene, const Questions& questions) : scene_(scene), questions_(questions) {}
 
-/// Returns what an instance is of: mostly both blobs in turn, and in each ten the tile and a mesh that does not exist.
-constexpr std::uint32_t mesh_of(std::uint32_t i) { return i % 10 < 8 ? i % 2 : i % 10 - 6; }
-
-/// Inserts instances at the places of some questions.
-void insert_some(espalier::MovingScene& scene, const Questions& questions, std::uint32_t first, std::uint32_t count,
-                 Handles& handles, Words& words) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const auto inserted = espalier::insert(
-            scene, {questions.place(first + i), mesh_of(i), 1 + i % 3, 7 * i, espalier::no_instance.index});
-        words.add(inserted.value.slot, inserted.value.generation, inserted.status);
-        handles.push_back(inserted.value);
+    void make(std::span<Blob> meshes) {
+        insert_some(80, 60);
+        move_some(15, 20);
+        for (const std::size_t i : {10u, 11u, 12u, 13u, 14u, 10u}) words_.add(remove(scene_, handles_[i]));
+        for (std::uint32_t i = 14; i < 22; ++i)
+            words_.add(set_mask(scene_, handles_[i], 6), set_user(scene_, handles_[i], 1000 + i));
+        repack(scene_);
+        end_step(scene_);
+        insert_some(150, 6);
+        move_some(170, 4);
+        meshes[1] = meshes[0];
+        words_.add(move_instances_of(scene_, 1));
+        repack(scene_);  // as after another lattice
+        words_.add(scene_.instance_count(), scene_.capacity(), scene_.slot_end(), scene_.step_exponent(),
+                   quality(scene_));
+        for (std::uint32_t slot = 0; slot < scene_.slot_end(); ++slot) {
+            add(handle_of(scene_, slot));
+            if (const auto instance = instance_at(scene_, InstanceId{slot})) words_.add(*instance);
+        }
     }
-}
 
-/// Moves instances in a batch, which goes on behind those that are refused.
-void move_some(espalier::MovingScene& scene, const Questions& questions, std::uint32_t first, const Handles& handles,
-               std::size_t count, Words& words) {
-    std::vector<espalier::Movement> movements;
-    for (std::size_t i = 0; i < count; ++i) movements.push_back({handles[i], questions.place(first + i)});
-    std::vector<espalier::QueryStatus> statuses(count, espalier::QueryStatus::ok);
-    for (std::size_t begin = 0; begin < count;) {
-        const espalier::Filled moved = espalier::move(scene, std::span(movements).subspan(begin));
-        begin += moved.count;
-        if (moved.status != espalier::QueryStatus::ok) statuses[begin++] = moved.status;
+private:
+    void add(const Result<InstanceHandle>& handle) {
+        words_.add(handle.value.slot, handle.value.generation, handle.status);
     }
-    espalier::refit(scene);
-    for (const espalier::QueryStatus status : statuses) words.add(status);
-}
+    /// Inserts mostly both blobs in turn, and in each ten the tile and a mesh that does not exist.
+    void insert_some(std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t mesh = i % 10 < 8 ? i % 2 : i % 10 - 6;
+            const auto inserted =
+                insert(scene_, {questions_.place(first + i), mesh, 1 + i % 3, 7 * i, no_instance.index});
+            add(inserted);
+            handles_.push_back(inserted.value);
+        }
+    }
+    /// Moves instances in a batch, which goes on behind those that are refused.
+    void move_some(std::uint32_t first, std::size_t count) {
+        std::vector<Movement> movements;
+        for (std::size_t i = 0; i < count; ++i) movements.push_back({handles_[i], questions_.place(first + i)});
+        std::vector<QueryStatus> statuses(count, QueryStatus::ok);
+        for (std::size_t begin = 0; begin < count;) {
+            const Filled moved = move(scene_, std::span(movements).subspan(begin));
+            begin += moved.count;
+            if (moved.status != QueryStatus::ok) statuses[begin++] = moved.status;
+        }
+        refit(scene_);
+        for (const QueryStatus status : statuses) words_.add(status);
+    }
 
-void change(espalier::MovingScene& scene, std::span<espalier::Blob> meshes, const Questions& questions) {
-    Words words("moving_changes");
-    Handles handles;
-    insert_some(scene, questions, 80, 60, handles, words);
-    move_some(scene, questions, 15, handles, 20, words);
-    for (const std::size_t i : {10u, 11u, 12u, 13u, 14u, 10u}) words.add(espalier::remove(scene, handles[i]));
-    for (std::uint32_t i = 14; i < 22; ++i) {
-        words.add(espalier::set_mask(scene, handles[i], 6));
-        words.add(espalier::set_user(scene, handles[i], 1000 + i));
-    }
-    espalier::repack(scene);
-    espalier::end_step(scene);
-    insert_some(scene, questions, 150, 6, handles, words);
-    move_some(scene, questions, 170, handles, 4, words);
-    meshes[1] = meshes[0];
-    words.add(espalier::move_instances_of(scene, 1));
-    espalier::repack(scene);  // as after another lattice
-    words.add(scene.instance_count(), scene.capacity(), scene.slot_end(), scene.step_exponent(),
-              espalier::quality(scene));
-    for (std::uint32_t slot = 0; slot < scene.slot_end(); ++slot) {
-        const auto handle = espalier::handle_of(scene, slot);
-        words.add(handle.value.slot, handle.value.generation, handle.status);
-        const auto instance = espalier::instance_at(scene, espalier::InstanceId{slot});
-        if (instance) add(words, *instance);
-    }
-}
+    MovingScene& scene_;
+    const Questions& questions_;
+    std::vector<InstanceHandle> handles_;
+    Words& words_ = words["moving_changes"];
+};
 
-void add_pair(Words& words, const espalier::InstancePair& pair) { words.add(pair.a, pair.b); }
-void add_pair(Words& words, const espalier::BakedPair& pair) { words.add(pair.moving, pair.baked); }
+void add_pair(Words& list, const InstancePair& pair) { list.add(pair.a, pair.b); }
+void add_pair(Words& list, const BakedPair& pair) { list.add(pair.moving, pair.baked); }
 
 /// Adds all pairs that collect(array) writes, where to go on, and why they end.
 template <class Pair, class Collect>
-void answer_pairs(const char* name, const Collect& collect) {
-    Words words(name);
+void answer_pairs_of(const char* name, const Collect& collect) {
+    Words& list = words[name];
     std::vector<Pair> pairs(100'000);
-    const espalier::FilledPairs<Pair> filled = collect(std::span(pairs));
-    for (std::size_t i = 0; i < filled.count; ++i) add_pair(words, pairs[i]);
-    add_pair(words, filled.next);
-    words.add(filled.status);
+    const FilledPairs<Pair> filled = collect(std::span(pairs));
+    for (const Pair& pair : filled.in(pairs)) add_pair(list, pair);
+    add_pair(list, filled.next);
+    list.add(filled.status);
 }
 
-void answer_all_pairs(espalier::MovingScene& scene, const espalier::BakedScene& baked) {
-    using espalier::BakedPair;
-    using espalier::InstancePair;
-    constexpr auto unlimited = espalier::WorkLimit::unlimited();
-    constexpr espalier::WorkLimit limit(300);
-    espalier::PairFilter moved;
+void answer_all_pairs(MovingScene& scene, const BakedScene& baked) {
+    constexpr auto unlimited = WorkLimit::unlimited();
+    constexpr WorkLimit limit(300);
+    PairFilter moved;
     moved.only_moved = true;
-    answer_pairs<InstancePair>("moving_candidates", [&](auto pairs) {
-        return espalier::collect_candidate_pairs(scene, pairs, {}, InstancePair{1, 5});
+    answer_pairs_of<InstancePair>("moving_candidates", [&](auto pairs) {
+        return collect_candidate_pairs(scene, pairs, {}, InstancePair{1, 5});
     });
-    answer_pairs<InstancePair>("moving_moved",
-                               [&](auto pairs) { return espalier::collect_candidate_pairs(scene, pairs, moved); });
-    answer_pairs<InstancePair>("moving_collisions",
-                               [&](auto pairs) { return espalier::collect_colliding_pairs(scene, pairs, unlimited); });
-    answer_pairs<InstancePair>("moving_collisions_limited",
-                               [&](auto pairs) { return espalier::collect_colliding_pairs(scene, pairs, limit); });
-    answer_pairs<BakedPair>("moving_candidates_with_baked", [&](auto pairs) {
-        return espalier::collect_candidate_pairs(scene, baked, pairs, {}, BakedPair{2, {3, 0}});
+    answer_pairs_of<InstancePair>("moving_moved",
+                                  [&](auto pairs) { return collect_candidate_pairs(scene, pairs, moved); });
+    answer_pairs_of<InstancePair>("moving_collisions",
+                                  [&](auto pairs) { return collect_colliding_pairs(scene, pairs, unlimited); });
+    answer_pairs_of<InstancePair>("moving_collisions_limited",
+                                  [&](auto pairs) { return collect_colliding_pairs(scene, pairs, limit); });
+    answer_pairs_of<BakedPair>("moving_candidates_with_baked", [&](auto pairs) {
+        return collect_candidate_pairs(scene, baked, pairs, {}, BakedPair{2, {3, 0}});
     });
-    answer_pairs<BakedPair>("moving_collisions_with_baked", [&](auto pairs) {
-        return espalier::collect_colliding_pairs(scene, baked, pairs, unlimited, moved);
+    answer_pairs_of<BakedPair>("moving_collisions_with_baked", [&](auto pairs) {
+        return collect_colliding_pairs(scene, baked, pairs, unlimited, moved);
     });
-    answer_pairs<BakedPair>("moving_collisions_with_baked_limited",
-                            [&](auto pairs) { return espalier::collect_colliding_pairs(scene, baked, pairs, limit); });
+    answer_pairs_of<BakedPair>("moving_collisions_with_baked_limited",
+                               [&](auto pairs) { return collect_colliding_pairs(scene, baked, pairs, limit); });
 }
 
 }  // namespace
 
-void answer_moving(const espalier::Blob& blob, const espalier::Blob& coarse, const espalier::BakedScene& tile,
-                   const Questions& questions) {
-    espalier::Blob meshes[] = {blob, coarse};
-    const espalier::BakedScene tiles[] = {tile};
-    const Block block(espalier::moving_scene_bytes(capacity));
-    espalier::MovingScene scene = espalier::create_moving_scene(block.bytes(), capacity, -8, meshes, tiles);
-    change(scene, meshes, questions);
-    write_file("moving_scene", scene.bytes().data(), scene.bytes().size());
-    SceneAnswers(std::as_const(scene), questions, "moving_", false).write();
-    SceneAnswers(std::as_const(scene), questions, "filtered_moving_", true).write();
+std::vector<std::byte> answer_moving(const Blob& blob, const Blob& coarse, const BakedScene& tile,
+                                     const Questions& questions) {
+    Blob meshes[] = {blob, coarse};
+    const BakedScene tiles[] = {tile};
+    const Block block(moving_scene_bytes(capacity));
+    MovingScene scene = create_moving_scene(block.bytes(), capacity, -8, meshes, tiles);
+    Changes(scene, questions).make(meshes);
+    std::vector<std::byte> bytes(scene.bytes().begin(), scene.bytes().end());
+    answer_both(std::as_const(scene), questions, "moving_");
     answer_all_pairs(scene, tile);
+    return bytes;
 }
+
+}  // namespace espalier::answers
