@@ -30,6 +30,20 @@ inline BakeResult must_bake_meshes(std::initializer_list<const Mesh*> meshes, co
     return result;
 }
 
+/// Checks that a bake was refused with a message that has these parts.
+inline void check_refused(const BakeResult& result, BakeStatus status, std::initializer_list<std::string> parts) {
+    CHECK(!result);
+    CHECK(result.status == status);
+    CHECK(result.bytes.empty());
+    CHECK(result.remap.empty());
+    for (const std::string& part : parts) CHECK_MESSAGE(result.message.find(part) != std::string::npos, result.message);
+}
+
+inline void require_sound(std::span<const std::byte> blob) {
+    const VerifyReport verified = verify(blob);
+    REQUIRE_MESSAGE(verified, verified.message);
+}
+
 inline BakeOptions with_bits(unsigned bits) { return {.resolution = Resolution::bits(bits)}; }
 
 inline BakeOptions with_tolerance(double tolerance) { return {.resolution = Resolution::tolerance(tolerance)}; }
@@ -43,6 +57,12 @@ inline Mesh first_triangles(Mesh mesh, std::size_t count) {
         mesh.materials.erase(mesh.materials.begin() + static_cast<std::ptrdiff_t>(count), mesh.materials.end());
     }
     return mesh;
+}
+
+inline void append_triangle(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
 inline void append(Mesh& mesh, const Mesh& other) {
@@ -61,6 +81,20 @@ inline std::array<std::array<double, 3>, 3> world_corners(const DecodedBlob& blo
         return world;
     };
     return {to_world(triangle.a), to_world(triangle.b), to_world(triangle.c)};
+}
+
+/// Requires that each corner of each triangle is near that of its source, in its order from the first corner on.
+inline void require_corners_of_source(const DecodedBlob& decoded, const Mesh& mesh) {
+    for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+        const auto corners = world_corners(decoded, decoded.triangles[i]);
+        const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
+            REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+            REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+            REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+        }
+    }
 }
 
 }  // namespace espalier::tests

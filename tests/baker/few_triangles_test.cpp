@@ -25,9 +25,7 @@ Mesh mesh_of(const Counts& counts) {
     for (unsigned copy = most; copy > 0; --copy) {
         for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
             if (counts[kind] < copy) continue;
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            mesh.positions.insert(mesh.positions.end(), kinds[kind].begin(), kinds[kind].end());
-            mesh.triangles.push_back({first, first + 1, first + 2});
+            append_triangle(mesh, kinds[kind][0], kinds[kind][1], kinds[kind][2]);
         }
     }
     return mesh;

@@ -13,10 +13,9 @@ namespace espalier::tests::spatial_test {
 namespace {
 
 BakeOptions with_splits(double duplicates = 1.0, unsigned bits = 16) {
-    BakeOptions options = {.resolution = Resolution::bits(bits),
-                           .profile = Profile::fast,
-                           .build = {.builder = Builder::spatial_splits, .duplicate_budget = duplicates}};
-    return options;
+    return {.resolution = Resolution::bits(bits),
+            .profile = Profile::fast,
+            .build = {.builder = Builder::spatial_splits, .duplicate_budget = duplicates}};
 }
 
 /// Whether the boxes hold all points of a fine grid on the triangle, exactly: coordinates are compared as fractions.
@@ -104,8 +103,7 @@ TEST_CASE("spatial split: copies are counted and sound and reduce the visits at 
     CHECK(opened.blob.duplicate_reference_count() == one.report.tree.duplicate_references);
     CHECK(opened.blob.triangle_count() == one.report.tree.triangles + one.report.tree.duplicate_references);
     CHECK((detail::data_of(opened.blob).features & format::feature::split_references) != 0);
-    const VerifyReport verified = verify(one.bytes);
-    if (!verified) FAIL_CHECK(verified.message);
+    require_sound(one.bytes);
 
     const OpenedBlob plain(mesh);
     QueryCounters counters;
@@ -128,8 +126,7 @@ TEST_CASE("spatial split: rays and spheres and closest points equal the loop and
             CAPTURE(bits);
             const OpenedBlob opened(mesh, with_splits(1.0, bits));
             copies += opened.blob.duplicate_reference_count();
-            const VerifyReport verified = verify(opened.bytes);
-            if (!verified) FAIL_CHECK(verified.message);
+            require_sound(opened.bytes);
             const DecodedBlob decoded = decode(opened.bytes);
             const TriangleLoop loop(decoded);
             QueryMaker maker(decoded, 500 + bits);
@@ -195,10 +192,9 @@ TEST_CASE("spatial split: ids and materials of an owner are those of its source"
     options.original_ids = true;
     const OpenedBlob opened(mesh, options);
     for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
-        const Result<OriginalTriangle> found = original_triangle(opened.blob, TriangleId{i});
-        REQUIRE(found);
-        const OriginalTriangle& original = *found;
-        CHECK(original.triangle == material(opened.blob, TriangleId{i}));
+        const Result<OriginalTriangle> original = original_triangle(opened.blob, TriangleId{i});
+        REQUIRE(original);
+        CHECK(original->triangle == material(opened.blob, TriangleId{i}));
     }
 }
 
@@ -237,11 +233,8 @@ TEST_CASE("verify: parts that leave out a corner of their triangle are found") {
     REQUIRE(get(bytes, plane, 2) > get(bytes, plane - 96, 2) + 1);
     put(bytes, plane, (get(bytes, plane, 2) + get(bytes, plane - 96, 2)) / 2, 2);
     repair_checksum(bytes);
-    const Blob blob = open(bytes);
-    REQUIRE(blob);
-    const VerifyReport verified = verify(bytes);
-    REQUIRE(!verified);
-    CHECK(contains(verified.message, "corner"));
+    REQUIRE(open(bytes));
+    CHECK(contains(verify(bytes).message, "corner"));
 }
 
 }  // namespace

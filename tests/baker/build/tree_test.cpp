@@ -25,9 +25,7 @@ Mesh exponentially_spaced(unsigned count) {
     Mesh mesh;
     for (unsigned i = 0; i < count; ++i) {
         const float size = std::ldexp(1.0f, static_cast<int>(i));
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {{size, 0, 0}, {2 * size, 0, 0}, {size, size, 0}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
+        append_triangle(mesh, {size, 0, 0}, {2 * size, 0, 0}, {size, size, 0});
     }
     return mesh;
 }
@@ -48,8 +46,7 @@ void check_soundness(const Mesh& mesh, Profile profile, const BakeOptions& optio
     CAPTURE(mesh.name);
     CAPTURE(mesh.triangles.size());
     const auto result = must_bake_mesh(mesh, with_profile(profile, options));
-    const VerifyReport verified = verify(result.bytes);
-    if (!verified) FAIL_CHECK(verified.message);
+    require_sound(result.bytes);
     const Blob blob = open(result.bytes);
     CHECK(blob.status() == OpenStatus::ok);
     CHECK(blob.triangle_count() == result.report.tree.triangles);
@@ -174,19 +171,16 @@ TEST_CASE("builder: three levels of a binary tree always collapse into one wide 
 TEST_CASE("builder: a collapse that prefers long chains keeps the depth") {
     // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
     const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
-    struct Prices {
-        baker::RayCosts costs;
-        float byte_price;
-    };
-    for (const Prices& prices :
+    using Prices = std::pair<baker::RayCosts, float>;
+    for (const auto& [costs, byte_price] :
          {Prices{dear_leaves, 0.0f}, Prices{{1.0f, 0.0f, 0.0f}, 0.0f}, Prices{{1.0f, 0.0f, 1.0f}, 1000.0f}}) {
         BakeOptions options = with_bits(24);
-        options.build.byte_price = prices.byte_price;
+        options.build.byte_price = byte_price;
         const auto make_tree = [](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
             return baker::optimise(baker::build_sah(lattice_mesh, settings), baker::optimise_settings(Effort::normal));
         };
         const MeshView view = mesh.view();
-        const auto result = baker::bake_with(make_tree, {&view, 1}, options, prices.costs);
+        const auto result = baker::bake_with(make_tree, {&view, 1}, options, costs);
         REQUIRE(result);
         CHECK(result.report.tree.depth <= format::max_depth);
         CHECK(verify(result.bytes));
@@ -195,28 +189,18 @@ TEST_CASE("builder: a collapse that prefers long chains keeps the depth") {
 
 TEST_CASE("builder: leaves reach the size in the options and never exceed it") {
     const Mesh mesh = make_terrain(60, 3);
-    struct Case {
-        Profile profile;
-        unsigned most;
-    };
-    std::vector<Case> cases;
-    for (unsigned most = 1; most <= format::plain_leaf::max_triangles; ++most) {
-        cases.push_back({Profile::fast, most});
-        cases.push_back({Profile::balanced, most});
-        cases.push_back({Profile::small, most});
-    }
-    for (const Case& one : cases) {
-        const Profile profile = one.profile;
-        const unsigned most = one.most;
-        CAPTURE(name_of(profile));
-        CAPTURE(most);
-        BakeOptions options = {.profile = profile, .build = {.max_leaf_triangles = most}};
-        options.build.byte_price = 20.0f;  // large leaves are wanted
-        const auto result = must_bake_mesh(mesh, options);
-        CHECK(verify(result.bytes));
-        const DecodedBlob decoded = decode(result.bytes);
-        CHECK(decoded.triangles.size() == mesh.triangles.size());
-        CHECK(*std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end()) == most);
+    for (const Profile profile : {Profile::fast, Profile::balanced, Profile::small}) {
+        for (unsigned most = 1; most <= format::plain_leaf::max_triangles; ++most) {
+            CAPTURE(name_of(profile));
+            CAPTURE(most);
+            BakeOptions options = {.profile = profile, .build = {.max_leaf_triangles = most}};
+            options.build.byte_price = 20.0f;  // large leaves are wanted
+            const auto result = must_bake_mesh(mesh, options);
+            CHECK(verify(result.bytes));
+            const DecodedBlob decoded = decode(result.bytes);
+            CHECK(decoded.triangles.size() == mesh.triangles.size());
+            CHECK(*std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end()) == most);
+        }
     }
 }
 
@@ -232,20 +216,11 @@ TEST_CASE("builder: nodes have as many children as their profile allows and neve
 
 TEST_CASE("builder: a senseless leaf size or price is refused by name") {
     const Mesh mesh = make_terrain(4, 3);
-    const auto refused_for = [&](const BakeOptions& options, const char* name) {
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(!result);
-        CHECK(result.status == BakeStatus::invalid_options);
-        CHECK(contains(result.message, name));
-    };
-    for (const unsigned most : {0u, format::max_leaf_triangles + 1u}) {
-        BakeOptions options = {.build = {.max_leaf_triangles = most}};
-        refused_for(options, "max_leaf_triangles");
-    }
-    for (const float price : {-1.0f, not_a_number, std::numeric_limits<float>::infinity(), 1e7f}) {
-        const BakeOptions options = {.build = {.byte_price = price}};
-        refused_for(options, "byte_price");
-    }
+    for (const unsigned most : {0u, format::max_leaf_triangles + 1u})
+        check_refused(bake_mesh(mesh, {.build = {.max_leaf_triangles = most}}), BakeStatus::invalid_options,
+                      {"max_leaf_triangles"});
+    for (const float price : {-1.0f, not_a_number, std::numeric_limits<float>::infinity(), 1e7f})
+        check_refused(bake_mesh(mesh, {.build = {.byte_price = price}}), BakeStatus::invalid_options, {"byte_price"});
 }
 
 TEST_CASE("builder: a higher cost for bytes gives a smaller blob") {

@@ -10,6 +10,15 @@ std::vector<OriginalTriangle> table_for(const Blob& blob) {
     return std::vector<OriginalTriangle>(blob.triangle_count(), {7, 7, 7, 7});
 }
 
+/// A blob with its file, and a table to read it into.
+struct BakedCube {
+    const BakeResult baked = must_bake_mesh(make_cube(0.0f, 1.0f));
+    const OpenedBlob opened{std::vector<std::byte>(baked.bytes)};
+    const std::vector<std::byte> file = remap_file(baked);
+    std::vector<OriginalTriangle> remap = table_for(opened.blob);
+    const std::vector<OriginalTriangle> before = remap;
+};
+
 /// Of two files, an empty mesh and a triangle without area among them.
 BakeResult bake_two_files(const BakeOptions& options) {
     std::array<Mesh, 3> meshes = {make_torus(16, 8, 4.0, 0.5), Mesh{}, make_terrain(12, 3)};
@@ -35,19 +44,15 @@ TEST_CASE("remap: it holds what ids in the blob would whether or not there are a
         REQUIRE(with.remap.size() == opened.blob.triangle_count());
         CHECK(with.remap == without.remap);
         for (std::uint32_t i = 0; i < with.remap.size(); ++i) {
-            const Result<OriginalTriangle> found = original_triangle(opened.blob, {i});
-            REQUIRE(found);
-            const OriginalTriangle& original = *found;
-            REQUIRE(with.remap[i] == original);
+            const Result<OriginalTriangle> original = original_triangle(opened.blob, {i});
+            REQUIRE(original);
+            REQUIRE(with.remap[i] == *original);
         }
     });
 }
 
 TEST_CASE("remap: copies lead to the triangle of their owner") {
-    const Mesh mesh = make_soup(60, 1);
-    const MeshView view = mesh.view();
-    const auto baked = bake({&view, 1}, with_copies());
-    REQUIRE(baked);
+    const auto baked = must_bake_mesh(make_soup(60, 1), with_copies());
     REQUIRE(baked.report.tree.duplicate_references > 0);
     const DecodedBlob decoded = decode(baked.bytes);
     REQUIRE(baked.remap.size() == decoded.triangle_count);
@@ -77,14 +82,8 @@ TEST_CASE("remap: a file is read back as the table and only for its own blob") {
 }
 
 TEST_CASE("remap: a file that is cut short or changed in any bit is refused") {
-    const Mesh mesh = make_cube(0.0f, 1.0f);
-    const MeshView view = mesh.view();
-    const auto baked = bake({&view, 1}, {});
-    REQUIRE(baked);
-    const OpenedBlob opened(baked.bytes);
-    const std::vector<std::byte> file = remap_file(baked);
-    std::vector<OriginalTriangle> remap = table_for(opened.blob);
-    const std::vector<OriginalTriangle> before = remap;
+    BakedCube cube;
+    auto& [baked, opened, file, remap, before] = cube;
     for (std::size_t size = 0; size < file.size(); ++size) {
         const std::vector<std::byte> part(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
         REQUIRE(read_remap(part, opened.blob, remap) == OpenStatus::not_a_remap);
@@ -100,14 +99,8 @@ TEST_CASE("remap: a file that is cut short or changed in any bit is refused") {
 }
 
 TEST_CASE("remap: a file with a good checksum is refused for each other fault that it has") {
-    const Mesh mesh = make_cube(0.0f, 1.0f);
-    const MeshView view = mesh.view();
-    const auto baked = bake({&view, 1}, {});
-    REQUIRE(baked);
-    const OpenedBlob opened(baked.bytes);
-    const std::vector<std::byte> file = remap_file(baked);
-    std::vector<OriginalTriangle> remap = table_for(opened.blob);
-    const std::vector<OriginalTriangle> before = remap;
+    BakedCube cube;
+    auto& [baked, opened, file, remap, before] = cube;
     const auto status_of = [&](auto change, std::size_t places) {
         std::vector<std::byte> changed = file;
         change(changed);

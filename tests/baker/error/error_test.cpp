@@ -125,8 +125,7 @@ TEST_CASE("error: a mesh on the lattice has none") {
 
 TEST_CASE("error: a speck that vanishes far from the rest counts with its distance") {
     Mesh mesh = make_cube(0.0f, 100.0f);
-    const Mesh speck = make_cube(349.999f, 350.0f);
-    append(mesh, speck);
+    append(mesh, make_cube(349.999f, 350.0f));
     const auto result = must_bake_mesh(mesh, with_bits(8));
     CHECK(result.report.findings.collapsed.count == 12);
     const double distance = 250.0 * std::sqrt(3.0);
@@ -143,9 +142,7 @@ TEST_CASE("error: a triangle that collapses across empty space counts with its f
     Mesh other = make_cube(0.0f, 100.0f);
     for (Vec3& point : other.positions) point.x += 1000.0f;
     append(mesh, other);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {{100, 50, 50}, {1000, 50, 50}, {500, 50.01f, 50}});
-    mesh.triangles.push_back({first, first + 1, first + 2});
+    append_triangle(mesh, {100, 50, 50}, {1000, 50, 50}, {500, 50.01f, 50});
     const auto result = must_bake_mesh(mesh, with_bits(8));
     CHECK(result.report.findings.collapsed.count == 1);
     CHECK(result.report.lattice.max_error >= 450.0);
@@ -155,10 +152,8 @@ TEST_CASE("error: a triangle that collapses across empty space counts with its f
 TEST_CASE("error: triangles that collapse onto kept edges and vertices add none") {
     // A fine fan along the cube's edge, so thin that it becomes that edge.
     Mesh mesh = make_cube(0.0f, 128.0f);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {128, 0, 0}, {64, 0.001f, 0.001f}});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first, first + 1});
+    append_triangle(mesh, {0, 0, 0}, {128, 0, 0}, {64, 0.001f, 0.001f});
+    append_triangle(mesh, {0, 0, 0}, {0, 0, 0}, {128, 0, 0});
     const auto result = must_bake_mesh(mesh, with_bits(8));
     CHECK(result.report.findings.collapsed.count == 1);
     CHECK(result.report.findings.zero_area.count == 1);
@@ -169,18 +164,14 @@ TEST_CASE("error: triangles that collapse onto kept edges and vertices add none"
 TEST_CASE("error: a source triangle without area counts with its distance and the tolerance names it") {
     Mesh mesh = make_cube(0.0f, 1.0f);
     mesh.name = "cube";
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back({11.0f, 0.5f, 0.5f});
-    mesh.triangles.push_back({first, first, first});
+    const Vec3 far_away = {11.0f, 0.5f, 0.5f};
+    append_triangle(mesh, far_away, far_away, far_away);
     const auto result = must_bake_mesh(mesh);
     CHECK(result.report.findings.zero_area.count == 1);
     CHECK(result.report.bounds.extent == 1.0);
     CHECK(result.report.lattice.max_error >= 10.0);
     CHECK(result.report.lattice.max_error <= 10.001);
-    const auto refused = bake_mesh(mesh, with_tolerance(0.01));
-    REQUIRE(!refused);
-    CHECK(contains(refused.message, "cube, triangle 12:"));
-    CHECK(contains(refused.message, "remove it"));
+    check_refused(bake_mesh(mesh, with_tolerance(0.01)), BakeStatus::too_fine, {"cube, triangle 12:", "remove it"});
 }
 
 TEST_CASE("error: a mesh that vanishes whole gives an empty blob and no error") {

@@ -16,11 +16,6 @@ Mesh named_cube() {
     return cube;
 }
 
-BakeOptions with_repair() {
-    BakeOptions options = {.drop_bad_triangles = true};
-    return options;
-}
-
 TEST_CASE("input: no meshes and meshes without triangles give an empty blob") {
     const auto nothing = bake({}, {});
     REQUIRE(nothing);
@@ -45,12 +40,8 @@ TEST_CASE("input: a corner that is not finite is refused with mesh and triangle 
         cube.positions.push_back(cube.positions[vertex]);
         cube.positions.back().y = broken;
         cube.triangles[7][1] = static_cast<std::uint32_t>(cube.positions.size()) - 1;
-        const auto result = bake_mesh(cube);
-        REQUIRE(!result);
-        CHECK(result.status == BakeStatus::invalid_mesh);
-        CHECK(contains(result.message, "level.obj, mesh 3 (walls), triangle 7: its second corner"));
-        CHECK(contains(result.message, "y = "));
-        CHECK(contains(result.message, "drop_bad_triangles"));
+        check_refused(bake_mesh(cube), BakeStatus::invalid_mesh,
+                      {"level.obj, mesh 3 (walls), triangle 7: its second corner", "y = ", "drop_bad_triangles"});
     }
 }
 
@@ -58,12 +49,9 @@ TEST_CASE("input: an index out of range is refused with mesh and triangle and in
     for (const std::uint32_t broken : {8u, 0xFFFFFFFFu}) {
         Mesh cube = named_cube();
         cube.triangles[11][2] = broken;
-        const auto result = bake_mesh(cube);
-        REQUIRE(!result);
-        CHECK(result.status == BakeStatus::invalid_mesh);
-        CHECK(contains(result.message, "level.obj, mesh 3 (walls), triangle 11: its third corner"));
-        CHECK(contains(result.message, std::to_string(broken)));
-        CHECK(contains(result.message, "8 vertices"));
+        check_refused(
+            bake_mesh(cube), BakeStatus::invalid_mesh,
+            {"level.obj, mesh 3 (walls), triangle 11: its third corner", std::to_string(broken), "8 vertices"});
     }
 }
 
@@ -80,7 +68,7 @@ TEST_CASE("input: dropping bad triangles counts them and keeps the rest") {
     cube.triangles[2][0] = 8;
     cube.triangles[5][1] = 9;
     cube.triangles[6][1] = 10;
-    const auto result = must_bake_mesh(cube, with_repair());
+    const auto result = must_bake_mesh(cube, {.drop_bad_triangles = true});
     CHECK(result.report.source.triangles == 12);
     CHECK(result.report.tree.triangles == 9);
     CHECK(result.report.findings.not_finite.count == 1);
@@ -145,29 +133,24 @@ TEST_CASE("input: zero area is decided exactly") {
 TEST_CASE("input: the number of materials is the number of triangles or zero") {
     Mesh cube = named_cube();
     cube.materials = {1, 2, 3};
-    const auto result = bake_mesh(cube);
-    REQUIRE(!result);
-    CHECK(result.status == BakeStatus::invalid_mesh);
-    CHECK(contains(result.message, "level.obj, mesh 3 (walls): 3 materials for 12 triangles"));
+    check_refused(bake_mesh(cube), BakeStatus::invalid_mesh,
+                  {"level.obj, mesh 3 (walls): 3 materials for 12 triangles"});
 }
 
 TEST_CASE("input: materials take the least width that holds them and beyond 16 bits are refused by name") {
     Mesh cube = named_cube();
     const auto features = [&cube] {
-        const auto result = must_bake_mesh(cube);
-        return decode(result.bytes).features & (format::feature::materials_8 | format::feature::materials_16);
+        return decode(bake_or_throw(cube)).features & (format::feature::materials_8 | format::feature::materials_16);
     };
     CHECK(features() == 0);
     cube.materials.assign(12, 0);
-    CHECK(features() == 0);
-    cube.materials[9] = 1;
-    CHECK(features() == format::feature::materials_8);
-    cube.materials[9] = 255;
-    CHECK(features() == format::feature::materials_8);
-    cube.materials[9] = 256;
-    CHECK(features() == format::feature::materials_16);
-    cube.materials[9] = 65535;
-    CHECK(features() == format::feature::materials_16);
+    for (const std::uint32_t material : {0u, 1u, 255u, 256u, 65535u}) {
+        CAPTURE(material);
+        cube.materials[9] = material;
+        CHECK(features() == (material == 0    ? 0
+                             : material < 256 ? format::feature::materials_8
+                                              : format::feature::materials_16));
+    }
     cube.materials[9] = 65536;
     const auto refused = bake_mesh(cube);
     REQUIRE(!refused);
@@ -192,10 +175,7 @@ TEST_CASE("input: a refusal returns no bytes and no remap and does not convert t
 
 TEST_CASE("input: options out of range are refused with the range") {
     const auto refused = [](BakeOptions options, const char* text) {
-        const auto result = bake_mesh(make_cube(0.0f, 1.0f), options);
-        REQUIRE(!result);
-        CHECK(result.status == BakeStatus::invalid_options);
-        CHECK(contains(result.message, text));
+        check_refused(bake_mesh(make_cube(0.0f, 1.0f), options), BakeStatus::invalid_options, {text});
     };
     refused(with_bits(0), "1 to 24");
     refused(with_bits(25), "1 to 24");
@@ -203,23 +183,12 @@ TEST_CASE("input: options out of range are refused with the range") {
     refused(with_tolerance(-1e-9), "-1e-09");
     refused(with_tolerance(std::numeric_limits<double>::infinity()), "above zero");
     refused(with_tolerance(std::numeric_limits<double>::quiet_NaN()), "above zero");
-    BakeOptions options = {.effort = static_cast<Effort>(3)};
-    refused(options, "fast, normal or best");
-    options = {};
-    options.profile = static_cast<Profile>(4);
-    refused(options, "profile 4");
-    options = {};
-    options.build.builder = static_cast<Builder>(99);
-    refused(options, "builder 99");
-    options = {};
-    options.build.builder = Builder::spatial_splits;
-    options.profile = Profile::balanced;
-    refused(options, "profile fast");
-    options = {};
-    options.build.duplicate_budget = 1.5;
-    refused(options, "0 to 1");
-    options.build.duplicate_budget = std::numeric_limits<double>::quiet_NaN();
-    refused(options, "0 to 1");
+    refused({.effort = static_cast<Effort>(3)}, "fast, normal or best");
+    refused({.profile = static_cast<Profile>(4)}, "profile 4");
+    refused({.build = {.builder = static_cast<Builder>(99)}}, "builder 99");
+    refused({.profile = Profile::balanced, .build = {.builder = Builder::spatial_splits}}, "profile fast");
+    refused({.build = {.duplicate_budget = 1.5}}, "0 to 1");
+    refused({.build = {.duplicate_budget = std::numeric_limits<double>::quiet_NaN()}}, "0 to 1");
 }
 
 TEST_CASE("baker: progress rises from 0 to 1 in the calling thread") {

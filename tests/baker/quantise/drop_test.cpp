@@ -11,11 +11,8 @@ namespace {
 /// The same surface with three vertices of its own for every triangle.
 Mesh torn_apart(const Mesh& mesh) {
     Mesh torn = {.name = mesh.name};
-    for (const TriangleVertices& triangle : mesh.triangles) {
-        const auto first = static_cast<std::uint32_t>(torn.positions.size());
-        for (const std::uint32_t corner : triangle) torn.positions.push_back(mesh.positions[corner]);
-        torn.triangles.push_back({first, first + 1, first + 2});
-    }
+    for (const auto& [a, b, c] : mesh.triangles)
+        append_triangle(torn, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     return torn;
 }
 
@@ -123,12 +120,10 @@ TEST_CASE("weld: a million different triangles in one place bake in linear time"
         Mesh mesh = {.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}}, .triangles = {{0, 1, 2}}};
         Random random(5);
         for (std::uint32_t i = 0; i < count; ++i) {
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            for (int corner = 0; corner < 3; ++corner) {
-                mesh.positions.push_back(
-                    {400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
-            }
-            mesh.triangles.push_back({first, first + 1, first + 2});
+            const auto near = [&] {
+                return Vec3{400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f};
+            };
+            append_triangle(mesh, near(), near(), near());
         }
         const auto result = must_bake_mesh(mesh);
         CHECK(result.report.tree.triangles == 1);
@@ -142,16 +137,7 @@ TEST_CASE("weld: corners keep the winding of the source and its order from the f
     for_each_profile([](Profile profile) {
         const Mesh mesh = make_terrain(9, 8);
         const DecodedBlob decoded = decode(bake_or_throw(mesh, {.profile = profile, .original_ids = true}));
-        for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-            const auto corners = world_corners(decoded, decoded.triangles[i]);
-            const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
-                CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-                CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-                CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
-            }
-        }
+        require_corners_of_source(decoded, mesh);
     });
 }
 

@@ -10,8 +10,7 @@ namespace espalier::tests::sections_bounds_test {
 namespace {
 
 BakeOptions with_bounds(unsigned bits = 16) {
-    BakeOptions options = {.resolution = Resolution::bits(bits), .bounds = {true, true, true}};
-    return options;
+    return {.resolution = Resolution::bits(bits), .bounds = {true, true, true}};
 }
 
 /// The rotation's rows, from the textbook's formula for a quaternion times its squared length.
@@ -59,17 +58,9 @@ void check_bounds(const OpenedBlob& opened) {
             REQUIRE(side < norm);  // rounded to a sixteenth of a step
         }
     }
-    constexpr std::array<std::array<std::int32_t, 3>, 10> directions = {{{1, 1, 0},
-                                                                         {1, -1, 0},
-                                                                         {1, 0, 1},
-                                                                         {1, 0, -1},
-                                                                         {0, 1, 1},
-                                                                         {0, 1, -1},
-                                                                         {1, 1, 1},
-                                                                         {1, 1, -1},
-                                                                         {1, -1, 1},
-                                                                         {1, -1, -1}}};
-    for (std::size_t k = 0; k < directions.size(); ++k) {
+    constexpr std::int32_t directions[10][3] = {{1, 1, 0},  {1, -1, 0}, {1, 0, 1},  {1, 0, -1}, {0, 1, 1},
+                                                {0, 1, -1}, {1, 1, 1},  {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+    for (std::size_t k = 0; k < std::size(directions); ++k) {
         std::int32_t low = INT32_MAX;
         std::int32_t high = INT32_MIN;
         for (const GridPoint& p : distinct_corners(decoded)) {
@@ -176,10 +167,7 @@ TEST_CASE("verify: a vertex outside each of the bounds and a wrong edge flag are
     const std::size_t size = good.size();
     const auto verdict_with = [&](std::size_t from_end, int by) {
         auto bad = good;
-        std::uint32_t value = 0;
-        for (unsigned i = 0; i < 4; ++i) value |= std::to_integer<std::uint32_t>(bad[size - from_end + i]) << (8 * i);
-        value += static_cast<std::uint32_t>(by);
-        for (unsigned i = 0; i < 4; ++i) bad[size - from_end + i] = static_cast<std::byte>(value >> (8 * i));
+        put(bad, size - from_end, get(bad, size - from_end, 4) + static_cast<std::uint64_t>(by), 4);
         repair_checksum(bad);
         return verify(bad).message;
     };

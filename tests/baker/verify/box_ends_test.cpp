@@ -89,11 +89,11 @@ using Extent = std::array<std::uint32_t, 3>;
 /// Small triangles all over a box of whole steps with at most one side of 0, and long ones that spatial splits cut.
 Mesh make_filled_box(const Extent& extent, Random& random) {
     Mesh mesh;
+    const auto place = [](const Extent& at) {
+        return Vec3{static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
+    };
     const auto add = [&](const Extent& a, const Extent& b, const Extent& c) {
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (const Extent& at : {a, b, c})
-            mesh.positions.push_back({static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])});
-        mesh.triangles.push_back({first, first + 1, first + 2});
+        append_triangle(mesh, place(a), place(b), place(c));
     };
     const auto anywhere = [&] {
         return Extent{random.below(extent[0] + 1), random.below(extent[1] + 1), random.below(extent[2] + 1)};
