@@ -4,7 +4,9 @@
 #include <exception>
 #include <fstream>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -18,78 +20,54 @@
 
 namespace {
 
-using espalier::Profile;
+using namespace espalier;
 using namespace espalier::tests;
 
-bool write(const std::string& folder, const std::string& name, Profile profile, const std::vector<std::byte>& bytes,
-           std::uint64_t triangles) {
-    const std::string path = folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl");
+void write(const std::string& path, std::span<const std::byte> bytes) {
     std::ofstream file(path, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     file.close();
-    if (!file) {
-        std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
-        return false;
-    }
-    std::printf("%s %llu triangles %zu bytes\n", path.c_str(), static_cast<unsigned long long>(triangles),
-                bytes.size());
-    return true;
+    if (!file) throw std::runtime_error(path + " could not be written");
+    std::printf("%s %zu bytes\n", path.c_str(), bytes.size());
 }
 
-bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& name, Profile profile, unsigned bits) {
-    espalier::BakeOptions options;
-    options.profile = profile;
-    options.resolution = espalier::Resolution::bits(bits);
-    const espalier::MeshView view = mesh.view();
-    const auto baked = espalier::bake(std::span(&view, 1), options);
-    if (!baked) {
-        std::fprintf(stderr, "make_blobs: %s: %s\n", name.c_str(), baked.message.c_str());
-        return false;
-    }
-    return write(folder, name, profile, baked.bytes, baked.report.tree.triangles);
+std::vector<std::byte> baked(const Mesh& mesh, const BakeOptions& options) {
+    const MeshView view = mesh.view();
+    BakeResult result = bake(std::span(&view, 1), options);
+    if (!result) throw std::runtime_error(result.message);
+    return std::move(result.bytes);
+}
+
+BakeOptions options_of(Profile profile, unsigned bits) {
+    return {.resolution = Resolution::bits(bits), .profile = profile};
 }
 
 /// A scene of 64 turned tori of two sizes, at the points of a grid.
-bool bake_scene_to(const std::string& folder, Profile profile) {
-    const Mesh torus = make_torus(48, 16, 3.0, 1.0);
-    espalier::BakeOptions options;
-    options.profile = profile;
-    options.resolution = espalier::Resolution::bits(14);
-    const espalier::MeshView view = torus.view();
-    const auto mesh = espalier::bake(std::span(&view, 1), options);
-    std::vector<espalier::Instance> instances(64);
+std::vector<std::byte> bake_tori(Profile profile) {
+    const std::vector<std::byte> torus = baked(make_torus(48, 16, 3.0, 1.0), options_of(profile, 14));
+    std::vector<Instance> instances(64);
     Random random(64);
     for (std::uint32_t i = 0; i < 64; ++i) {
-        espalier::Transform& transform = instances[i].transform;
+        Transform& transform = instances[i].transform;
         transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f};
         const auto at = [](std::uint32_t place) { return 7.0f * static_cast<float>(place); };
         transform.translation = {at(i % 4), at(i / 4 % 4), at(i / 16)};
         transform.scale = i % 3 == 0 ? 0.5f : 0.75f;
     }
-    const std::span<const std::byte> bytes = mesh.bytes;
-    const auto scene = espalier::bake_scene(std::span(&bytes, 1), instances);
-    if (!scene) {
-        std::fprintf(stderr, "make_blobs: scene: %s\n", scene.message.c_str());
-        return false;
-    }
-    return write(folder, "scene", profile, scene.bytes, scene.report.triangles);
+    const std::span<const std::byte> bytes = torus;
+    SceneBakeResult scene = bake_scene(std::span(&bytes, 1), instances);
+    if (!scene) throw std::runtime_error(scene.message);
+    return scene.bytes;
 }
 
 /// A cloth that deforms, flat at rest.
-bool bake_cloth_to(const std::string& folder) {
-    using espalier::firmware::ClothPlaces;
+std::vector<std::byte> bake_cloth() {
+    using firmware::ClothPlaces;
     Mesh cloth = make_plane_grid(ClothPlaces::side);
     for (std::uint32_t i = 0; i < ClothPlaces::count; ++i) cloth.positions[i] = ClothPlaces::at(i, 0);
-    espalier::BakeOptions options;
-    options.profile = Profile::fast;
+    BakeOptions options = {.profile = Profile::fast};
     options.deformation.emplace().range = ClothPlaces::range();
-    const espalier::MeshView view = cloth.view();
-    const auto baked = espalier::bake(std::span(&view, 1), options);
-    if (!baked) {
-        std::fprintf(stderr, "make_blobs: cloth: %s\n", baked.message.c_str());
-        return false;
-    }
-    return write(folder, "cloth", Profile::fast, baked.bytes, baked.report.tree.triangles);
+    return baked(cloth, options);
 }
 
 struct RealBlob {
@@ -105,18 +83,21 @@ constexpr RealBlob real_blobs[] = {{"bunny", "bunny.obj", Profile::fast, 16},
                                    {"fandisk", "fandisk.obj", Profile::fast, 16},
                                    {"dragon", "dragon.ply", Profile::fast, 16}};
 
-bool bake_all(const std::string& folder) {
+void bake_all(const std::string& folder) {
+    const auto write_to = [&](const char* name, Profile profile, std::span<const std::byte> bytes) {
+        write(folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl"), bytes);
+    };
     const Mesh level = make_level(5000, 2026);
-    const Mesh torus = make_torus(64, 24, 3.0, 1.0);
-    bool all = bake_to(folder, level, "level", Profile::fast, 14) &&
-               bake_to(folder, level, "level", Profile::small, 14) &&
-               bake_to(folder, torus, "torus", Profile::fast, 16) &&
-               bake_to(folder, make_cube(-0.5f, 0.5f), "cube", Profile::fast, 14) &&
-               bake_scene_to(folder, Profile::fast) && bake_scene_to(folder, Profile::small) && bake_cloth_to(folder);
+    for (const Profile profile : {Profile::fast, Profile::small}) {
+        write_to("level", profile, baked(level, options_of(profile, 14)));
+        write_to("scene", profile, bake_tori(profile));
+    }
+    write_to("torus", Profile::fast, baked(make_torus(64, 24, 3.0, 1.0), options_of(Profile::fast, 16)));
+    write_to("cube", Profile::fast, baked(make_cube(-0.5f, 0.5f), options_of(Profile::fast, 14)));
+    write_to("cloth", Profile::fast, bake_cloth());
     for (const RealBlob& blob : real_blobs)
-        if (const auto file = mesh_file(blob.file); file && all)
-            all = bake_to(folder, read_mesh(*file), blob.name, blob.profile, blob.bits);
-    return all;
+        if (const auto file = mesh_file(blob.file))
+            write_to(blob.name, blob.profile, baked(read_mesh(*file), options_of(blob.profile, blob.bits)));
 }
 
 }  // namespace
@@ -127,7 +108,8 @@ int main(int argument_count, char** arguments) {
         return 1;
     }
     try {
-        return bake_all(arguments[1]) ? 0 : 2;
+        bake_all(arguments[1]);
+        return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_blobs: %s\n", error.what());
         return 2;

@@ -78,7 +78,7 @@ private:
     void ask(bool with_repack) {
         QueryStatus moved = QueryStatus::not_open;
         FilledPairs<InstancePair> found;
-        measure_(with_repack ? moving_step_repack : moving_step, [&] {
+        measure_(with_repack ? Kind("moving_step_repack") : Kind("moving_step"), [&] {
             moved = move(scene_, movements_).status;
             if (with_repack) repack(scene_);
             else refit(scene_);

@@ -1,11 +1,11 @@
 // Makes shapes near a box from the same random numbers on every machine.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/ray.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
+
+#include "../platform/numbers.hpp"
 
 namespace espalier::firmware {
 
@@ -22,7 +22,7 @@ private:
 };
 
 /// Shapes near a box, in the order in which they are asked for.
-class QuestionMaker {
+class QuestionMaker : platform::Numbers {
 public:
     explicit QuestionMaker(const Box& box) : low_(box.min), size_(difference(box.max, box.min)) {
         center_ = {low_.x + 0.5f * size_.x, low_.y + 0.5f * size_.y, low_.z + 0.5f * size_.z};
@@ -37,9 +37,9 @@ public:
     [[nodiscard]] float extent() const { return extent_; }
 
     Vec3 point_in_box() {
-        const float x = unit();
-        const float y = unit();
-        return {low_.x + size_.x * x, low_.y + size_.y * y, low_.z + size_.z * unit()};
+        const float x = fraction();
+        const float y = fraction();
+        return {low_.x + size_.x * x, low_.y + size_.y * y, low_.z + size_.z * fraction()};
     }
 
     /// Uniform on the unit sphere, without a square root: stereographic, with as many points thrown away as it
@@ -50,7 +50,7 @@ public:
             const float b = symmetric();
             const float squared = a * a + b * b;
             const float scale = 1.0f / (1.0f + squared);
-            if (squared > 1.0f || unit() > scale * scale) continue;
+            if (squared > 1.0f || fraction() > scale * scale) continue;
             const float z = (1.0f - squared) * scale;
             return {2.0f * a * scale, 2.0f * b * scale, (word() & 1u) != 0 ? z : -z};
         }
@@ -91,22 +91,13 @@ public:
         const float length = 0.1f * extent_;
         return {direction.x * length, direction.y * length, direction.z * length};
     }
-    float symmetric() { return 2.0f * unit() - 1.0f; }
+    float symmetric() { return 2.0f * fraction() - 1.0f; }
 
 private:
-    std::uint32_t word() {  // xorshift32
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 17;
-        state_ ^= state_ << 5;
-        return state_;
-    }
-    float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
-
     Vec3 low_;
     Vec3 size_;
     Vec3 center_;
     float extent_ = 0.0f;
-    std::uint32_t state_ = 0x9E3779B9u;
 };
 
 }  // namespace espalier::firmware

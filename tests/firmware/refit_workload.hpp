@@ -47,7 +47,7 @@ public:
         for (std::uint32_t step = 1; step <= steps; ++step) {
             for (std::uint32_t i = 0; i < positions_.size(); ++i) positions_[i] = ClothPlaces::at(i, step);
             RefitResult result;
-            measure_(refit_pose, [&] { result = refit(mesh_, positions_); });
+            measure_("refit", [&] { result = refit(mesh_, positions_); });
             answers_.add(static_cast<std::uint32_t>(result.status), result.quality,
                          std::span<const std::byte>(memory_));
         }

@@ -32,7 +32,7 @@ public:
 private:
     void open_again() {
         alignas(BakedScene) std::byte place[sizeof(BakedScene)];
-        measure_(scene_opening, [&] { new (place) BakedScene(open_scene(bytes_, meshes_)); });
+        measure_("open_scene", [&] { new (place) BakedScene(open_scene(bytes_, meshes_)); });
         answers_.add(std::launder(reinterpret_cast<const BakedScene*>(place))->instance_count());
     }
 
@@ -41,15 +41,15 @@ private:
         const Sphere sphere = this->sphere();
         const Vec3 point = point_in_box();
         InScene<RayHit> hit;
-        measure_(scene_ray, [&] { hit = raycast(scene_, ray); });
+        measure_("scene_raycast", [&] { hit = raycast(scene_, ray); });
         answers_.add(bool(hit), hit->t, hit->normal, hit->triangle.index, hit.instance.index);
         YesNo answer;
-        measure_(scene_any_ray, [&] { answer = occluded(scene_, ray); });
+        measure_("scene_occluded", [&] { answer = occluded(scene_, ray); });
         answers_.add(answer.yes());
-        measure_(scene_sphere, [&] { answer = overlaps(scene_, sphere); });
+        measure_("scene_overlaps_sphere", [&] { answer = overlaps(scene_, sphere); });
         answers_.add(answer.yes());
         InScene<ClosestPoint> nearest;
-        measure_(scene_point, [&] { nearest = closest_point(scene_, point); });
+        measure_("scene_closest_point", [&] { nearest = closest_point(scene_, point); });
         answers_.add(nearest->point, nearest->distance, nearest->triangle.index, nearest.instance.index);
     }
 

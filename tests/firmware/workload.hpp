@@ -11,7 +11,6 @@
 #include <espalier/espalier.hpp>
 
 #include "../platform/fingerprint.hpp"
-#include "../platform/report.hpp"
 #include "measured_kinds.hpp"
 #include "question_maker.hpp"
 
@@ -71,13 +70,20 @@ private:
     void add(const Vec3& point) { answers_.add(point.x, point.y, point.z); }
     void add(QueryStatus status) { answers_.add(static_cast<std::uint32_t>(status)); }
 
+    template <class... Shape>
+    void add_overlap(Kind kind, const Shape&... shape) {
+        bool answer = false;
+        measure_(kind, [&] { answer = overlaps(blob_, shape...).yes(); });
+        answers_.add(answer);
+    }
+
     void open_again() {
         // As a static Blob is initialised: the result is built where it stays.
         alignas(Blob) std::byte place[sizeof(Blob)];
         const auto status = [&] { return static_cast<std::uint32_t>(reinterpret_cast<const Blob*>(place)->status()); };
-        measure_(opening, [&] { new (place) Blob(open(bytes_)); });
+        measure_("open", [&] { new (place) Blob(open(bytes_)); });
         answers_.add(status());
-        measure_(unchecked_opening, [&] { new (place) Blob(open_unchecked(bytes_)); });
+        measure_("open_unchecked", [&] { new (place) Blob(open_unchecked(bytes_)); });
         answers_.add(status());
     }
 
@@ -86,18 +92,15 @@ private:
         const Sphere sphere = this->sphere();
         const Box box = this->box();
         const Vec3 point = point_in_box();
-        bool answer = false;
-        const RayHit hit = measured(closest_ray, [&] { return raycast(blob_, ray); });
+        const RayHit hit = measured("raycast", [&] { return raycast(blob_, ray); });
         answers_.add(bool(hit));
         add(hit);
-        answers_.add(measured(any_ray, [&] { return occluded(blob_, ray); }).yes());
-        measure_(sphere_overlap, [&] { answer = overlaps(blob_, sphere).yes(); });
-        answers_.add(answer);
-        const ClosestPoint nearest = measured(nearest_point, [&] { return closest_point(blob_, point); });
+        answers_.add(measured("occluded", [&] { return occluded(blob_, ray); }).yes());
+        add_overlap("overlaps_sphere", sphere);
+        const ClosestPoint nearest = measured("closest_point", [&] { return closest_point(blob_, point); });
         answers_.add(bool(nearest));
         add(nearest);
-        measure_(box_overlap, [&] { answer = overlaps(blob_, box).yes(); });
-        answers_.add(answer);
+        add_overlap("overlaps_box", box);
         ask_in_steps(box, ray);
     }
 
@@ -112,26 +115,25 @@ private:
         add(from.status);
         add(to.status);
         const LatticeSegment segment = {*from, *to};
-        bool answer = false;
-        measure_(box_in_steps, [&] { answer = overlaps(blob_, box).yes(); });
-        answers_.add(answer);
-        const LatticeHit hit = measured(first_in_steps, [&] { return raycast(blob_, segment); });
+        add_overlap("overlaps_box_in_steps", box);
+        const LatticeHit hit = measured("first_hit_in_steps", [&] { return raycast(blob_, segment); });
         add(hit.status);
         answers_.add(hit.t, hit.triangle.index);
-        add(measured(any_in_steps, [&] { return occluded(blob_, segment); }).status());
+        add(measured("any_hit_in_steps", [&] { return occluded(blob_, segment); }).status());
     }
 
     void ask_rays() {
         const Ray ray = this->ray();
         std::uint32_t number = 0;
-        add(measured(all_hits, [&] { return for_each_hit(blob_, ray, [&](const RayHit&) { ++number; }); }));
-        add(measured(all_crossings, [&] { return for_each_crossing(blob_, ray, [&](const RayHit&) { ++number; }); }));
+        add(measured("for_each_hit", [&] { return for_each_hit(blob_, ray, [&](const RayHit&) { ++number; }); }));
+        add(measured("for_each_crossing",
+                     [&] { return for_each_crossing(blob_, ray, [&](const RayHit&) { ++number; }); }));
         answers_.add(number);
         RayHit hits[4];
-        const Filled few = measured(few_hits, [&] { return closest_hits(blob_, ray, hits); });
+        const Filled few = measured("closest_hits", [&] { return closest_hits(blob_, ray, hits); });
         for (const RayHit& hit : few.in(hits)) add(hit);
         const Ray rays[4] = {ray, this->ray(), this->ray(), this->ray()};
-        add(measured(ray_batch, [&] { return raycast(blob_, rays, hits); }).status);
+        add(measured("raycast_batch", [&] { return raycast(blob_, rays, hits); }).status);
         for (const RayHit& hit : hits) add(hit);
     }
 
@@ -149,21 +151,15 @@ private:
         }
         std::uint32_t number = 0;
         const auto count = [&](TriangleId) { return ++number, Visit::next; };
-        measure_(sphere_list, [&] { (void)for_each_overlap(blob_, sphere, count); });
-        measure_(box_list, [&] { (void)for_each_overlap(blob_, box, count); });
+        measure_("for_each_overlap_sphere", [&] { (void)for_each_overlap(blob_, sphere, count); });
+        measure_("for_each_overlap_box", [&] { (void)for_each_overlap(blob_, box, count); });
         answers_.add(number);
-        bool answer = false;
-        measure_(capsule_overlap, [&] { answer = overlaps(blob_, capsule).yes(); });
-        answers_.add(answer);
-        measure_(oriented_box_overlap, [&] { answer = overlaps(blob_, oriented).yes(); });
-        answers_.add(answer);
-        measure_(triangle_overlap, [&] { answer = overlaps(blob_, corners).yes(); });
-        answers_.add(answer);
-        measure_(planes_overlap, [&] { answer = overlaps(blob_, ConvexVolume{planes}).yes(); });
-        answers_.add(answer);
+        add_overlap("overlaps_capsule", capsule);
+        add_overlap("overlaps_oriented_box", oriented);
+        add_overlap("overlaps_triangle", corners);
+        add_overlap("overlaps_planes", ConvexVolume{planes});
         const Cone cone = {sphere.center, oriented.half_axes[0], sphere.radius};
-        measure_(cone_overlap, [&] { answer = overlaps(blob_, cone).yes(); });
-        answers_.add(answer);
+        add_overlap("overlaps_cone", cone);
     }
 
     void ask_points() {
@@ -171,20 +167,20 @@ private:
         const Box box = this->box();
         const Vec3 end = point_in_box();
         ClosestPoint few[4];
-        const Filled found = measured(few_points, [&] { return closest_triangles(blob_, point, few); });
+        const Filled found = measured("closest_triangles", [&] { return closest_triangles(blob_, point, few); });
         for (const ClosestPoint& each : found.in(few)) add(each);
         YesNo answer;
-        measure_(inside, [&] { answer = contains(blob_, point); });
+        measure_("contains", [&] { answer = contains(blob_, point); });
         add(answer.status());
         answers_.add(answer.yes());
-        const ClosestPoint nearest = measured(signed_point, [&] { return signed_distance(blob_, point); });
+        const ClosestPoint nearest = measured("signed_distance", [&] { return signed_distance(blob_, point); });
         add(nearest.status);
         add(nearest);
-        const Result<float> number = measured(winding, [&] { return winding_number(blob_, point, 16); });
+        const Result<float> number = measured("winding_number", [&] { return winding_number(blob_, point, 16); });
         add(number.status);
         answers_.add(*number);
-        add_pair(measured(nearest_to_segment, [&] { return closest_point(blob_, Segment{point, end}); }));
-        add_pair(measured(nearest_to_box, [&] { return closest_point(blob_, box); }));
+        add_pair(measured("closest_to_segment", [&] { return closest_point(blob_, Segment{point, end}); }));
+        add_pair(measured("closest_to_box", [&] { return closest_point(blob_, box); }));
     }
 
     void ask_contacts() {
@@ -200,14 +196,14 @@ private:
                 add(contact.normal);
             }
         };
-        add_contacts(measured(contacts_sphere, [&] { return find_contacts(blob_, sphere, margin, contacts); }));
+        add_contacts(measured("contacts_sphere", [&] { return find_contacts(blob_, sphere, margin, contacts); }));
         const Capsule capsule = {at, {at.x + by.x, at.y + by.y, at.z + by.z}, half};
-        add_contacts(measured(contacts_capsule, [&] { return find_contacts(blob_, capsule, margin, contacts); }));
+        add_contacts(measured("contacts_capsule", [&] { return find_contacts(blob_, capsule, margin, contacts); }));
         const OrientedBox box = turned_box(at, half);
-        add_contacts(measured(contacts_box, [&] { return find_contacts(blob_, box, margin, contacts); }));
+        add_contacts(measured("contacts_oriented_box", [&] { return find_contacts(blob_, box, margin, contacts); }));
         const Octahedron octahedron(at, half);
-        add_contacts(
-            measured(contacts_hull, [&] { return find_contacts(blob_, octahedron.hull(), margin, contacts); }));
+        add_contacts(measured("contacts_convex_hull",
+                              [&] { return find_contacts(blob_, octahedron.hull(), margin, contacts); }));
     }
 
     void ask_sweeps() {
@@ -215,13 +211,13 @@ private:
         const Box box = this->box();
         const Vec3 way = step();
         const Capsule capsule = {box.min, box.max, sphere.radius};
-        add(measured(moving_sphere, [&] { return sweep(blob_, sphere, way); }));
-        add(measured(moving_capsule, [&] { return sweep(blob_, capsule, way); }));
-        add(measured(moving_box, [&] { return sweep(blob_, box, way); }));
+        add(measured("sweep_sphere", [&] { return sweep(blob_, sphere, way); }));
+        add(measured("sweep_capsule", [&] { return sweep(blob_, capsule, way); }));
+        add(measured("sweep_box", [&] { return sweep(blob_, box, way); }));
         const OrientedBox oriented = turned_box(sphere.center, 0.7f * sphere.radius);
-        add(measured(moving_oriented_box, [&] { return sweep(blob_, oriented, way); }));
+        add(measured("sweep_oriented_box", [&] { return sweep(blob_, oriented, way); }));
         const Octahedron octahedron(sphere.center, sphere.radius);
-        add(measured(moving_hull, [&] { return sweep(blob_, octahedron.hull(), way); }));
+        add(measured("sweep_convex_hull", [&] { return sweep(blob_, octahedron.hull(), way); }));
     }
 
     void ask_coarsely() {
@@ -229,14 +225,11 @@ private:
         const Box box = this->box();
         const Ray ray = this->ray();
         const float accuracy = 0.01f * extent();
-        bool answer = false;
-        measure_(coarse_sphere, [&] { answer = overlaps(blob_, sphere, Accuracy{accuracy}).yes(); });
-        answers_.add(answer);
-        measure_(coarse_box, [&] { answer = overlaps(blob_, box, Accuracy{accuracy}).yes(); });
-        answers_.add(answer);
-        answers_.add(measured(coarse_ray, [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
+        add_overlap("may_overlap_sphere", sphere, Accuracy{accuracy});
+        add_overlap("may_overlap_box", box, Accuracy{accuracy});
+        answers_.add(measured("may_be_occluded", [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
         const Result<DistanceBounds> bounds = measured(
-            coarse_distance, [&] { return distance_bounds(blob_, sphere.center, infinity, Accuracy{accuracy}); });
+            "distance_bounds", [&] { return distance_bounds(blob_, sphere.center, infinity, Accuracy{accuracy}); });
         answers_.add(bounds->lower, bounds->upper);
     }
 
@@ -264,12 +257,12 @@ private:
         };
         placement.translation = aside(0.5f);
         YesNo answer;
-        measure_(two_touch, [&] { answer = overlaps(blob_, {blob_, placement}, WorkLimit::unlimited()); });
+        measure_("collides", [&] { answer = overlaps(blob_, {blob_, placement}, WorkLimit::unlimited()); });
         add(answer.status());
         answers_.add(answer.yes());
         std::uint32_t number = 0;
         QueryStatus status{};
-        measure_(two_contacts, [&] {
+        measure_("for_each_contact", [&] {
             const auto visit = [&](const PairContact&) { return ++number < 100 ? Visit::next : Visit::stop; };
             status = for_each_contact(blob_, {blob_, placement}, visit, WorkLimit::unlimited());
         });
@@ -277,12 +270,12 @@ private:
         answers_.add(number);
         ask_touches({blob_, placement});
         placement.translation = aside(1.5f);
-        const BlobDistance nearest = measured(two_distance, [&] {
+        const BlobDistance nearest = measured("minimum_distance", [&] {
             return distance(blob_, {blob_, placement}, WorkLimit::unlimited());
         });
         add(nearest.status);
         answers_.add(nearest.distance);
-        measure_(two_within, [&] {
+        measure_("within_distance", [&] {
             answer = within_distance(blob_, {blob_, placement}, 0.125f * extent(), WorkLimit::unlimited());
         });
         add(answer.status());
@@ -292,7 +285,7 @@ private:
     void ask_touches(const PlacedBlob& other) {
         PairTouch touches[8];
         const Filled found =
-            measured(two_touches, [&] { return collect_touches(blob_, other, touches, WorkLimit::unlimited()); });
+            measured("collect_touches", [&] { return collect_touches(blob_, other, touches, WorkLimit::unlimited()); });
         add(found.status);
         for (const PairTouch& touch : found.in(touches)) {
             answers_.add(touch.a.index, touch.b.index, touch.depth);
@@ -307,14 +300,5 @@ private:
     Lattice lattice_;
     platform::Fingerprint answers_;
 };
-
-/// The line that every machine must print alike.
-inline platform::Line workload_line(const platform::Fingerprint& answers) {
-    platform::Line line;
-    line.text("workload ");
-    line.hexadecimal(answers.value());
-    line.text("\n");
-    return line;
-}
 
 }  // namespace espalier::firmware

@@ -67,34 +67,29 @@ void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers&
     answers.fingerprint.add(kept.status, kept.t, kept.starts_overlapping);
 }
 
-inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Ray ray = questions.ray(number);
-        const Vec3 way = number % 8 == 1 || number % 8 == 5 ? questions.displacement(number) : ray.direction;
-        const Sphere sphere = questions.sphere(number + 1);
-        ask_sweep(blob, Sphere{ray.origin, sphere.radius}, way, answers);
-        ask_sweep(blob, Capsule{ray.origin, sphere.center, sphere.radius}, way, answers);
-        ask_sweep(blob, Box{ray.origin, {ray.origin.x + sphere.radius, ray.origin.y, ray.origin.z + sphere.radius}},
-                  way, answers);
-        ask_sweep(blob, questions.box(number), way, answers);
-    }
-}
+inline constexpr auto ask_sweeps = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Ray ray = questions.ray(number);
+    const Vec3 way = number % 8 == 1 || number % 8 == 5 ? questions.displacement(number) : ray.direction;
+    const Sphere sphere = questions.sphere(number + 1);
+    ask_sweep(blob, Sphere{ray.origin, sphere.radius}, way, answers);
+    ask_sweep(blob, Capsule{ray.origin, sphere.center, sphere.radius}, way, answers);
+    ask_sweep(blob, Box{ray.origin, {ray.origin.x + sphere.radius, ray.origin.y, ray.origin.z + sphere.radius}}, way,
+              answers);
+    ask_sweep(blob, questions.box(number), way, answers);
+});
 
 /// Oriented boxes and convex hulls that move: the box, and the hull of its center and the ends of its axes and others.
-inline void ask_hull_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Vec3 way = questions.ray(number).direction;
-        const OrientedBox box = questions.oriented_box(number);
-        ask_sweep(blob, box, way, answers);
-        Vec3 vertices[12];
-        fill_vertices_around(box, vertices);
-        ask_sweep(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, way,
-                  answers);
-    }
-}
+inline constexpr auto ask_hull_sweeps = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Vec3 way = questions.ray(number).direction;
+    const OrientedBox box = questions.oriented_box(number);
+    ask_sweep(blob, box, way, answers);
+    Vec3 vertices[12];
+    fill_vertices_around(box, vertices);
+    ask_sweep(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, way, answers);
+});
 
 /// The crossings of rays, and the contacts of spheres, capsules, oriented boxes and convex hulls.
-inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+inline constexpr auto ask_contacts = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
     Contact contacts[16];
     const auto add = [&](const Filled& found) {
         ++answers.calls;
@@ -107,32 +102,30 @@ inline void ask_contacts(const Blob& blob, Questions& questions, std::uint32_t c
             add_triangle(answers.fingerprint, blob, contact.triangle);
         }
     };
-    for (std::uint32_t number = 0; number < count; ++number) {
-        ++answers.calls;
-        const QueryStatus status = for_each_crossing(
-            blob, questions.ray(number), [&](const RayHit& hit) { add_hit(answers.fingerprint, blob, hit); });
-        answers.fingerprint.add(status);
-        const Sphere sphere = questions.sphere(number);
-        const float margin = number % 3 == 0 ? 0.0f : 0.25f * sphere.radius;
-        add(find_contacts(blob, sphere, margin, contacts));
-        add(find_contacts(blob, questions.capsule(number), margin, contacts));
-        const OrientedBox box = questions.oriented_box(number);
-        add(find_contacts(blob, box, margin, contacts));
-        // The corners of the box that the number does not leave out, and the middle of two more than once.
-        Vec3 vertices[12];
-        for (unsigned i = 0; i < std::size(vertices); ++i) {
-            const unsigned corner = i < 8 ? i : number & 7u;
-            vertices[i] = box.center;
-            for (unsigned k = 0; k < 3; ++k) {
-                const float sense = (corner >> k & 1u) != 0 ? 1.0f : (number >> (i + k) & 1u) != 0 ? 0.0f : -1.0f;
-                vertices[i] = {vertices[i].x + sense * box.half_axes[k].x, vertices[i].y + sense * box.half_axes[k].y,
-                               vertices[i].z + sense * box.half_axes[k].z};
-            }
+    ++answers.calls;
+    const QueryStatus status = for_each_crossing(blob, questions.ray(number),
+                                                 [&](const RayHit& hit) { add_hit(answers.fingerprint, blob, hit); });
+    answers.fingerprint.add(status);
+    const Sphere sphere = questions.sphere(number);
+    const float margin = number % 3 == 0 ? 0.0f : 0.25f * sphere.radius;
+    add(find_contacts(blob, sphere, margin, contacts));
+    add(find_contacts(blob, questions.capsule(number), margin, contacts));
+    const OrientedBox box = questions.oriented_box(number);
+    add(find_contacts(blob, box, margin, contacts));
+    // The corners of the box that the number does not leave out, and the middle of two more than once.
+    Vec3 vertices[12];
+    for (unsigned i = 0; i < std::size(vertices); ++i) {
+        const unsigned corner = i < 8 ? i : number & 7u;
+        vertices[i] = box.center;
+        for (unsigned k = 0; k < 3; ++k) {
+            const float sense = (corner >> k & 1u) != 0 ? 1.0f : (number >> (i + k) & 1u) != 0 ? 0.0f : -1.0f;
+            vertices[i] = {vertices[i].x + sense * box.half_axes[k].x, vertices[i].y + sense * box.half_axes[k].y,
+                           vertices[i].z + sense * box.half_axes[k].z};
         }
-        add(find_contacts(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))},
-                          margin, contacts));
     }
-}
+    add(find_contacts(blob, ConvexHull{std::span<const Vec3>(vertices).first(1 + number % std::size(vertices))}, margin,
+                      contacts));
+});
 
 /// Visits all overlaps. Returns false if the visitor stopped, or the shape is out of range.
 template <class Shape>
@@ -141,21 +134,19 @@ bool saw_all(const Blob& blob, const Shape& shape, TriangleVisitor visit) {
     return status == QueryStatus::ok || status == QueryStatus::invalid_argument;
 }
 
-inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Sphere sphere = questions.sphere(number);
-        std::uint32_t left = 40;
-        answers.fingerprint.add(overlaps(blob, sphere).yes());
-        const bool all = saw_all(blob, sphere, [&](TriangleId triangle) {
-            ++answers.overlaps;
-            answers.fingerprint.add(triangle.index);
-            return --left == 0 ? Visit::stop : Visit::next;
-        });
-        ++answers.spheres;
-        answers.calls += 2;
-        answers.fingerprint.add(all);
-    }
-}
+inline constexpr auto ask_spheres = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Sphere sphere = questions.sphere(number);
+    std::uint32_t left = 40;
+    answers.fingerprint.add(overlaps(blob, sphere).yes());
+    const bool all = saw_all(blob, sphere, [&](TriangleId triangle) {
+        ++answers.overlaps;
+        answers.fingerprint.add(triangle.index);
+        return --left == 0 ? Visit::stop : Visit::next;
+    });
+    ++answers.spheres;
+    answers.calls += 2;
+    answers.fingerprint.add(all);
+});
 
 /// A miss enters as the zeros of triangle 0.
 inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const ClosestPoint& nearest) {
@@ -184,89 +175,78 @@ void ask_volume(const Blob& blob, const Shape& shape, Answers& answers) {
     }
 }
 
-inline void ask_volumes(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        ask_volume(blob, questions.sphere(number), answers);
-        ask_volume(blob, questions.capsule(number), answers);
-        ask_volume(blob, questions.box(number), answers);
-        ask_volume(blob, questions.oriented_box(number), answers);
-        ask_volume(blob, questions.corners(number), answers);
-        Plane planes[6];
-        const std::span<Plane> some = std::span<Plane>(planes).first(1 + number % 6);
-        questions.planes(number, some);
-        ask_volume(blob, ConvexVolume{some}, answers);
-    }
-}
+inline constexpr auto ask_volumes = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    ask_volume(blob, questions.sphere(number), answers);
+    ask_volume(blob, questions.capsule(number), answers);
+    ask_volume(blob, questions.box(number), answers);
+    ask_volume(blob, questions.oriented_box(number), answers);
+    ask_volume(blob, questions.corners(number), answers);
+    Plane planes[6];
+    const std::span<Plane> some = std::span<Plane>(planes).first(1 + number % 6);
+    questions.planes(number, some);
+    ask_volume(blob, ConvexVolume{some}, answers);
+});
 
-inline void ask_in_steps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+inline constexpr auto ask_in_steps = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
     const Lattice lattice = blob.lattice();
-    for (std::uint32_t number = 0; number < count; ++number) {
-        ask_volume(blob, questions.box_in_steps(number), answers);
-        const LatticeSegment segment = questions.segment_in_steps(number);
-        const LatticeHit hit = raycast(blob, segment);
-        answers.calls += 4;
-        const auto range = [](QueryStatus status) {  // all that the golden values hold
-            return status == QueryStatus::out_of_range ? status : QueryStatus::ok;
-        };
-        answers.fingerprint.add(range(hit.status), hit ? hit.t : std::uint32_t{0},
-                                std::uint32_t{hit && hit.side == Side::back ? 2u : 1u});
-        add_triangle(answers.fingerprint, blob, hit.triangle);
-        const YesNo any = occluded(blob, segment);
-        answers.fingerprint.add(range(any.status()), any.yes());
-        const Result<LatticePoint> nearest = to_lattice(lattice, questions.point(number));
-        answers.fingerprint.add(nearest.status, to_local(lattice, *nearest));
-        const Result<LatticeBox> around = to_lattice(lattice, questions.box(number));
-        answers.fingerprint.add(around.status, static_cast<std::uint32_t>(around->min.x),
-                                static_cast<std::uint32_t>(around->max.z));
-    }
-}
+    ask_volume(blob, questions.box_in_steps(number), answers);
+    const LatticeSegment segment = questions.segment_in_steps(number);
+    const LatticeHit hit = raycast(blob, segment);
+    answers.calls += 4;
+    const auto range = [](QueryStatus status) {  // all that the golden values hold
+        return status == QueryStatus::out_of_range ? status : QueryStatus::ok;
+    };
+    answers.fingerprint.add(range(hit.status), hit ? hit.t : std::uint32_t{0},
+                            std::uint32_t{hit && hit.side == Side::back ? 2u : 1u});
+    add_triangle(answers.fingerprint, blob, hit.triangle);
+    const YesNo any = occluded(blob, segment);
+    answers.fingerprint.add(range(any.status()), any.yes());
+    const Result<LatticePoint> nearest = to_lattice(lattice, questions.point(number));
+    answers.fingerprint.add(nearest.status, to_local(lattice, *nearest));
+    const Result<LatticeBox> around = to_lattice(lattice, questions.box(number));
+    answers.fingerprint.add(around.status, static_cast<std::uint32_t>(around->min.x),
+                            static_cast<std::uint32_t>(around->max.z));
+});
 
-inline void ask_approximately(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const float accuracy = questions.distance(number + 1) * 0.0625f;
-        answers.calls += 4;
-        answers.fingerprint.add(overlaps(blob, questions.sphere(number), Accuracy{accuracy}).yes());
-        answers.fingerprint.add(overlaps(blob, questions.box(number), Accuracy{accuracy}).yes());
-        answers.fingerprint.add(occluded(blob, questions.ray(number), Accuracy{accuracy}).yes());
-        const Vec3 point = questions.point(number);
-        const Result<DistanceBounds> bounds =
-            distance_bounds(blob, point, questions.distance(number), Accuracy{accuracy});
-        answers.fingerprint.add(bool(bounds), bounds ? bounds->lower : 0.0f, bounds ? bounds->upper : 0.0f);
-    }
-}
+inline constexpr auto ask_approximately = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const float accuracy = questions.distance(number + 1) * 0.0625f;
+    answers.calls += 4;
+    answers.fingerprint.add(overlaps(blob, questions.sphere(number), Accuracy{accuracy}).yes());
+    answers.fingerprint.add(overlaps(blob, questions.box(number), Accuracy{accuracy}).yes());
+    answers.fingerprint.add(occluded(blob, questions.ray(number), Accuracy{accuracy}).yes());
+    const Vec3 point = questions.point(number);
+    const Result<DistanceBounds> bounds = distance_bounds(blob, point, questions.distance(number), Accuracy{accuracy});
+    answers.fingerprint.add(bool(bounds), bounds ? bounds->lower : 0.0f, bounds ? bounds->upper : 0.0f);
+});
 
-inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Vec3 point = questions.point(number);
-        const float max_distance = questions.distance(number);
-        const ClosestPoint nearest = closest_point(blob, point, max_distance);
-        ++answers.points;
-        answers.calls += 5;
-        answers.points_found += nearest ? 1u : 0u;
-        answers.fingerprint.add(bool(nearest));
-        add_nearest(answers.fingerprint, blob, nearest);
-        ClosestPoint few[4];
-        const Filled filled = closest_triangles(blob, point, few, max_distance);
-        answers.fingerprint.add(static_cast<std::uint32_t>(filled.count));
-        for (const ClosestPoint& each : filled.in(few)) add_nearest(answers.fingerprint, blob, each);
-        const YesNo inside = contains(blob, point);
-        answers.fingerprint.add(inside.status(), inside.yes());
-        const ClosestPoint with_sign = signed_distance(blob, point, max_distance);
-        answers.fingerprint.add(with_sign.status);
-        // Of a refusal the distance without a sign, 0 if there is none.
-        answers.fingerprint.add(!is_refused(with_sign.status) ? with_sign.distance : nearest ? nearest.distance : 0.0f);
-        const Result<float> moved = rounding_error(blob, Sphere{point, max_distance});
-        answers.fingerprint.add(moved.status, moved.value);
-    }
-}
+inline constexpr auto ask_closest_points = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Vec3 point = questions.point(number);
+    const float max_distance = questions.distance(number);
+    const ClosestPoint nearest = closest_point(blob, point, max_distance);
+    ++answers.points;
+    answers.calls += 5;
+    answers.points_found += nearest ? 1u : 0u;
+    answers.fingerprint.add(bool(nearest));
+    add_nearest(answers.fingerprint, blob, nearest);
+    ClosestPoint few[4];
+    const Filled filled = closest_triangles(blob, point, few, max_distance);
+    answers.fingerprint.add(static_cast<std::uint32_t>(filled.count));
+    for (const ClosestPoint& each : filled.in(few)) add_nearest(answers.fingerprint, blob, each);
+    const YesNo inside = contains(blob, point);
+    answers.fingerprint.add(inside.status(), inside.yes());
+    const ClosestPoint with_sign = signed_distance(blob, point, max_distance);
+    answers.fingerprint.add(with_sign.status);
+    // Of a refusal the distance without a sign, 0 if there is none.
+    answers.fingerprint.add(!is_refused(with_sign.status) ? with_sign.distance : nearest ? nearest.distance : 0.0f);
+    const Result<float> moved = rounding_error(blob, Sphere{point, max_distance});
+    answers.fingerprint.add(moved.status, moved.value);
+});
 
-inline void ask_windings(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Result<float> winding = winding_number(blob, questions.point(number), 6);
-        ++answers.calls;
-        answers.fingerprint.add(winding.status, winding.value);
-    }
-}
+inline constexpr auto ask_windings = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Result<float> winding = winding_number(blob, questions.point(number), 6);
+    ++answers.calls;
+    answers.fingerprint.add(winding.status, winding.value);
+});
 
 /// What enters of a closest pair: of a miss its limit as the distance, of a refusal what entered before.
 struct PairWords {
@@ -283,17 +263,14 @@ struct PairWords {
     }
 };
 
-inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Capsule capsule = questions.capsule(number);
-        const float max_distance = questions.distance(number);
-        PairWords words;
-        answers.calls += 2;
-        words.add(answers.fingerprint, closest_point(blob, Segment{capsule.from, capsule.to}, max_distance),
-                  max_distance);
-        words.add(answers.fingerprint, closest_point(blob, questions.box(number), max_distance), max_distance);
-    }
-}
+inline constexpr auto ask_closest_pairs = repeated([](auto& blob, auto& questions, auto number, auto& answers) {
+    const Capsule capsule = questions.capsule(number);
+    const float max_distance = questions.distance(number);
+    PairWords words;
+    answers.calls += 2;
+    words.add(answers.fingerprint, closest_point(blob, Segment{capsule.from, capsule.to}, max_distance), max_distance);
+    words.add(answers.fingerprint, closest_point(blob, questions.box(number), max_distance), max_distance);
+});
 
 /// What `open` tells about the blob, and every triangle in it.
 inline void read_all(const Blob& blob, Answers& answers) {
@@ -313,23 +290,24 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     Questions questions(blob);
     read_all(blob, answers);
     read_extras(blob, answers.fingerprint);
-    ask_closest_hits(blob, questions, 2 * questions_of_a_kind, answers);
-    ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
-    ask_all_hits(blob, questions, questions_of_a_kind, answers);
-    ask_first_hits(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_batches(blob, questions, (questions_of_a_kind + 15) / 16, answers);
-    ask_rounded_rays(blob, questions, questions_of_a_kind, answers);
-    ask_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_spheres(blob, questions, questions_of_a_kind, answers);
-    ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_approximately(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_closest_points(blob, questions, questions_of_a_kind, answers);
-    ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_pairs(blob, blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_in_steps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_hull_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_contacts(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_windings(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    const std::uint32_t each = questions_of_a_kind, quarter = (each + 3) / 4;
+    ask_closest_hits(blob, questions, 2 * each, answers);
+    ask_filtered_hits(blob, questions, each, answers);
+    ask_all_hits(blob, questions, each, answers);
+    ask_first_hits(blob, questions, quarter, answers);
+    ask_batches(blob, questions, (each + 15) / 16, answers);
+    ask_rounded_rays(blob, questions, each, answers);
+    ask_sweeps(blob, questions, quarter, answers);
+    ask_spheres(blob, questions, each, answers);
+    ask_volumes(blob, questions, quarter, answers);
+    ask_approximately(blob, questions, quarter, answers);
+    ask_closest_points(blob, questions, each, answers);
+    ask_closest_pairs(blob, questions, quarter, answers);
+    for (std::uint32_t number = 0; number < quarter; ++number) ask_pairs(blob, blob, questions, number, answers);
+    ask_in_steps(blob, questions, quarter, answers);
+    ask_hull_sweeps(blob, questions, quarter, answers);
+    ask_contacts(blob, questions, quarter, answers);
+    ask_windings(blob, questions, quarter, answers);
     return answers;
 }
 

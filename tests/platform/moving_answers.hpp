@@ -13,6 +13,7 @@
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
 #include "answer_counts.hpp"
+#include "numbers.hpp"
 
 namespace espalier::platform {
 
@@ -37,7 +38,7 @@ inline void add_block(Fingerprint& fingerprint, std::span<const std::byte> block
 }
 
 /// A moving scene, and numbers that choose what is called.
-class MovingScript {
+class MovingScript : Numbers {
 public:
     MovingScript(const MovingParts& parts, std::span<std::byte> memory, std::uint32_t capacity, Answers& answers,
                  Fingerprint& blocks)
@@ -60,13 +61,6 @@ public:
     }
 
 private:
-    std::uint32_t word() {  // xorshift32
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 17;
-        state_ ^= state_ << 5;
-        return state_;
-    }
-    float signed_fraction() { return static_cast<float>(static_cast<std::int32_t>(word() >> 8) - 0x800000) * 0x1p-23f; }
     Vec3 in_cube(float half_side) {
         const float x = signed_fraction() * half_side, y = signed_fraction() * half_side;
         return {x, y, signed_fraction() * half_side};
@@ -227,7 +221,6 @@ private:
     Answers& answers_;
     Fingerprint& hash_ = answers_.fingerprint;
     Fingerprint& blocks_;
-    std::uint32_t state_ = 0x9E3779B9u;
 };
 
 /// Runs calls on a moving scene of one mesh that fits into the memory of a microcontroller.

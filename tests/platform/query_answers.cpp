@@ -107,7 +107,8 @@ void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a
     }
     for (std::size_t i = 0; i + 1 < assets.size(); ++i) {
         platform::Questions questions(assets[i].blob);
-        platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, tally.all);
+        for (std::uint32_t number = 0; number < (questions_of_a_kind + 3) / 4; ++number)
+            platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, number, tally.all);
     }
     tally.print(questions_of_a_kind, assets.size(), "blobs");
 }

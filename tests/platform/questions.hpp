@@ -10,9 +10,12 @@
 
 #include <espalier/espalier.hpp>
 
+#include "answer_counts.hpp"
+#include "numbers.hpp"
+
 namespace espalier::platform {
 
-class Questions {
+class Questions : Numbers {
 public:
     explicit Questions(const Blob& blob) : blob_(blob) {
         const Vec3 low = blob.bounds().min;
@@ -154,14 +157,6 @@ public:
 private:
     static constexpr std::uint32_t corner_capacity = 32;
 
-    std::uint32_t word() {  // xorshift32: no 64-bit arithmetic, for the smallest cores
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 17;
-        state_ ^= state_ << 5;
-        return state_;
-    }
-    float fraction() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
-    float signed_fraction() { return static_cast<float>(static_cast<std::int32_t>(word() >> 8) - 0x800000) * 0x1p-23f; }
     float any_float() { return std::bit_cast<float>(word()); }
     Vec3 any_bits() {
         const float x = any_float();
@@ -261,7 +256,6 @@ private:
     Vec3 half_;
     Vec3 corners_[corner_capacity];
     std::uint32_t corner_count_ = 0;
-    std::uint32_t state_ = 0x9E3779B9u;
 };
 
 /// Writes the vertices of a hull: the center of a box, and places along its axes with their coordinates turned.
@@ -272,6 +266,14 @@ inline void fill_vertices_around(const OrientedBox& box, Vec3 (&vertices)[12]) {
         const Vec3 from = i < 9 ? box.center : vertices[i - 3];
         vertices[i] = {from.x + along * half.y, from.y + along * half.z, from.z + along * half.x};
     }
+}
+
+/// Returns a function that asks `one` question after the other: blob, questions, their number, answers.
+template <class One>
+constexpr auto repeated(One) {
+    return +[](const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+        for (std::uint32_t number = 0; number < count; ++number) One{}(blob, questions, number, answers);
+    };
 }
 
 }  // namespace espalier::platform

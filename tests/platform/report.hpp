@@ -10,10 +10,18 @@ namespace espalier::platform {
 
 class Line {
 public:
-    void text(const char* characters) {
+    /// Adds texts, numbers in decimal, and fingerprints in hexadecimal.
+    template <class... Parts>
+    void add(const Parts&... parts) {
+        (add_part(parts), ...);
+    }
+    [[nodiscard]] const char* c_str() const { return characters_; }
+
+private:
+    void add_part(const char* characters) {
         while (*characters != '\0') put(*characters++);
     }
-    void decimal(std::uint32_t number) {
+    void add_part(std::uint32_t number) {
         char digits[10];
         int count = 0;
         do {
@@ -22,12 +30,9 @@ public:
         } while (number != 0);
         while (count > 0) put(digits[--count]);
     }
-    void hexadecimal(std::uint64_t number) {
-        for (int shift = 60; shift >= 0; shift -= 4) put("0123456789abcdef"[(number >> shift) & 0xFu]);
+    void add_part(const Fingerprint& hash) {
+        for (int shift = 60; shift >= 0; shift -= 4) put("0123456789abcdef"[(hash.value() >> shift) & 0xFu]);
     }
-    [[nodiscard]] const char* c_str() const { return characters_; }
-
-private:
     void put(char character) {
         if (length_ + 1 < sizeof characters_) characters_[length_++] = character;
     }
@@ -40,46 +45,18 @@ private:
 inline Line summary(std::uint32_t questions, std::uint32_t count, const char* kind, const Fingerprint& bytes,
                     const Answers& answers) {
     Line line;
-    line.text("questions ");
-    line.decimal(questions);
-    line.text(": ");
-    line.decimal(count);
-    line.text(" ");
-    line.text(kind);
-    line.text(" ");
-    line.hexadecimal(bytes.value());
-    line.text(", ");
-    line.decimal(answers.calls);
-    line.text(" answers ");
-    line.hexadecimal(answers.fingerprint.value());
-    line.text("\n");
+    line.add("questions ", questions, ": ", count, " ", kind, " ", bytes, ", ", answers.calls, " answers ",
+             answers.fingerprint, "\n");
     return line;
 }
 
 /// "answers 0123456789abcdef: 2000 rays, ..."
 inline Line report(const Answers& answers) {
     Line line;
-    line.text("answers ");
-    line.hexadecimal(answers.fingerprint.value());
-    line.text(": ");
-    line.decimal(answers.rays);
-    line.text(" rays (");
-    line.decimal(answers.rays_hit);
-    line.text(" of the unfiltered hit, ");
-    line.decimal(answers.hits);
-    line.text(" hits listed), ");
-    line.decimal(answers.spheres);
-    line.text(" spheres (");
-    line.decimal(answers.overlaps);
-    line.text(" overlaps), ");
-    line.decimal(answers.points);
-    line.text(" points (");
-    line.decimal(answers.points_found);
-    line.text(" found), ");
-    line.decimal(answers.pairs_near);
-    line.text(" placed blobs near, ");
-    line.decimal(answers.calls);
-    line.text(" calls\n");
+    line.add("answers ", answers.fingerprint, ": ", answers.rays, " rays (", answers.rays_hit,
+             " of the unfiltered hit, ", answers.hits, " hits listed), ", answers.spheres, " spheres (",
+             answers.overlaps, " overlaps), ", answers.points, " points (", answers.points_found, " found), ",
+             answers.pairs_near, " placed blobs near, ", answers.calls, " calls\n");
     return line;
 }
 
