@@ -61,7 +61,8 @@ must() {
     exit 1
 }
 must_not() { ! "$@" || fail "'$*' did not fail"; }
-log_has() { grep -qF -- "$1" log || fail "the log lacks '$1': $(tail -n 30 log)"; }
+log_has() { local words; for words in "$@"; do grep -qF -- "$words" log || fail "the log lacks '$words': $(tail -n 30 log)"; done; }
+fails_with() { must_not "${@:2}"; log_has "$1"; } # WORDS COMMAND...
 # The verbs since they were last asked for are these.
 verbs_are() {
     local seen

@@ -23,13 +23,23 @@ touch "$project/assets/reason.txt"
 options=(-Dbits=12 -Dalignment=16 -DESPALIER_EXECUTABLE="$counting")
 # A file system may count time in steps; what was built must be older than what is touched.
 touch_later() { sleep 0.05 && touch "$1"; }
+# builds VERBS...: a build asks for them, one after each other build
+builds() {
+    local verbs_of_one
+    for verbs_of_one in "$@"; do
+        must build "$build" --target game
+        verbs_are "$verbs_of_one"
+    done
+}
+holds() { # FILE: what the program holds is this blob
+    "$build/game" >game.bytes
+    same game.bytes "$1"
+}
 
 claim "a build bakes once, and the program holds the blob byte for byte"
 must configure "$project" "$build" "${options[@]}"
-must build "$build" --target game
-verbs_are "bake embed"
-"$build/game" >game.bytes
-same game.bytes "$blob"
+builds "bake embed"
+holds "$blob"
 run 0 verify "$blob" --deep
 
 claim "the files beside the blob are those of its bake, also after the mesh changed"
@@ -49,69 +59,49 @@ must build "$build" --target game
 rm -f "$verbs"
 
 claim "a build of what is built already bakes nothing"
-for _ in 1 2; do
-    must build "$build" --target game
-    verbs_are ""
-done
+builds "" ""
 
 claim "a side file that the mesh refers to is looked at: touched, it bakes once; so does the mesh"
 for file in level.mtl level.obj; do
     touch_later "$project/assets/$file"
-    must build "$build" --target game
-    verbs_are "bake embed"
-    must build "$build" --target game
-    verbs_are ""
+    builds "bake embed" ""
 done
 
 claim "what DEPENDS names bakes once when it is touched"
 touch_later "$project/assets/reason.txt"
-must build "$build" --target game
-verbs_are "bake embed"
-must build "$build" --target game
-verbs_are ""
+builds "bake embed" ""
 
 claim "a side file that goes away bakes once, without it"
 mv "$project/assets/level.mtl" away.mtl
-must build "$build" --target game
-verbs_are "bake embed"
-must build "$build" --target game
-verbs_are ""
+builds "bake embed" ""
 mv away.mtl "$project/assets/level.mtl"
 touch_later "$project/assets/level.obj"
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 
 claim "what includes the header is compiled again only when the header changes"
 object=$(find "$build" -name 'main.c.o')
 cp -p "$object" before.o
 touch_later "$project/assets/level.mtl"
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 [ ! "$object" -nt before.o ] || fail "main.c was compiled although level.h is the same"
 echo "f 2 3 4" >>"$project/assets/level.obj"
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 [ "$object" -nt before.o ] || fail "main.c was not compiled although level.h is another"
-"$build/game" >game.bytes
-same game.bytes "$blob"
+holds "$blob"
 
 claim "another option bakes once; one of the embedding embeds once and bakes nothing"
 cp "$blob" before.espl
 must configure "$project" "$build" -Dbits=13
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 must_not cmp -s "$blob" before.espl
 must configure "$project" "$build" -Dalignment=64
-must build "$build" --target game
-verbs_are "embed"
+builds "embed"
 must configure "$project" "$build"
-must build "$build" --target game
-verbs_are ""
+builds ""
 
 claim "another espalier bakes again"
 touch_later "$counting"
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 
 claim "a bake that fails says file, mesh and triangle in the build's log, and leaves the old blob and program"
 cp "$blob" before.espl
@@ -120,21 +110,17 @@ sed -i 's/^v 1 0 0/v nan 0 0/' "$project/assets/level.obj"
 for _ in 1 2; do
     must_not build "$build" --target game
     verbs_are "bake"
-    log_has "level.obj, mesh 0"
-    log_has "triangle 0"
+    log_has "level.obj, mesh 0" "triangle 0"
 done
 same "$blob" before.espl
-"$build/game" >game.bytes
-same game.bytes before.espl
+holds before.espl
 cp good.obj "$project/assets/level.obj"
-must build "$build" --target game
-verbs_are "bake embed"
+builds "bake embed"
 same "$blob" before.espl
 
 claim "a mesh that is not there stops the build and is named"
 mv "$project/assets/level.obj" away.obj
-must_not build "$build" --target game
-log_has "level.obj"
+fails_with "level.obj" build "$build" --target game
 mv away.obj "$project/assets/level.obj"
 must build "$build" --target game
 rm -f "$verbs"

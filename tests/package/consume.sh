@@ -8,7 +8,9 @@ kind=$1 stage=$2 build=$3 cmake=$4 generator=$5 compiler=$6
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 blob=$stage/table.espl
 source=$here/$kind
-answers=$here/program/answers.txt
+[[ -d $source ]] || source=$here/../../docs/examples/$kind
+answers=$here/${kind}_answers.txt
+[[ -f $answers ]] || answers=$here/program/answers.txt
 rm -rf "$build"
 mkdir -p "$build"
 
@@ -18,6 +20,20 @@ configure() {
     quietly "$cmake" -S "$source" -B "$build/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" "$@"
 }
 compare() { diff "$answers" - || { echo "failed: other answers than $answers"; exit 1; }; }
+# build_example NAME: leaves its program in the build folder
+build_example() {
+    source=$here/../../docs/examples/$1
+    rm -rf "$build/build"
+    configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
+    quietly "$cmake" --build "$build/build"
+    cp "$build/build/espalier_$1" "$build"
+}
+# on_page COUNT: the page of the example that was built last shows the last lines of the answers
+on_page() {
+    tail -n "$1" "$answers" | while read -r line; do
+        grep -qF "$line" "$source/README.md" || { echo "failed: the example's page does not show: $line"; exit 1; }
+    done
+}
 
 case $kind in
     find_package)
@@ -53,9 +69,7 @@ case $kind in
         [[ ${flags% } == "-I/c/include -L/b/lib -lespalier_runtime" ]] || { echo "failed: absolute folders become $flags"; exit 1; }
         ;;
     game)
-        answers=$here/game_answers.txt
         # as a part of the project it would compile the library and the command; that is fetch_content's claim, and a build step's
-        source=$here/../../docs/examples/game
         configure -DCMAKE_DISABLE_FIND_PACKAGE_espalier=ON
         rm -rf "$build/build"
         # a copy, as those make who start from it: where Espalier is, it must be told
@@ -72,37 +86,21 @@ case $kind in
         "$build/build/game" | compare
         ;;
     city)
-        answers=$here/city_answers.txt
-        source=$here/../../docs/examples/city
-        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
-        quietly "$cmake" --build "$build/build"
-        "$build/build/espalier_city" "$build/city.esps" >"$build/said.txt" || { echo "failed: espalier_city $build/city.esps"; exit 1; }
+        build_example city
+        "$build/espalier_city" "$build/city.esps" >"$build/said.txt" || { echo "failed: espalier_city $build/city.esps"; exit 1; }
         grep -E '^(city|sight|fall) ' "$build/said.txt" | compare
         ;;
     falling)
-        answers=$here/falling_answers.txt
-        for example in city falling; do
-            source=$here/../../docs/examples/$example
-            rm -rf "$build/build"
-            configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
-            quietly "$cmake" --build "$build/build"
-            cp "$build/build/espalier_$example" "$build"
-        done
+        build_example city
+        build_example falling
         quietly "$build/espalier_city" "$build/city.esps"
         "$build/espalier_falling" "$build/city.esps" | compare
-        tail -n 3 "$answers" | while read -r line; do
-            grep -qF "$line" "$source/README.md" || { echo "failed: the example's page does not show: $line"; exit 1; }
-        done
+        on_page 3
         ;;
     flag)
-        answers=$here/flag_answers.txt
-        source=$here/../../docs/examples/flag
-        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
-        quietly "$cmake" --build "$build/build"
-        "$build/build/espalier_flag" | compare
-        tail -n 2 "$answers" | while read -r line; do
-            grep -qF "$line" "$source/README.md" || { echo "failed: the example's page does not show: $line"; exit 1; }
-        done
+        build_example flag
+        "$build/espalier_flag" | compare
+        on_page 2
         ;;
     *)
         echo "failed: no such kind of consumer: $kind"

@@ -7,23 +7,18 @@
 # ---- info, verify ---------------------------------------------------------------------------------------------------
 claim "info tells what is inside, for people and for scripts"
 run 0 info sheet.espl
-for word in "format" "triangles     3200" "vertices" "lattice" "max error" "original_ids, materials_8" "depth" "checksum" "nodes" \
-    "leaves" "guard" "sources" "per triangle"; do
-    out_has "$word"
-done
+out_has "format" "triangles     3200" "vertices" "lattice" "max error" "original_ids, materials_8" "depth" "checksum" "nodes" \
+    "leaves" "guard" "sources" "per triangle"
 run 0 info sheet.espl --json
 for key in schema format_version triangles vertices bytes bytes_per_triangle sections bits step extent max_error depth profile \
     checksum bounds nodes leaves features closed; do
     out_has "\"$key\": "
 done
-out_has '"format_version": "2.'
-out_has "\"bytes\": $(stat -c %s sheet.espl)"
+out_has '"format_version": "2.' "\"bytes\": $(stat -c %s sheet.espl)"
 
 claim "info --histogram prints how good a tree is, of a blob and of each mesh of a scene"
 run 0 info sheet.espl --histogram
-for word in "areas so far" "all " "a random line through the whole box" "leaves at depth" "children a node" "triangles in a leaf" "####"; do
-    out_has "$word"
-done
+out_has "areas so far" "all " "a random line through the whole box" "leaves at depth" "children a node" "triangles in a leaf" "####"
 run 0 info sheet.espl --histogram --json
 for key in tree_quality levels node_areas shared_areas leaf_depth leaf_sizes; do
     out_has "\"$key\": "
@@ -32,33 +27,24 @@ run 0 info sheet.espl
 if grep -qF "areas so far" out; then fail "info prints a histogram without being asked"; fi
 
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
-run 0 bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
-err_has "volume: axis-aligned box "
-err_has "oriented box "
-err_has "26-DOP "
-run 0 bake sheet.obj -o extras5.espl -q --flat-angle 5 --bounds sphere --bounds kdop,obb --json
-out_has '"volumes": {'
+reports "volume: axis-aligned box " bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
+err_has "oriented box " "26-DOP "
+prints '"volumes": {' bake sheet.obj -o extras5.espl -q --flat-angle 5 --bounds sphere --bounds kdop,obb --json
 same extras.espl extras5.espl
 run 0 verify extras.espl --deep
 run 0 info extras.espl
-for word in "format        2.0" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"; do
-    out_has "$word"
-done
+out_has "format        2.0" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"
 run 0 info extras.espl --json
 for key in oriented_box half_axes sphere radius k_dop direction; do
     out_has "\"$key\": "
 done
 run 0 dump extras.espl
-for word in "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"; do
-    out_has "$word"
-done
+out_has "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"
 
 claim "verify accepts what bake wrote, deep and against its source"
-run 0 verify sheet.espl --deep --source sheet.obj
-out_has "ok, 3200 triangles"
+prints "ok, 3200 triangles" verify sheet.espl --deep --source sheet.obj
 run 0 verify two.espl --deep --source box.obj far_box.obj
-run 0 verify box.espl --deep --json
-out_has '"ok": true'
+prints '"ok": true' verify box.espl --deep --json
 out_has '"deep": true'
 run 0 bake box.obj -o inches.espl --unit in --up z
 run 0 verify inches.espl --source box.obj --unit in --up z
@@ -69,13 +55,11 @@ run 0 bake sheet.obj -o near.espl --profile balanced
 { head -c 12 unsigned.espl; gzip -c unsigned.espl | tail -c 8 | head -c 4; tail -c +17 unsigned.espl; } >far.espl # CRC-32
 run 0 verify near.espl --deep
 run 0 verify far.espl
-run 3 verify far.espl --deep
-err_has "node 0 (byte 128) has a box that ends too far beyond the asset: on x"
+refuses 3 "node 0 (byte 128) has a box that ends too far beyond the asset: on x" verify far.espl --deep
 err_has ". Bake it again."
 
 claim "verify refuses another source, or the same in another unit"
-run 3 verify sheet.espl --source far_box.obj
-err_has "farther from the baked surface"
+refuses 3 "farther from the baked surface" verify sheet.espl --source far_box.obj
 run 3 verify inches.espl --source box.obj
 run 3 verify empty.espl --source box.obj
 run 2 verify box.espl --source missing.obj
@@ -94,17 +78,14 @@ for verb in info verify dump "query|ray 0 0 0 1 0 0" render; do
             *) arguments="$verb $blob.espl" ;;
         esac
         # shellcheck disable=SC2086
-        run 3 $arguments
-        err_has "'$blob.espl' is refused: "
+        refuses 3 "'$blob.espl' is refused: " $arguments
     done
 done
 absent refused.png
 run 5 info newer.espl
 run 5 verify newer.espl --json
-out_has '"ok": false'
-out_has '"status": 4'
-run 3 info box.obj
-err_has "espalier bake"
+out_has '"ok": false' '"status": 4'
+refuses 3 "espalier bake" info box.obj
 run 2 info missing.espl
 run 2 info .
 run 3 verify changed.espl --deep --json
@@ -121,8 +102,7 @@ awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info $inp
 # ---- which triangle was that ----------------------------------------------------------------------------------------
 claim "a remap file and a source in the blob's order lead back without ids in the blob"
 run 0 bake sheet.obj -o lean.espl --profile small
-run 0 bake sheet.obj -o lead.espl --profile small --remap order.bin --reorder order.ply
-same lean.espl lead.espl
+makes lean.espl lead.espl bake sheet.obj -o lead.espl --profile small --remap order.bin --reorder order.ply
 [ "$(head -c 4 order.bin)" = ESPR ] || fail "a remap file begins otherwise"
 triangles=$(("($(stat -c %s order.bin) - 16) / 16"))
 grep -aq "element face $triangles" order.ply || fail "the reordered source has other triangles than the remap file"
@@ -149,8 +129,7 @@ for output in -o --remap --depfile; do
     others="-o own.espl"
     [ "$output" != -o ] || others=
     # shellcheck disable=SC2086  # words
-    run 1 bake own.obj $others $output own.mtl
-    err_has "'own.mtl' is the input"
+    refuses 1 "'own.mtl' is the input" bake own.obj $others $output own.mtl
     err_has "Give another name to $output"
 done
 run 0 bake own.obj -o own.espl -q

@@ -36,14 +36,29 @@ claim() {
     claim=$1
     claims=$((claims + 1))
 }
-err_has() { grep -qF -- "$1" err || fail "stderr lacks '$1': $(head -c 400 err)"; }
-err_lacks() { ! grep -qF -- "$1" err || fail "stderr has '$1': $(head -c 400 err)"; }
-out_has() { grep -qF -- "$1" out || fail "stdout lacks '$1': $(head -c 600 out)"; }
+# Of each of some words: the stream has them, or lacks them.
+err_has() { local words; for words in "$@"; do grep -qF -- "$words" err || fail "stderr lacks '$words': $(head -c 400 err)"; done; }
+err_lacks() { local words; for words in "$@"; do ! grep -qF -- "$words" err || fail "stderr has '$words': $(head -c 400 err)"; done; }
+out_has() { local words; for words in "$@"; do grep -qF -- "$words" out || fail "stdout lacks '$words': $(head -c 600 out)"; done; }
+absent() { local file; for file in "$@"; do [ ! -e "$file" ] || fail "$file is there"; done; }
 same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 # json FILTER: the JSON in ./out makes jq's FILTER true; nothing is looked at without jq.
 json() {
     command -v jq >/dev/null || return 0
     jq -e "$1" out >/dev/null || fail "not $1: $(head -c 600 out)"
+}
+# Runs of which one thing is asked.
+prints() { run 0 "${@:2}"; out_has "$1"; } # WORDS ARGUMENTS...: on the standard output
+reports() { run 0 "${@:2}"; err_has "$1"; } # WORDS ARGUMENTS...: on stderr
+refuses() { run "$1" "${@:3}"; err_has "$2"; } # EXIT_CODE WORDS ARGUMENTS...: the reason on stderr
+finds() { run 0 "${@:2}" --json; json "$1"; } # FILTER ARGUMENTS...
+fails() { run "$1" "${@:3}" --json; json "$2"; } # EXIT_CODE FILTER ARGUMENTS...
+makes() { run 0 "${@:3}"; same "$1" "$2"; } # FILE SAME_FILE ARGUMENTS...
+# run_each EXIT_CODE HEAD TAIL...: runs the command with the words of the head and of each tail.
+run_each() {
+    local tail
+    # shellcheck disable=SC2086  # words
+    for tail in "${@:3}"; do run "$1" $2 $tail; done
 }
 # The script's last command.
 finish() {

@@ -34,8 +34,7 @@ bake_cloth x.espl --json
 json '.source_vertices == 627 and .motion.positions == 627 and .inputs[0].meshes == 1 and .inputs[0].mesh_names == [""]'
 json '.inputs[0].points_and_lines == 0 and .triangles == 1152 and .profile == "fast" and .deformable'
 same x.espl cloth.espl
-run 0 bake cloth.obj -o x.espl --json
-json '.source_vertices == 650 and .inputs[0].meshes == 2 and (.deformable | not) and (has("motion") | not)'
+finds '.source_vertices == 650 and .inputs[0].meshes == 2 and (.deformable | not) and (has("motion") | not)' bake cloth.obj -o x.espl
 
 claim "the report of a bake has the range and the positions and the bytes that move"
 bake_cloth x.espl --json
@@ -45,10 +44,8 @@ json '.bounds == {"min": [0, 0, 0], "max": [1, 1, 0]}'
 json '.motion.range == {"min": [-0.5, -0.5, -0.5], "max": [1.5, 1.5, 0.5]} and .motion.moving_bytes_per_triangle < 11'
 
 claim "without a range it is the box around the mesh and the poses with a tenth on each side"
-run 0 bake cloth.obj -o x.espl --deformable --json
-json '.motion.range.min[0] <= -0.1 and .motion.range.min[2] > -0.101 and .motion.range.max[2] < 0.101'
-run 0 bake cloth.obj -o x.espl --deformable --poses wave.obj bend.obj --json
-json '.motion.range.min[2] <= -0.34 and .motion.range.max[2] >= 0.34'
+finds '.motion.range.min[0] <= -0.1 and .motion.range.min[2] > -0.101 and .motion.range.max[2] < 0.101' bake cloth.obj -o x.espl --deformable
+finds '.motion.range.min[2] <= -0.34 and .motion.range.max[2] >= 0.34' bake cloth.obj -o x.espl --deformable --poses wave.obj bend.obj
 
 claim "a range grows to hold the mesh and the poses"
 run 0 bake cloth.obj -o x.espl --deformable --range 0 0 0 0.5mm 1cm 0 --poses wave.obj --json
@@ -67,8 +64,7 @@ claim "PLY has the vertices in its order as OBJ has"
     sed -n 's/^v //p' cloth.obj
     awk '/^f/ { print 3, $2 - 1, $3 - 1, $4 - 1 }' cloth.obj
 } >cloth.ply
-run 0 bake cloth.ply -o x.espl --deformable --range "${range[@]}" --poses wave.obj --json
-json '.inputs[0].points_and_lines == 0'
+finds '.inputs[0].points_and_lines == 0' bake cloth.ply -o x.espl --deformable --range "${range[@]}" --poses wave.obj
 bake_cloth y.espl --poses wave.obj
 same x.espl y.espl
 
@@ -76,21 +72,17 @@ claim "formats without an order of vertices are refused"
 write_box_collada "" 1 Y_UP >box.dae
 printf '0 0 0 1 0 0 0 1 0\n' >triangle.raw
 for mesh in box.stl triangle.raw box.dae; do
-    run 5 bake $mesh -o refused.espl --deformable --json
-    err_has "'$mesh' is read without the order of its vertices"
+    refuses 5 "'$mesh' is read without the order of its vertices" bake $mesh -o refused.espl --deformable --json
     err_has "Export it as OBJ, PLY or glTF."
     json ".error.file == \"$mesh\""
-    run 5 bake box.obj -o refused.espl --deformable --poses $mesh
-    err_has "'$mesh'"
-    run 5 refit cloth.espl $mesh -o refused.espl
-    err_has "'$mesh'"
+    refuses 5 "'$mesh'" bake box.obj -o refused.espl --deformable --poses $mesh
+    refuses 5 "'$mesh'" refit cloth.espl $mesh -o refused.espl
 done
 absent refused.espl
 
 claim "options that exclude a deformable blob are refused by name with what to do"
 excluded() { # WORDS_ON_STDERR OPTION...
-    run 1 bake cloth.obj -o refused.espl --deformable "${@:2}"
-    err_has "--deformable excludes $1"
+    refuses 1 "--deformable excludes $1" bake cloth.obj -o refused.espl --deformable "${@:2}"
     absent refused.espl
 }
 for profile in balanced small tiny; do
@@ -102,20 +94,15 @@ excluded "--flat-angle" --flat-angle 5
 excluded "--bounds" --bounds sphere
 excluded "--instances" --instances auto
 bake_cloth x.espl --profile fast --builder sweep_sah --ids --materials
-run 1 bake cloth.obj -o refused.espl --range 0 0 0 1 1 1
-err_has "--range needs --deformable"
-run 1 bake cloth.obj -o refused.espl --poses wave.obj
-err_has "--poses needs --deformable"
+refuses 1 "--range needs --deformable" bake cloth.obj -o refused.espl --range 0 0 0 1 1 1
+refuses 1 "--poses needs --deformable" bake cloth.obj -o refused.espl --poses wave.obj
 
 claim "a range that is no box is refused"
 run 1 bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1
 run 1 bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1 1 --range 0 0 0 1 1 1
-run 1 bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1 wide
-err_has "--range: 'wide' is no length"
-run 1 bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 -1 1
-err_has "--range: it goes from 0 to -1 on y"
-run 1 bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1 1e39
-err_has "'1e39'"
+refuses 1 "--range: 'wide' is no length" bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1 wide
+refuses 1 "--range: it goes from 0 to -1 on y" bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 -1 1
+refuses 1 "'1e39'" bake cloth.obj -o refused.espl --deformable --range 0 0 0 1 1 1e39
 run 1 bake point.obj -o refused.espl --deformable --range 0 0 0 1 1 nan
 grep '^v' cloth.obj >vertices.obj
 run 3 bake vertices.obj -o refused.espl --deformable
@@ -123,12 +110,10 @@ absent refused.espl
 
 claim "a deformable bake of a broken mesh names the place and does not offer to drop triangles"
 sed '1s/.*/v 0.5 nan 0.5/' cloth.obj >unused_nan.obj
-run 3 bake unused_nan.obj -o refused.espl --deformable
-err_has "unused_nan.obj, mesh 0, vertex 0 has y = NaN"
+refuses 3 "unused_nan.obj, mesh 0, vertex 0 has y = NaN" bake unused_nan.obj -o refused.espl --deformable
 err_lacks "drop"
 sed '30s/.*/v 0.5 inf 0.5/' cloth.obj >used_nan.obj
-run 3 bake used_nan.obj -o refused.espl --deformable
-err_has "y = infinity"
+refuses 3 "y = infinity" bake used_nan.obj -o refused.espl --deformable
 err_lacks "drop"
 absent refused.espl
 
@@ -141,12 +126,10 @@ json '.error.file == "short.obj"'
 
 claim "a pose that is not finite is refused with its file and the vertex"
 sed '30s/.*/v 0.5 0.5 -inf/' wave.obj >infinite.obj
-run 3 bake cloth.obj -o refused.espl --deformable --poses wave.obj infinite.obj --json
-err_has "infinite.obj, mesh 0, vertex 29 has z = -infinity."
+refuses 3 "infinite.obj, mesh 0, vertex 29 has z = -infinity." bake cloth.obj -o refused.espl --deformable --poses wave.obj infinite.obj --json
 err_lacks "drop"
 json '.error.file == "infinite.obj" and .error.mesh == 0'
-run 2 bake cloth.obj -o refused.espl --deformable --poses missing.obj
-err_has "missing.obj"
+refuses 2 "missing.obj" bake cloth.obj -o refused.espl --deformable --poses missing.obj
 absent refused.espl
 
 claim "unit and scale and axis apply to the poses as to the mesh"
@@ -161,8 +144,7 @@ bake_cloth x.espl --poses wave_vertices.obj --depfile x.d
 bake_cloth y.espl --poses wave.obj
 same x.espl y.espl
 grep -q 'wave_vertices\.obj' x.d || fail "x.d: $(cat x.d)"
-run 1 bake cloth.obj -o wave_vertices.obj --deformable --poses wave_vertices.obj
-err_has "which it would replace"
+refuses 1 "which it would replace" bake cloth.obj -o wave_vertices.obj --deformable --poses wave_vertices.obj
 
 claim "what is picked within a number of bytes is deformable as well"
 bake_cloth x.espl --max-bytes 16K --json
@@ -172,14 +154,10 @@ json '.deformable and .profile == "fast" and .bytes <= 16384 and ([.picked.tried
 claim "a refit to the pose of the bake gives the baked bytes"
 run 0 refit cloth.espl cloth.obj -o x.espl
 [ ! -s out ] || fail "stdout is not empty"
-err_has "bounds: 0 0 0 to 1 1 0"
-err_has "quality: an average ray costs 1 times as much as at rest"
-err_has "wrote x.espl"
+err_has "bounds: 0 0 0 to 1 1 0" "quality: an average ray costs 1 times as much as at rest" "wrote x.espl"
 same x.espl cloth.espl
-run 0 refit posed.espl cloth.obj -o x.espl
-same x.espl posed.espl
-run 0 refit cloth.espl cloth.ply -o x.espl
-same x.espl cloth.espl
+makes x.espl posed.espl refit posed.espl cloth.obj -o x.espl
+makes x.espl cloth.espl refit cloth.espl cloth.ply -o x.espl
 
 claim "a refitted blob is sound and lies within its error of the pose"
 for pose in wave bend point scrambled; do
@@ -196,8 +174,7 @@ run 3 verify cloth.wave.espl --source cloth.obj
 
 claim "the same pose by another path gives the same bytes"
 for step in bend point scrambled cloth; do
-    run 0 refit cloth.$step.espl wave.obj -o x.espl -q
-    same x.espl cloth.wave.espl
+    makes x.espl cloth.wave.espl refit cloth.$step.espl wave.obj -o x.espl -q
     [ $step != scrambled ] || run 0 refit cloth.wave.espl cloth.obj -o cloth.cloth.espl -q
 done
 same cloth.cloth.espl cloth.espl
@@ -208,23 +185,19 @@ json '.file == "cloth.espl" and .pose == "wave.obj" and .output == "x.espl" and 
 json '.bounds.min[2] < -0.2 and .bounds.max[0] <= 0.9001 and .quality > 0.5 and .quality < 1.5'
 
 claim "a pose that costs much more than the baked ones gets the advice to bake it in, and strict refuses it"
-run 0 refit cloth.espl scrambled.obj -o x.espl --json
-err_has "warning: scrambled.obj: in this pose the tree costs an average ray "
+reports "warning: scrambled.obj: in this pose the tree costs an average ray " refit cloth.espl scrambled.obj -o x.espl --json
 err_has "Bake the blob once with this pose among --poses"
 json '.quality >= 1.5 and .warnings[0].kind == "costly_pose" and .warnings[0].file == "scrambled.obj"'
-run 3 refit cloth.espl scrambled.obj -o refused.espl --strict --json
-json '.error.kind == "strict" and .warnings[0].kind == "costly_pose"'
+fails 3 '.error.kind == "strict" and .warnings[0].kind == "costly_pose"' refit cloth.espl scrambled.obj -o refused.espl --strict
 absent refused.espl
 run 0 refit posed.espl wave.obj -o x.espl --strict
 err_lacks "warning"
 
 claim "a refit takes unit and scale and axis as the bake did"
-run 0 refit small.espl cloth.obj -o x.espl "${transformed[@]}"
-same x.espl small.espl
+makes x.espl small.espl refit small.espl cloth.obj -o x.espl "${transformed[@]}"
 run 0 refit small.espl wave.obj -o x.espl "${transformed[@]}"
 run 0 verify x.espl --deep --source wave.obj "${transformed[@]}"
-run 3 refit small.espl wave.obj -o refused.espl
-err_has "outside of the range of motion"
+refuses 3 "outside of the range of motion" refit small.espl wave.obj -o refused.espl
 absent refused.espl
 
 claim "a pose that is refused names the first bad vertex and leaves an output as it is"
@@ -251,16 +224,12 @@ refused 3 points.obj
 refused 2 missing.obj
 
 claim "a refit of what is no deformable blob is refused"
-run 5 refit sheet.espl sheet.obj -o refused.espl --json
-err_has "'sheet.espl' is not deformable. Bake it with 'espalier bake --deformable'."
+refuses 5 "'sheet.espl' is not deformable. Bake it with 'espalier bake --deformable'." refit sheet.espl sheet.obj -o refused.espl --json
 json '.error.kind == "unsupported" and .error.file == "sheet.espl"'
 run 3 refit cloth.obj cloth.obj -o refused.espl
 run 0 bake box.obj far_box.obj -o boxes.esps --instances all -q
 run 5 refit boxes.esps box.obj -o refused.espl
-run 1 refit cloth.espl -o refused.espl
-run 1 refit cloth.espl cloth.obj
-run 1 refit cloth.espl cloth.obj -o cloth.espl
-run 1 refit cloth.espl cloth.obj -o cloth.obj
+run_each 1 "refit cloth.espl" "-o refused.espl" cloth.obj "cloth.obj -o cloth.espl" "cloth.obj -o cloth.obj"
 run 2 refit cloth.espl cloth.obj -o missing/x.espl
 absent refused.espl
 
@@ -269,35 +238,27 @@ claim "a blob on the standard input is refitted"
 same x.espl cloth.wave.espl
 
 claim "a blob of several files takes the vertices of all in a row"
-run 0 bake box.obj far_box.obj -o boxes.espl --deformable --json
-json '.motion.positions == 16'
+finds '.motion.positions == 16' bake box.obj far_box.obj -o boxes.espl --deformable
 { grep -h '^v' box.obj far_box.obj; } >boxes.obj
-run 0 refit boxes.espl boxes.obj -o x.espl
-same x.espl boxes.espl
+makes x.espl boxes.espl refit boxes.espl boxes.obj -o x.espl
 run 3 bake box.obj far_box.obj -o refused.espl --deformable --poses box.obj
 err_has "the pose 'box.obj' has 8 vertices, and the mesh 'box.obj', 'far_box.obj' has 16."
 
 # ---- other verbs ----------------------------------------------------------------------------------------------------
 claim "info prints how the vertices may move and how large each part is"
 run 0 info cloth.wave.espl
-for word in "format        2.1, profile fast" "features      deformable" "range         -0.5 -0.5 -0.5 to 1.5 1.5 0.5" \
-    "positions     627" "moving bytes  " "per triangle; the rest may stay in flash" "corners " "vertex_sources "; do
-    out_has "$word"
-done
-run 0 info cloth.wave.espl --json
-json '.deformable and .motion.positions == 627 and .motion.range.min == [-0.5, -0.5, -0.5] and .features == ["deformable"]'
+out_has "format        2.1, profile fast" "features      deformable" "range         -0.5 -0.5 -0.5 to 1.5 1.5 0.5" \
+    "positions     627" "moving bytes  " "per triangle; the rest may stay in flash" "corners " "vertex_sources "
+finds '.deformable and .motion.positions == 627 and .motion.range.min == [-0.5, -0.5, -0.5] and .features == ["deformable"]' info cloth.wave.espl
 json '.sections.corners == 3 * 1152 + 64 and .sections.vertex_sources >= 2 * 625 and .sections.vertex_sources % 4 == 0'
 json '.motion.moving_bytes == .sections.header + .sections.nodes + .sections.leaves + .sections.guard'
 json '.bounds.min[2] < -0.2 and .extent <= 1 and .extent > 0.9 and .format_version == "2.1"'
-run 0 info sheet.espl --json
-json '(.deformable | not) and (has("motion") | not) and .format_version == "2.0"'
+finds '(.deformable | not) and (has("motion") | not) and .format_version == "2.0"' info sheet.espl
 
 claim "dump has every byte of a deformable blob once and in order"
 run 0 dump cloth.wave.espl
-for word in "positions 627" "vertices of all leaves together " "cost of the tree at rest " "low corner of the pose in steps " \
-    "high corner of the pose in steps " "-- corners" "-- vertex_sources" "  corner a: " "positions of leaf 0 of node "; do
-    out_has "$word"
-done
+out_has "positions 627" "vertices of all leaves together " "cost of the tree at rest " "low corner of the pose in steps " \
+    "high corner of the pose in steps " "-- corners" "-- vertex_sources" "  corner a: " "positions of leaf 0 of node "
 for blob in cloth.wave boxes; do
     "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
     od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected
@@ -309,14 +270,10 @@ awk '/^-- vertex_sources/ { on = 1; next } on && /positions of leaf/ { sub(/.*: 
 [ "$(cat positions)" = "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 " ] || fail "the positions are $(cat positions)"
 
 claim "a query of a refitted blob meets the pose"
-run 0 query cloth.wave.espl ray 0.45 0.5 9 0 0 -1 --json
-json '.hit and .t > 9 - 0.26 and .t < 9 + 0.26'
-run 0 query cloth.espl ray 0.95 0.5 9 0 0 -1 --json
-json '.hit and .t == 9'
-run 0 query cloth.wave.espl ray 0.95 0.5 9 0 0 -1 --json
-json '.hit | not'
-run 0 query cloth.point.espl ray 0.5 0.5 9 0 0 -1 --json
-json '.hit | not'
+finds '.hit and .t > 9 - 0.26 and .t < 9 + 0.26' query cloth.wave.espl ray 0.45 0.5 9 0 0 -1
+finds '.hit and .t == 9' query cloth.espl ray 0.95 0.5 9 0 0 -1
+finds '.hit | not' query cloth.wave.espl ray 0.95 0.5 9 0 0 -1
+finds '.hit | not' query cloth.point.espl ray 0.5 0.5 9 0 0 -1
 on_windows || run 0 render cloth.wave.espl -o x.png --size 16x16 -q
 
 finish

@@ -11,7 +11,6 @@ bounds_near() {
             d = $i - e[i]; if (d < 0) d = -d; if (d > 1e-3 * size) bad = 1 } } END { exit bad || NR != 1 }' ||
         fail "not near the bounds $*: $(grep bounds err)"
 }
-absent() { [ ! -e "$1" ] || fail "$1 is there"; }
 # nothing but the given files
 only() { [ "$(ls -A "$1" | tr '\n' ' ')" = "$2" ] || fail "$1 holds $(ls -A "$1" | tr '\n' ' ')"; }
 

@@ -6,15 +6,13 @@
 
 # ---- embed ----------------------------------------------------------------------------------------------------------
 claim "what is embedded says its name, size, section and alignment, and is the same in any folder"
-run 0 embed box.espl -o level.c --header level.h
-err_has "wrote level.c: level, $(stat -c %s box.espl) bytes in .rodata.level, aligned to 16"
+reports "wrote level.c: level, $(stat -c %s box.espl) bytes in .rodata.level, aligned to 16" embed box.espl -o level.c --header level.h
 run 0 embed box.espl -o level.c --header level.h -q --json
 [ ! -s err ] || fail "something was said"
 json ".symbol == \"level\" and .bytes == $(stat -c %s box.espl) and .section == \".rodata.level\" and .header == \"level.h\""
 mkdir embedded
 cp box.espl embedded/other.espl
-run 0 embed embedded/other.espl -o embedded/level.c --header embedded/level.h -q
-same level.c embedded/level.c
+makes level.c embedded/level.c embed embedded/other.espl -o embedded/level.c --header embedded/level.h -q
 same level.h embedded/level.h
 run 0 embed box.espl -o x.S --symbol arena --section .flash_blobs --alignment 64 -q
 for words in '.section .flash_blobs, "a"' '.balign 64' '.global arena' '"box.espl"'; do
@@ -29,28 +27,23 @@ run 0 embed sheet.espl -o level.c --header level.h -q
 [ "$(stat -c %Y level.h)" != "$(date -d '2020-01-01' +%s)" ] || fail "the header of another blob is the old one"
 
 claim "what cannot be embedded is refused, and nothing is written"
-run 1 embed box.espl -o bad.txt
-err_has ".c or .cpp for an array, .S for assembler"
+refuses 1 ".c or .cpp for an array, .S for assembler" embed box.espl -o bad.txt
 for name in 2nd new a-b _x a__b linux; do run 1 embed box.espl -o bad.c --symbol $name; done
-run 1 embed box.espl -o new.c
-err_has "'new' cannot name a variable"
+refuses 1 "'new' cannot name a variable" embed box.espl -o new.c
 for alignment in 0 3 131072 -16; do run 1 embed box.espl -o bad.c --alignment $alignment; done
 run 1 embed box.espl -o bad.c --section '.rodata,"aw"'
 run 1 embed box.espl -o bad.c --header bad.c
-run 1 embed box.espl -o bad.c --header "$PWD/./bad.c"
-err_has "--header and -o name the same file"
-run 3 embed box.obj -o bad.c --header bad.h
-err_has "'box.obj' is refused"
+refuses 1 "--header and -o name the same file" embed box.espl -o bad.c --header "$PWD/./bad.c"
+refuses 3 "'box.obj' is refused" embed box.obj -o bad.c --header bad.h
 run 2 embed missing.espl -o bad.c --header bad.h
 cp box.espl blob.c
 run 1 embed blob.c -o blob.c
 same box.espl blob.c
-for file in bad.c bad.h new.c; do absent $file; done
+absent bad.c bad.h new.c
 
 # ---- writing --------------------------------------------------------------------------------------------------------
 claim "outputs that cannot be written are exit status 2, name the file, and leave nothing behind"
-run 2 bake box.obj -o missing_folder/x.espl
-err_has "missing_folder/x.espl"
+refuses 2 "missing_folder/x.espl" bake box.obj -o missing_folder/x.espl
 mkdir occupied occupied/x.espl
 run 2 bake box.obj -o occupied/x.espl
 only occupied "x.espl "
@@ -81,8 +74,7 @@ run 5 bake junk.unknown -o kept/x.espl
 (cd kept && ulimit -f 1 && trap '' XFSZ && "$espalier" bake ../sheet.obj -o x.espl 2>/dev/null)
 same box.espl kept/x.espl
 only kept "x.espl "
-run 0 bake sheet.obj -o kept/x.espl --ids --materials
-same sheet.espl kept/x.espl
+makes sheet.espl kept/x.espl bake sheet.obj -o kept/x.espl --ids --materials
 only kept "x.espl "
 
 claim "a bake that is killed at any moment leaves the old blob or the new one, never a part"
@@ -138,8 +130,7 @@ if [ -e /proc/self/mem ]; then
     [ $code = 2 ] || [ $code = 3 ] || fail "an input whose reads fail ended with $code: $(head -c 400 err)"
     err_has "unreadable.obj"
     same killed/x.espl box.espl
-    run 2 info unreadable.espl
-    err_has "unreadable.espl"
+    refuses 2 "unreadable.espl" info unreadable.espl
 fi
 mkdir folder.obj
 "$espalier" bake folder.obj -o killed/x.espl >out 2>err
@@ -149,12 +140,10 @@ err_has "folder.obj"
 only killed "x.espl "
 
 claim "an input is never replaced by its own output"
-run 1 bake box.obj -o box.obj
-err_has "itself"
+refuses 1 "itself" bake box.obj -o box.obj
 run 1 bake sheet.obj box.obj -o ./box.obj
 run 1 render box.espl -o box.espl
-run 0 bake box.obj -o x.espl
-same x.espl box.espl
+makes x.espl box.espl bake box.obj -o x.espl
 
 claim "a link is written through, and a device stays a device"
 ln -s target.espl link.espl
@@ -169,21 +158,17 @@ run 0 bake box.obj -o chain.espl
 [ -L chain.espl ] || fail "the first link was replaced"
 [ -L linked/second.espl ] || fail "the second link was replaced"
 same linked/target.espl box.espl
-run 1 bake box.obj -o chain.espl --depfile linked/target.espl
-err_has "name the same file"
+refuses 1 "name the same file" bake box.obj -o chain.espl --depfile linked/target.espl
 rm linked/target.espl
 run 1 bake box.obj -o chain.espl --depfile linked/target.espl
 absent linked/target.espl
 ln -s missing_folder/x.espl lost.espl
-run 2 bake box.obj -o lost.espl
-err_has "cannot write 'lost.espl': No such file or directory"
+refuses 2 "cannot write 'lost.espl': No such file or directory" bake box.obj -o lost.espl
 ln -s loop.espl loop.espl
-run 2 bake box.obj -o loop.espl
-err_has "cannot write 'loop.espl': Too many levels of symbolic links"
+refuses 2 "cannot write 'loop.espl': Too many levels of symbolic links" bake box.obj -o loop.espl
 [ -L loop.espl ] || fail "the loop was replaced"
 run 0 bake box.obj -o /dev/null
 [ -c /dev/null ] || fail "/dev/null was replaced"
-run 0 bake box.obj -o /dev/stdout -q
-same out box.espl
+makes out box.espl bake box.obj -o /dev/stdout -q
 
 finish

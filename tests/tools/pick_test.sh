@@ -7,20 +7,15 @@
 # ---- picks ----------------------------------------------------------------------------------------------------------
 claim "a pick keeps to its bytes, and says what it took and what it gave up"
 for bytes in 1K 4K 10K 0.02M 65536; do
-    run 0 bake sheet.obj -o picked.espl --max-bytes $bytes --max-dropped 100%
-    err_has "picked: profile "
-    err_has "  error: "
-    err_has "  bytes: "
-    err_has "  counted work: "
+    reports "picked: profile " bake sheet.obj -o picked.espl --max-bytes $bytes --max-dropped 100%
+    err_has "  error: " "  bytes: " "  counted work: "
     allowed=$(echo $bytes | awk '/K/ { print $0 * 1024; next } /M/ { print int($0 * 1048576); next } { print $0 }')
     [ "$(stat -c %s picked.espl)" -le "$allowed" ] || fail "$(stat -c %s picked.espl) bytes in $bytes"
     "$espalier" verify picked.espl --deep --source sheet.obj >/dev/null || fail "the pick is not sound"
 done
-run 0 bake sheet.obj -o picked.espl --max-bytes 1M
-err_has "16 bits"
+reports "16 bits" bake sheet.obj -o picked.espl --max-bytes 1M
 err_has "nothing given up"
-run 0 bake sheet.obj -o picked.espl --max-bytes 7K
-err_has "given up: "
+reports "given up: " bake sheet.obj -o picked.espl --max-bytes 7K
 err_has "at 16 bits"
 
 claim "the same is picked twice and at any number of threads"
@@ -29,8 +24,7 @@ for pick in "--max-bytes 10K" "--fastest-under 30K" "--max-error 5mm" "--max-err
     run 0 bake sheet.obj -o a.espl $pick --threads 1
     cp err first_err
     # shellcheck disable=SC2086
-    run 0 bake sheet.obj -o b.espl $pick --threads 2
-    same a.espl b.espl
+    makes a.espl b.espl bake sheet.obj -o b.espl $pick --threads 2
     grep -v wrote first_err >first
     grep -v wrote err >second
     same first second
@@ -76,50 +70,40 @@ awk '/"max_error"/ { exit !($2 + 0 <= 0.005) }' out || fail "$(grep max_error ou
 claim "what cannot be had is unsupported, names the smallest that was reached, and leaves no file"
 for pick in "--max-bytes 100" "--fastest-under 5K" "--max-error 5mm --max-bytes 5K"; do
     # shellcheck disable=SC2086
-    run 5 bake sheet.obj -o small.espl $pick
-    err_has "nothing fits"
+    refuses 5 "nothing fits" bake sheet.obj -o small.espl $pick
     err_has "The smallest of "
     absent small.espl
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >corner.obj
-run 5 bake corner.obj -o small.espl --max-bytes 100 # one bit is enough for it
-err_has "There is no coarser lattice"
+refuses 5 "There is no coarser lattice" bake corner.obj -o small.espl --max-bytes 100 # one bit is enough for it
 printf 'v 0 0 0\nv 9 0 0\nv 9 1 0\nf 1 2 3\n' >sliver.obj
-run 5 bake sliver.obj -o small.espl --max-bytes 100
-err_has "A coarser lattice leaves no triangle"
+refuses 5 "A coarser lattice leaves no triangle" bake sliver.obj -o small.espl --max-bytes 100
 for amount in 0 -5 64X K nan 1e99 ""; do run 1 bake sheet.obj -o small.espl --fastest-under "$amount"; done
-run 1 bake sheet.obj -o small.espl --max-bytes 64Q
-err_has "is no amount of bytes"
-run 1 bake sheet.obj -o small.espl --max-bytes 64K --fastest-under 64K
-run 1 bake sheet.obj -o small.espl --max-error 1mm --tolerance 1mm
-run 1 bake sheet.obj -o small.espl --max-error 1mm --bits 12
-run 1 bake sheet.obj -o small.espl --max-error 0
+refuses 1 "is no amount of bytes" bake sheet.obj -o small.espl --max-bytes 64Q
+run_each 1 "bake sheet.obj -o small.espl" "--max-bytes 64K --fastest-under 64K" "--max-error 1mm --tolerance 1mm" \
+    "--max-error 1mm --bits 12" "--max-error 0"
 absent small.espl
 
 claim "a pick leaves alone what the user chose, and an empty mesh is no trouble"
-run 0 bake sheet.obj -o x.espl --fastest-under 1M --leaf-size 5 --profile fast
-err_has "leaves of up to 5 triangles"
+reports "leaves of up to 5 triangles" bake sheet.obj -o x.espl --fastest-under 1M --leaf-size 5 --profile fast
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
 run 0 bake line.obj -o x.espl --max-bytes 1K --allow-empty
 run 0 verify x.espl --deep
 
 claim "leaves are as large as --leaf-size allows"
-run 0 bake sheet.obj -o x.espl --leaf-size 1 --json -q
-out_has '"leaves": 3200'
+prints '"leaves": 3200' bake sheet.obj -o x.espl --leaf-size 1 --json -q
 run 1 bake sheet.obj -o x.espl --leaf-size 0
 run 1 bake sheet.obj -o x.espl --leaf-size 63
 
 # ---- price of bytes -------------------------------------------------------------------------------------------------
 claim "a price of bytes shapes the tree; the default written out changes nothing"
-run 0 bake sheet.obj -o x.espl --byte-price 5 --ids --materials
-same x.espl sheet.espl
+makes x.espl sheet.espl bake sheet.obj -o x.espl --byte-price 5 --ids --materials
 run 0 bake sheet.obj -o x.espl --byte-price 0 --ids --materials
 [ "$(stat -c %s x.espl)" -gt "$(stat -c %s sheet.espl)" ] || fail "free bytes make no larger blob"
 
 claim "a price of bytes out of its range is refused"
 for price in -1 1e9 nan much; do
-    run 1 bake sheet.obj -o model.espl --byte-price $price
-    err_has "--byte-price"
+    refuses 1 "--byte-price" bake sheet.obj -o model.espl --byte-price $price
     absent model.espl
 done
 

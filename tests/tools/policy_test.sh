@@ -4,15 +4,13 @@
 # shellcheck source=claims.sh
 . "$(dirname "$0")/claims.sh"
 
-absent() { [ ! -e "$1" ] || fail "$1 is there"; }
 # refused KIND ARGUMENTS...: exit status 3, the error's kind, and no output
 refused() {
     local kind=$1
     shift
     rm -f x.espl x.d x.remap x.ply
-    run 3 bake "$@" -o x.espl --depfile x.d --remap x.remap --reorder x.ply --json
-    json ".error.kind == \"$kind\""
-    for file in x.espl x.d x.remap x.ply; do absent $file; done
+    fails 3 ".error.kind == \"$kind\"" bake "$@" -o x.espl --depfile x.d --remap x.remap --reorder x.ply
+    absent x.espl x.d x.remap x.ply
 }
 
 write_box_obj 0 >box.obj
@@ -36,8 +34,7 @@ run 0 bake quarter.obj -o x.espl --max-dropped 25
 run 0 bake thirteenth.obj -o x.espl
 refused dropped thirteenth.obj --max-dropped 0
 { write_box_obj 0; write_box_obj 0 | grep '^f'; } >twice.obj
-run 0 bake twice.obj -o x.espl --max-dropped 0 --json
-json '.findings.duplicate.count == 12'
+finds '.findings.duplicate.count == 12' bake twice.obj -o x.espl --max-dropped 0
 # Of a box that is long in one direction, the lattice leaves little.
 sed 's/^v 1 \(.*\)/v 1e6 \1/' box.obj >long.obj
 refused dropped long.obj --bits 4
@@ -48,17 +45,14 @@ refused dropped quarter.obj --max-bytes 10K
 # Half of the triangles are so small that a coarse lattice flattens them: bytes for the other half alone are too few.
 awk 'BEGIN { for (i = 0; i < 40; ++i) { s = i % 2 ? 1 : 100; x = 7 * i
     printf "v %d 0 %d\nv %d 0 %d\nv %d %d %d\nf -3 -2 -1\n", x, i, x + s, i, x, s, i + s } }' >uneven.obj
-run 5 bake uneven.obj -o x.espl --max-bytes 500 --json
-json '.error.kind == "unsupported"'
+fails 5 '.error.kind == "unsupported"' bake uneven.obj -o x.espl --max-bytes 500
 err_has "A coarser lattice drops more triangles than --max-dropped allows"
 run 0 bake uneven.obj -o x.espl --max-bytes 500 --max-dropped 60
 for percent in -1 101 nan ten ""; do run 1 bake box.obj -o x.espl --max-dropped "$percent"; done
 
 claim "an empty result is an error unless it is allowed"
 refused empty points.obj
-err_has "the input has no triangles"
-err_has "--allow-empty"
-err_has "'points.obj'"
+err_has "the input has no triangles" "--allow-empty" "'points.obj'"
 err_lacks "the blob is valid"
 json '.error.file == "points.obj"'
 refused empty box.obj points.obj
@@ -71,8 +65,7 @@ refused empty line.obj --max-dropped 100
 err_has "'line.obj': no triangle is left"
 err_lacks "the blob is valid"
 json '.error.file == "line.obj"'
-run 0 bake points.obj -o x.espl --allow-empty --strict --json
-json '.triangles == 0 and .warnings == []'
+finds '.triangles == 0 and .warnings == []' bake points.obj -o x.espl --allow-empty --strict
 run 0 bake line.obj -o x.espl --allow-empty --max-dropped 100 --strict
 
 claim "--strict refuses a bake with warnings and lists them and takes one without"
@@ -92,8 +85,7 @@ run 0 bake box.obj -o x.espl --strict
 claim "a blob among the meshes is named as one"
 cp box.espl blob.obj
 for blob in box.espl blob.obj; do
-    run 5 bake $blob -o x.espl
-    err_has "'$blob' is a blob already. Give the mesh"
+    refuses 5 "'$blob' is a blob already. Give the mesh" bake $blob -o x.espl
 done
 
 claim "errors about the whole bake list the warnings too"
@@ -109,8 +101,7 @@ claim "the standard output takes a blob or a document and not both"
 for outputs in "bake box.obj -o /dev/stdout" "render box.espl -o /dev/stdout" "embed box.espl -o x.c --header /dev/stdout" \
     "trade box.obj --csv /dev/stdout"; do
     # shellcheck disable=SC2086  # words
-    run 1 $outputs --json
-    err_has "standard output"
+    refuses 1 "standard output" $outputs --json
 done
 absent x.c
 run 0 bake box.obj -o x.espl
@@ -133,15 +124,12 @@ refused size box.obj --expect-size 3.1m..10m
 err_has "--unit"
 refused size box.obj --unit mm --expect-size 0.1m..10m
 err_has "--unit m makes it 3 m"
-run 0 bake box.obj -o x.espl --expect-size 3..3
-run 0 bake box.obj -o x.espl --expect-size 0.1mm..10m
-run 0 bake box.obj -o x.espl --unit km --expect-size 1km..10km --strict
+run_each 0 "bake box.obj -o x.espl" "--expect-size 3..3" "--expect-size 0.1mm..10m" "--unit km --expect-size 1km..10km --strict"
 for size in 1m 10m..1m ..1m 1m.. -1m..1m a..b 1m..nan ""; do run 1 bake box.obj -o x.espl --expect-size "$size"; done
 
 claim "--expect-size is about the source and not about the lattice or vertices that nothing uses"
 printf 'v 0 0 0\nv 9.9 0 0\nv 0 9.9 0\nv 0 0 99\nf 1 2 3\n' >wide.obj
-run 0 bake wide.obj -o x.espl --bits 3 --expect-size 9.9..9.9 --json
-json '.extent == 10'
+finds '.extent == 10' bake wide.obj -o x.espl --bits 3 --expect-size 9.9..9.9
 refused size wide.obj --bits 3 --expect-size 1m..9.8m
 err_has "the asset is 9.9 m across"
 refused size wide.obj --bits 3 --expect-size 10m..11m
@@ -154,8 +142,7 @@ claim "verify and trade refuse a file without triangles among others unless it i
 for verb in "verify box.espl --source box.obj points.obj" \
     "trade box.obj points.obj --bits 12 --leaf-sizes 16 --byte-prices 1 --profiles small --rays 100 --repetitions 1"; do
     # shellcheck disable=SC2086  # words
-    run 3 $verb --json
-    json '.error.kind == "empty" and .error.file == "points.obj"'
+    fails 3 '.error.kind == "empty" and .error.file == "points.obj"' $verb
     # shellcheck disable=SC2086  # words
     run 0 $verb --allow-empty
 done
@@ -177,8 +164,7 @@ if ! grep -q __asan_init "$espalier"; then
     run 3 verify box.espl --source huge.off --import-memory 512M --json
     run 3 trade huge.off --import-memory 512M --json
     for amount in 0 -1 many 12 512 1023K ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
-    run 1 bake box.obj -o x.espl --import-memory 12
-    err_has "'12' is 12 bytes, too few to read any file. Write 1M or more"
+    refuses 1 "'12' is 12 bytes, too few to read any file. Write 1M or more" bake box.obj -o x.espl --import-memory 12
 
     claim "memory that a reader takes from malloc counts too"
     awk 'BEGIN { printf "<amf>"
@@ -189,8 +175,7 @@ if ! grep -q __asan_init "$espalier"; then
         }
         print "</amf>" }' >many.amf
     for memory in 2M 3M 5M; do refused import_memory many.amf --import-memory $memory; done
-    run 0 bake many.amf -o x.espl --import-memory 512M --json
-    json '.source_triangles == 3000'
+    finds '.source_triangles == 3000' bake many.amf -o x.espl --import-memory 512M
 fi
 
 claim "a file that takes longer than --import-seconds is refused by that name and leaves nothing"
@@ -200,15 +185,13 @@ awk 'BEGIN { n = 300
         printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >slow.obj
 refused import_seconds slow.obj --import-seconds 0.002
 err_has "'slow.obj': reading it took more than 0.002 s of processor time, the limit of --import-seconds"
-run 3 bake unknown.obj slow.obj -o x.espl --import-seconds 0.002 --json
-json '.error.kind == "import_seconds" and [.warnings[].kind] == ["unknown_statement"]'
+fails 3 '.error.kind == "import_seconds" and [.warnings[].kind] == ["unknown_statement"]' bake unknown.obj slow.obj -o x.espl --import-seconds 0.002
 run 0 bake slow.obj -o x.espl --effort fast -q
 for seconds in 0 -1 nan long; do run 1 bake box.obj -o x.espl --import-seconds "$seconds"; done
 
 claim "--verbose prints what the importers report and quiet runs do not"
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
-run 0 bake one.off -o x.espl --verbose
-err_has "importer: "
+reports "importer: " bake one.off -o x.espl --verbose
 run 0 bake one.off -o x.espl
 err_lacks "importer: "
 

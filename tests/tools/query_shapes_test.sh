@@ -5,30 +5,22 @@
 . "$(dirname "$0")/query_blobs.sh"
 
 claim "a sphere lists what it touches, in storage order"
-run 0 query box.espl sphere 0.5 1 1.5 100
-out_has "12 triangles"
-run 0 query box.espl sphere 0.5 1 1.5 0.4
-out_has "0 triangles"
-run 0 query box.espl sphere 0.5 1 1.5 0.5 --any
-out_has "overlaps"
-run 0 query box.espl sphere -1 -1 -1 1 --any --json
-out_has '"overlaps": false'
+prints "12 triangles" query box.espl sphere 0.5 1 1.5 100
+prints "0 triangles" query box.espl sphere 0.5 1 1.5 0.4
+prints "overlaps" query box.espl sphere 0.5 1 1.5 0.5 --any
+prints '"overlaps": false' query box.espl sphere -1 -1 -1 1 --any --json
 
 claim "closest-point finds point and distance, or nothing beyond the limit"
-run 0 query box.espl closest-point 0.25 1 5
-out_has "distance 2"
+prints "distance 2" query box.espl closest-point 0.25 1 5
 out_has "point 0.25 1 3"
-run 0 query box.espl closest-point 0.25 1 5 --max-distance 1.5
-out_has "nothing within"
-run 0 query box.espl closest-point 0.25 1 5 --json
-out_has '"distance": 2.0'
+prints "nothing within" query box.espl closest-point 0.25 1 5 --max-distance 1.5
+prints '"distance": 2.0' query box.espl closest-point 0.25 1 5 --json
 
 claim "every volume lists the triangles that it touches"
 counts() { # COUNT WORDS...
     local count=$1
     shift
-    run 0 query box.espl "$@"
-    out_has "$count triangle"
+    prints "$count triangle" query box.espl "$@"
     run 0 query box.espl "$@" --any --json
     [ "$count" = 0 ] && json '.overlaps == false' || json '.overlaps'
 }
@@ -64,37 +56,28 @@ done
 run 0 query sheet.espl sphere 20 0 20 9
 grep '^triangle' out | cmp -s - pages || fail "the pages are not the whole"
 [ "$(wc -l <pages)" -gt 200 ] || fail "only $(wc -l <pages) triangles: nothing is tested"
-run 0 query sheet.espl sphere 20 0 20 9 --limit 3 --json
-json '.status == "output_full" and .count == 3 and .next > 2'
-run 0 query sheet.espl sphere 20 0 20 9 --limit 0
-out_has "and there are more: --from"
+finds '.status == "output_full" and .count == 3 and .next > 2' query sheet.espl sphere 20 0 20 9 --limit 3
+prints "and there are more: --from" query sheet.espl sphere 20 0 20 9 --limit 0
 run 1 query sheet.espl sphere 20 0 20 9 --limit 3 --any
 run 1 query sheet.espl sphere 20 0 20 9 --limit -3
 
 claim "the nearest triangles come sorted"
 run 0 query box.espl closest-point 0.25 1 5 --first 3 --json
 json '.count == 3 and .triangles[0].distance == 2 and .triangles[1].distance >= 2 and .triangles[2].distance >= .triangles[1].distance'
-run 0 query box.espl closest-point 0.25 1 5 --first 100 --json
-json '.count == 12'
-run 0 query box.espl closest-point 0.25 1 5 --first 100 --max-distance 0.5 --json
-json '.count == 0'
+finds '.count == 12' query box.espl closest-point 0.25 1 5 --first 100
+finds '.count == 0' query box.espl closest-point 0.25 1 5 --first 100 --max-distance 0.5
 
 claim "segments and boxes have a closest pair of points"
 run 0 query box.espl closest-point-segment 0.25 1 5 0.75 1 4 --json
 json '.found and .distance == 1 and .on_shape == [0.75, 1, 4] and .point == [0.75, 1, 3] and .feature == "face" and .face_normal == [0, 0, 1] and .side == "front"'
-run 0 query box.espl closest-point-segment 0.2 1 5 0.2 1 2
-out_has "distance 0"
-run 0 query box.espl closest-point-box 3 0 0 4 1 1 --json
-json '.distance == 2 and .on_shape[0] == 3 and .point[0] == 1 and .face_normal == [1, 0, 0]'
-run 0 query box.espl closest-point-box 3 0 0 4 1 1 --max-distance 1900mm
-out_has "nothing within"
-run 0 query box.espl closest-point-box 4 1 1 3 0 0 --json
-json '.status == "ok" and .found == false'
+prints "distance 0" query box.espl closest-point-segment 0.2 1 5 0.2 1 2
+finds '.distance == 2 and .on_shape[0] == 3 and .point[0] == 1 and .face_normal == [1, 0, 0]' query box.espl closest-point-box 3 0 0 4 1 1
+prints "nothing within" query box.espl closest-point-box 3 0 0 4 1 1 --max-distance 1900mm
+finds '.status == "ok" and .found == false' query box.espl closest-point-box 4 1 1 3 0 0
 
 claim "moving shapes stop at the first contact, and say when they start in one"
 near() { json ".t <= $1 and .t > $1 - 0.0000002"; }
-run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --json
-json '.hit and .starts_overlapping == false and .normal == [0, 0, 1] and .face_normal == [0, 0, 1]'
+finds '.hit and .starts_overlapping == false and .normal == [0, 0, 1] and .face_normal == [0, 0, 1]' query box.espl sweep-sphere 0.5 1 6 1 0 0 -4
 near 0.5
 run 0 query box.espl sweep-capsule 0.5 1 6 0.6 1 7 1 0 0 -4 --json
 near 0.5
@@ -106,65 +89,40 @@ near 0.5
 run 0 query box.espl sweep-hull 0 0 -4 0.5 1 5 0.4 1 6 0.6 1 6 0.5 1.2 6 --json
 near 0.5
 json '.normal == [0, 0, 1]'
-run 0 query box.espl sweep-hull 0 0 -4
-out_has "no contact"
-run 1 query box.espl sweep-hull 0 0 -4 1
-err_has "displacement x y z, vertex x y z; the last any number of times"
-run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 0 # no displacement: whether it touches
-out_has "starts_overlapping yes"
-run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
-out_has "no contact"
-run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 1 --json
-json '.t == 0 and .starts_overlapping'
-run 0 query box.espl sweep-sphere 0.5 1 3.5 1 0 0 1 --ignore-leaving --json
-json '.status == "ok" and .hit == false'
+prints "no contact" query box.espl sweep-hull 0 0 -4
+refuses 1 "displacement x y z, vertex x y z; the last any number of times" query box.espl sweep-hull 0 0 -4 1
+prints "starts_overlapping yes" query box.espl sweep-sphere 0.5 1 3 1 0 0 0 # no displacement: whether it touches
+prints "no contact" query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
+finds '.t == 0 and .starts_overlapping' query box.espl sweep-sphere 0.5 1 3 1 0 0 1
+finds '.status == "ok" and .hit == false' query box.espl sweep-sphere 0.5 1 3.5 1 0 0 1 --ignore-leaving
 run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --skin 0.5 --json
 json '.t <= 0.375 and .t > 0.374999 and (.feature | startswith("edge"))'  # the middle of the top is on a diagonal
-run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 4 --culling back
-out_has "no contact"
+prints "no contact" query box.espl sweep-sphere 0.5 1 6 1 0 0 4 --culling back
 run 6 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --skin -1
-run 6 query box.espl sweep-sphere 0.5 1 3 -1 0 0 1 --json
-json '.status == "invalid_argument" and (has("hit") | not)'
-run 6 query box.espl sweep-box 0 0 0 1 1 1 0 0 1e30
-err_has "too far away or too large"
+fails 6 '.status == "invalid_argument" and (has("hit") | not)' query box.espl sweep-sphere 0.5 1 3 -1 0 0 1
+refuses 6 "too far away or too large" query box.espl sweep-box 0 0 0 1 1 1 0 0 1e30
 run 1 query box.espl sweep-box 0 0 0 1 1 1 0 0
 
 claim "inside and outside have a sign"
-run 0 query box.espl contains 0.5 1 1.5
-out_has "inside"
-run 0 query box.espl contains 0.5 1 3.5 --json
-json '.inside == false'
-run 0 query box.espl winding-number 0.5 1 1.5 16 --json
-json '.winding == 1'
-run 0 query box.espl winding-number 0.5 1 3.5 16 --json
-json '.winding == 0'
-run 1 query box.espl winding-number 0.5 1 3.5 1
-err_has "directions is 1; it must be from 2 to 4096"
-run 0 query box.espl signed-distance 0.5 1 2.75 --json
-json '.found and .distance == -0.25 and .point == [0.5, 1, 3] and .on_shape == null and .side == "back"'
-run 0 query box.espl signed-distance 0.5 1 3.25 --json
-json '.distance == 0.25'
-run 0 query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125 --json
-json '.found == false and .distance == -0.125'
+prints "inside" query box.espl contains 0.5 1 1.5
+finds '.inside == false' query box.espl contains 0.5 1 3.5
+finds '.winding == 1' query box.espl winding-number 0.5 1 1.5 16
+finds '.winding == 0' query box.espl winding-number 0.5 1 3.5 16
+refuses 1 "directions is 1; it must be from 2 to 4096" query box.espl winding-number 0.5 1 3.5 1
+finds '.found and .distance == -0.25 and .point == [0.5, 1, 3] and .on_shape == null and .side == "back"' query box.espl signed-distance 0.5 1 2.75
+finds '.distance == 0.25' query box.espl signed-distance 0.5 1 3.25
+finds '.found == false and .distance == -0.125' query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125
 
 claim "an accuracy makes answers that err on the safe side, and tells what they cost"
-run 0 query sheet.espl sphere 20 0 20 0.5 --accuracy 0 --json
-json '(.may_overlap | type) == "boolean" and .nodes_visited > 0'
+finds '(.may_overlap | type) == "boolean" and .nodes_visited > 0' query sheet.espl sphere 20 0 20 0.5 --accuracy 0
 exact=$(sed -n 's/.*"may_overlap": \(.*\),/\1/p' out)
-run 0 query sheet.espl sphere 20 0 20 0.5 --any --json
-json ".overlaps == $exact"
-run 0 query box.espl box 0.2 0.2 1 0.8 1.8 2 --accuracy 10m
-out_has "may overlap"
-run 0 query box.espl box 9 9 9 10 10 10 --accuracy 1
-out_has "does not overlap"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --accuracy 1mm
-out_has "may be occluded"
-run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 9 --accuracy 1mm
-out_has "not occluded"
-run 0 query box.espl closest-point 0.25 1 5 --accuracy 100mm --json
-json '.found and .lower <= 2 and .upper >= 2 and .upper - .lower < 0.174'
-run 0 query box.espl closest-point 0.25 1 5 --accuracy 100mm --max-distance 1
-out_has "nothing within"
+finds ".overlaps == $exact" query sheet.espl sphere 20 0 20 0.5 --any
+prints "may overlap" query box.espl box 0.2 0.2 1 0.8 1.8 2 --accuracy 10m
+prints "does not overlap" query box.espl box 9 9 9 10 10 10 --accuracy 1
+prints "may be occluded" query box.espl ray 0.25 1.5 10 0 0 -1 --accuracy 1mm
+prints "not occluded" query box.espl segment 0.25 1.5 10 0.25 1.5 9 --accuracy 1mm
+finds '.found and .lower <= 2 and .upper >= 2 and .upper - .lower < 0.174' query box.espl closest-point 0.25 1 5 --accuracy 100mm
+prints "nothing within" query box.espl closest-point 0.25 1 5 --accuracy 100mm --max-distance 1
 run 1 query box.espl capsule 0 0 0 1 1 1 1 --accuracy 1
 run 1 query box.espl sphere 0 0 0 1 --accuracy 1 --any
 run 1 query box.espl sphere 0 0 0 1 --accuracy wide

@@ -5,105 +5,68 @@
 . "$(dirname "$0")/query_blobs.sh"
 
 claim "a ray reports its closest hit, and negative numbers are numbers"
-run 0 query box.espl ray 0.25 1 10 0 0 -1
-out_has "hit triangle "
-out_has "t 7"
-out_has "point 0.25 1 3"
-out_has "normal 0 0 1"
-run 0 query box.espl ray -.5 1 1 2 -0.0 -.0
-out_has "t 0.25"
-run 0 query box.espl ray -5e-1 1 1 -1 0 0
-out_has "no hit"
+prints "hit triangle " query box.espl ray 0.25 1 10 0 0 -1
+out_has "t 7" "point 0.25 1 3" "normal 0 0 1"
+prints "t 0.25" query box.espl ray -.5 1 1 2 -0.0 -.0
+prints "no hit" query box.espl ray -5e-1 1 1 -1 0 0
 run 0 query box.espl ray 0.25 1 10 0 0 -1 --json
-for key in '"schema": 1' '"query": "ray"' '"hit": true' '"t": 7.0' '"u": ' '"v": ' '"normal": ' '"point": ' '"triangle": '; do
-    out_has "$key"
-done
+out_has '"schema": 1' '"query": "ray"' '"hit": true' '"t": 7.0' '"u": ' '"v": ' '"normal": ' '"point": ' '"triangle": '
 ! grep -q original out || fail "a blob without ids names an original"
 
 claim "a ray's range, sides, all hits and any hit"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-min 8
-out_has "t 10"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-max 6.5
-out_has "no hit"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --culling front
-out_has "t 10"
+prints "t 10" query box.espl ray 0.25 1.5 10 0 0 -1 --t-min 8
+prints "no hit" query box.espl ray 0.25 1.5 10 0 0 -1 --t-max 6.5
+prints "t 10" query box.espl ray 0.25 1.5 10 0 0 -1 --culling front
 out_has "side back"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --culling back --json
-json '.t == 7 and .side == "front"'
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
-out_has "2 hits"
-run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
-out_has '"count": 2'
-run 0 query box.espl ray 0 1 10 0 0 -1 --crossings
-out_has "2 crossings"
-run 0 query box.espl --json ray 0 1 10 0 0 -1 --crossings
-json '(.crossings | length) == 2 and .crossings[0].side != .crossings[1].side'
+finds '.t == 7 and .side == "front"' query box.espl ray 0.25 1.5 10 0 0 -1 --culling back
+prints "2 hits" query box.espl ray 0.25 1.5 10 0 0 -1 --all
+prints '"count": 2' query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
+prints "2 crossings" query box.espl ray 0 1 10 0 0 -1 --crossings
+finds '(.crossings | length) == 2 and .crossings[0].side != .crossings[1].side' query box.espl ray 0 1 10 0 0 -1 --crossings
 run 1 query box.espl ray 0 1 10 0 0 -1 --crossings --all
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --any
-out_has "occluded"
-run 0 query box.espl ray 0.25 1.5 10 0 0 1 --any
-out_has "not occluded"
+prints "occluded" query box.espl ray 0.25 1.5 10 0 0 -1 --any
+prints "not occluded" query box.espl ray 0.25 1.5 10 0 0 1 --any
 run 1 query box.espl ray 0.25 1.5 10 0 0 -1 --any --all
 
 claim "a ray names the original triangle and its material when the blob carries them"
-run 0 query sheet.espl ray 0.6 10 0.3 0 -1 0 --json
-out_has '"original": {'
+prints '"original": {' query sheet.espl ray 0.6 10 0.3 0 -1 0 --json
 out_has '"material": '
 
 claim "segments end, and the first few hits come sorted"
-run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 -10
-out_has "t 0.35"
-run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 4 --any
-out_has "not occluded"
-run 0 query box.espl ray 0.25 1.5 -10 0 0 2 --first 5 --json
-json '.status == "ok" and .count == 2 and ([.hits[].t] == [5, 6.5])'
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 1 --json
-json '.status == "output_full" and .count == 1 and .hits[0].t == 7'
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 0
-out_has "and there are more"
+prints "t 0.35" query box.espl segment 0.25 1.5 10 0.25 1.5 -10
+prints "not occluded" query box.espl segment 0.25 1.5 10 0.25 1.5 4 --any
+finds '.status == "ok" and .count == 2 and ([.hits[].t] == [5, 6.5])' query box.espl ray 0.25 1.5 -10 0 0 2 --first 5
+finds '.status == "output_full" and .count == 1 and .hits[0].t == 7' query box.espl ray 0.25 1.5 10 0 0 -1 --first 1
+prints "and there are more" query box.espl ray 0.25 1.5 10 0 0 -1 --first 0
 
 claim "contacts of a body, all and the few that support it"
 run 0 query box.espl contacts-sphere 0.25 1 3.2 0.5 0 --json
 json '.count >= 1 and ([.touches[].distance] | min) > -0.3001 and ([.touches[].distance] | min) < -0.2999'
 json '[.touches[] | select(.feature == "face")][0].normal == [0, 0, 1]'
-run 0 query box.espl contacts-oriented-box 0 1 3.25 0.1 0 0 0 0.1 0 0 0 0.25 0.01 --few
-out_has "4 touches"
-run 0 query box.espl contacts-capsule -0.1 1 3.5 0.1 1 3.5 0.25 0.1
-out_has "0 touches"
+prints "4 touches" query box.espl contacts-oriented-box 0 1 3.25 0.1 0 0 0 0.1 0 0 0 0.25 0.01 --few
+prints "0 touches" query box.espl contacts-capsule -0.1 1 3.5 0.1 1 3.5 0.25 0.1
 run 0 query box.espl contacts-hull 0.4 1 2.99  0.6 1 2.99  0.5 1.1 2.99  0.5 1 3.5 --few --json
 json '.count >= 3 and ([.touches[].distance] | min) > -0.0101 and ([.touches[].distance] | min) < -0.0099'
-run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5
-out_has "0 touches"
+prints "0 touches" query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5
 run 0 query box.espl contacts-hull 0.5 1 3.01  0.5 1 3.5 --max-distance 0.1 --json
 json '.count >= 1 and .touches[0].distance > 0.0099 and .touches[0].distance < 0.0101'
 run 1 query box.espl contacts-sphere 0 0 0 1
 
 claim "boxes and segments in lattice steps, and where the lattice is"
-run 0 query box.espl lattice
-out_has "step "
+prints "step " query box.espl lattice
 top=$(sed -nE 's/^lattice of [0-9]+ x [0-9]+ x ([0-9]+) steps$/\1/p' out)
-run 0 query box.espl lattice --json
-json ".extent[2] == $top"
-run 0 query box.espl lattice-segment 20 30 $((2 * top)) 20 30 0
-out_has "hit triangle "
-out_has "t 0.5"
-out_has "side front"
-run 0 query box.espl lattice-segment 20 30 -1 20 30 $top --json
-json '.hit and .side == "front"'
-run 0 query box.espl lattice-segment 20 30 $((top / 2)) 20 30 $((top / 2 + 1)) --any
-out_has "not occluded"
-run 6 query box.espl lattice-segment 0 0 536870913 0 0 0 --json
-json '.status == "out_of_range"'
+finds ".extent[2] == $top" query box.espl lattice
+prints "hit triangle " query box.espl lattice-segment 20 30 $((2 * top)) 20 30 0
+out_has "t 0.5" "side front"
+finds '.hit and .side == "front"' query box.espl lattice-segment 20 30 -1 20 30 $top
+prints "not occluded" query box.espl lattice-segment 20 30 $((top / 2)) 20 30 $((top / 2 + 1)) --any
+fails 6 '.status == "out_of_range"' query box.espl lattice-segment 0 0 536870913 0 0 0
 run 1 query box.espl lattice-segment 0 0 0.5 0 0 0
 run 1 query box.espl lattice-segment 0 0 2147483648 0 0 0
-run 0 query box.espl lattice-box 0 0 0 0 0 0 --any
-out_has "overlaps"
-run 0 query box.espl lattice-box 1 1 1 2 2 2 --any
-out_has "does not overlap"
-run 0 query box.espl lattice-box -2147483648 -2147483648 -2147483648 2147483647 2147483647 2147483647
-out_has "12 triangles"
-run 0 query box.espl to-lattice 0 0 0 --json
-json '.steps | length == 3'
+prints "overlaps" query box.espl lattice-box 0 0 0 0 0 0 --any
+prints "does not overlap" query box.espl lattice-box 1 1 1 2 2 2 --any
+prints "12 triangles" query box.espl lattice-box -2147483648 -2147483648 -2147483648 2147483647 2147483647 2147483647
+finds '.steps | length == 3' query box.espl to-lattice 0 0 0
 
 claim "arguments are any numbers and lengths there are, and nothing else"
 for number in nan -inf 1e999 -1e-999; do
@@ -111,39 +74,24 @@ for number in nan -inf 1e999 -1e-999; do
     run $refused query box.espl ray $number 0 0 1 0 0
     run $refused query box.espl ray 0 0 0 1 0 $number
 done
-run 0 query box.espl closest-point 0 0 -1e-999
-run 0 query box.espl closest-point 0 0 0 --max-distance 1e999
-run 0 query box.espl closest-point 0 0 0 --max-distance -1e-999
-run 1 query box.espl ray 0 0 zero 1 0 0
-err_has "origin: 'zero' is no length"
-run 1 query box.espl ray 0 0 0 1 0 1mm
-err_has "direction: '1mm' is no number"
-run 1 query box.espl ray 0 0 0 1 0 -1mm
-err_has "direction: '-1mm' is no number"
-run 1 query box.espl sphere 0 0 0 1parsec
-run 1 query box.espl ray 0 0 0 1 0
-run 1 query box.espl ray 0 0 0 1 0 0 0
-run 1 query box.espl sphere 0 0 0
-run 1 query box.espl box 0 0 0 1 1
-run 1 query box.espl convex-volume 0 0 1
-run 1 query box.espl convex-volume 0 0 1 0 0
-err_has "normal x y z, offset; once or more"
-run 1 query box.espl cone 0 0 0 1
-run 1 query box.espl sphere 0 0 0 1 --depth 3
-run 1 query box.espl
+run_each 0 "query box.espl closest-point 0 0" -1e-999 "0 --max-distance 1e999" "0 --max-distance -1e-999"
+refuses 1 "origin: 'zero' is no length" query box.espl ray 0 0 zero 1 0 0
+refuses 1 "direction: '1mm' is no number" query box.espl ray 0 0 0 1 0 1mm
+refuses 1 "direction: '-1mm' is no number" query box.espl ray 0 0 0 1 0 -1mm
+run_each 1 "query box.espl" "sphere 0 0 0 1parsec" "ray 0 0 0 1 0" "ray 0 0 0 1 0 0 0" "sphere 0 0 0" "box 0 0 0 1 1" \
+    "convex-volume 0 0 1"
+refuses 1 "normal x y z, offset; once or more" query box.espl convex-volume 0 0 1 0 0
+run_each 1 "query box.espl" "cone 0 0 0 1" "sphere 0 0 0 1 --depth 3" ""
 
 claim "lengths take units, negative ones too"
-run 0 query box.espl closest-point 250mm 100cm 0.005km
-out_has "distance 2"
-run 0 query box.espl closest-point -1000mm -.5m -50cm --json
-json '.distance > 1.2247 and .distance < 1.2248 and .feature[:6] == "vertex"'
+prints "distance 2" query box.espl closest-point 250mm 100cm 0.005km
+finds '.distance > 1.2247 and .distance < 1.2248 and .feature[:6] == "vertex"' query box.espl closest-point -1000mm -.5m -50cm
 
 claim "what a query refuses it does not answer: exit status 6, the argument and its range on stderr, the status in JSON"
 refused() { # REASON WORDS...
     local reason=$1
     shift
-    run 6 query box.espl "$@"
-    err_has "query $1: $reason."
+    refuses 6 "query $1: $reason." query box.espl "$@"
     [ ! -s out ] || fail "$*: an answer: $(head -c 200 out)"
     run 6 query box.espl "$@" --json
     json '.status == "invalid_argument" and (has("count") or has("overlaps") or has("inside") or has("found") or has("hit") | not)'
@@ -197,104 +145,64 @@ refused "vertex 2 of 3 is 0 inf 0; $finite" sweep-hull 0 0 -1 0 0 0 0 inf 0 0 0 
 # shellcheck disable=SC2046
 refused "vertex is given 65 times; 64 is the most" sweep-hull 0 0 -1 $(printf '0 0 %s ' $(seq 65))
 # Out of range: what reaches farthest.
-run 6 query box.espl sweep-sphere 0 0 0 1 0 0 -1e30
-err_has "; displacement is 0 0 -1e30."
-run 6 query box.espl capsule 1e30 0 0 1e30 1 0 1 --json
-json '.status == "out_of_range"'
-run 6 query sheet.espl contains 0 0 0
-err_has "not closed"
+refuses 6 "; displacement is 0 0 -1e30." query box.espl sweep-sphere 0 0 0 1 0 0 -1e30
+fails 6 '.status == "out_of_range"' query box.espl capsule 1e30 0 0 1e30 1 0 1
+refuses 6 "not closed" query sheet.espl contains 0 0 0
 
 claim "a blob with duplicate references lists each triangle once, in pages too"
-run 0 query split.espl ray 0.7 0.5 9 0 0 -1 --all --json
-json '.status == "ok" and .count > 0 and ([.hits[].triangle] | length == (unique | length))'
-run 0 query split.espl sphere 0 0 0.5 0.5 --json
-json '.status == "ok" and .count > 1 and ([.triangles[].triangle] | length == (unique | length))'
-run 0 query split.espl sphere 0 0 0.5 0.5 --limit 1 --json
-json '.status == "output_full" and .count == 1 and .next > 0'
-run 0 query split.espl sphere 0 0 0.5 0.5 --any
-out_has "overlaps"
+finds '.status == "ok" and .count > 0 and ([.hits[].triangle] | length == (unique | length))' query split.espl ray 0.7 0.5 9 0 0 -1 --all
+finds '.status == "ok" and .count > 1 and ([.triangles[].triangle] | length == (unique | length))' query split.espl sphere 0 0 0.5 0.5
+finds '.status == "output_full" and .count == 1 and .next > 0' query split.espl sphere 0 0 0.5 0.5 --limit 1
+prints "overlaps" query split.espl sphere 0 0 0.5 0.5 --any
 
 claim "two blobs touch or not, wherever the other stands"
-run 0 query box.espl overlaps box.espl
-out_has "overlaps"
-run 0 query box.espl overlaps box.espl --move 0 0 3
-out_has "overlaps"
-run 0 query box.espl overlaps box.espl --move 0 0 3001mm --json
-json '.overlaps == false'
-run 0 query box.espl overlaps box.espl --move 0.25 0.5 0.5 --scale 0.5
-out_has "does not overlap"
-run 0 query box.espl overlaps box.espl --move -1 -1 -1 --scale 0.25 --rotate 0 0 0 1
-out_has "does not overlap"
-run 0 query box.espl overlaps box.espl --rotate 0 0 1 0 --move 0 0 4 # half a turn about z
-out_has "does not overlap"
-run 0 query full.espl first-contact box.espl --move 0.9 0 0 --json
-json '.found and .a.original.file == 0 and (.b.triangle | type) == "number"'
-run 0 query box.espl first-contact box.espl --move 9 0 0
-out_has "no contact"
-run 0 query box.espl contacts box.espl --move 0.9 0 0 --json
-json '.status == "ok" and .count == (.contacts | length) and .count > 10'
-run 0 query box.espl contacts box.espl --move 0.9 0 0 --limit 2
-out_has "2 contacts, and there are more"
+prints "overlaps" query box.espl overlaps box.espl
+prints "overlaps" query box.espl overlaps box.espl --move 0 0 3
+finds '.overlaps == false' query box.espl overlaps box.espl --move 0 0 3001mm
+prints "does not overlap" query box.espl overlaps box.espl --move 0.25 0.5 0.5 --scale 0.5
+prints "does not overlap" query box.espl overlaps box.espl --move -1 -1 -1 --scale 0.25 --rotate 0 0 0 1
+prints "does not overlap" query box.espl overlaps box.espl --rotate 0 0 1 0 --move 0 0 4 # half a turn about z
+finds '.found and .a.original.file == 0 and (.b.triangle | type) == "number"' query full.espl first-contact box.espl --move 0.9 0 0
+prints "no contact" query box.espl first-contact box.espl --move 9 0 0
+finds '.status == "ok" and .count == (.contacts | length) and .count > 10' query box.espl contacts box.espl --move 0.9 0 0
+prints "2 contacts, and there are more" query box.espl contacts box.espl --move 0.9 0 0 --limit 2
 run 0 query box.espl touches box.espl --move 0.9 0 0 --json
 json '.status == "ok" and .count == (.places | length) and .count > 10 and ([.places[].points | length] | min) >= 1 and ([.places[].depth] | min) >= 0'
-run 0 query box.espl touches box.espl --move 0.9 0 0 --limit 2
-out_has "2 places, and there are more"
-run 0 query box.espl distance box.espl --move 0 0 5 --json
-json '.distance == 2 and .on_a[2] == 3 and .on_b[2] == 5'
-run 0 query box.espl distance box.espl --move 0 0 5 --max-distance 1
-out_has "nothing within"
-run 0 query box.espl within-distance box.espl 2 --move 0 0 5
-out_has "within that distance"
-run 0 query box.espl within-distance box.espl 1999mm --move 0 0 5
-out_has "farther apart"
+prints "2 places, and there are more" query box.espl touches box.espl --move 0.9 0 0 --limit 2
+finds '.distance == 2 and .on_a[2] == 3 and .on_b[2] == 5' query box.espl distance box.espl --move 0 0 5
+prints "nothing within" query box.espl distance box.espl --move 0 0 5 --max-distance 1
+prints "within that distance" query box.espl within-distance box.espl 2 --move 0 0 5
+prints "farther apart" query box.espl within-distance box.espl 1999mm --move 0 0 5
 
 claim "two blobs refuse what cannot be placed, and tell when the work was limited"
-run 6 query box.espl overlaps box.espl --rotate 0 0 0 0 --json
-json '.status == "invalid_argument" and (has("overlaps") | not)'
+fails 6 '.status == "invalid_argument" and (has("overlaps") | not)' query box.espl overlaps box.espl --rotate 0 0 0 0
 refused "--rotate is 0 0 0 0; $direction" distance box.espl --rotate 0 0 0 0
 refused "--scale is -1; it must be above 0, and finite" distance box.espl --scale -1
 refused "--move is 0 inf 0; $finite" touches box.espl --move 0 inf 0
 refused "distance is nan; $size" within-distance box.espl nan
-run 6 query box.espl overlaps box.espl --move 1e38 0 0
-err_has "too far away"
+refuses 6 "too far away" query box.espl overlaps box.espl --move 1e38 0 0
 err_has "; --move is 1e38 0 0."
-run 0 query split.espl contacts split.espl --limit 3 # with duplicate references
-out_has "3 contacts, and there are more"
+prints "3 contacts, and there are more" query split.espl contacts split.espl --limit 3 # with duplicate references
 run 0 query split.espl overlaps split.espl
-run 6 query sheet.espl contacts sheet.espl --work-limit 5 --json
-json '.status == "work_limit" and .count >= 0'
-run 6 query sheet.espl distance sheet.espl --move 0 9 0 --work-limit 1
-err_has "limit of work"
-run 1 query box.espl overlaps
-run 1 query box.espl overlaps box.espl --rotate 0 0 1
-run 1 query box.espl overlaps box.espl --scale big
+fails 6 '.status == "work_limit" and .count >= 0' query sheet.espl contacts sheet.espl --work-limit 5
+refuses 6 "limit of work" query sheet.espl distance sheet.espl --move 0 9 0 --work-limit 1
+run_each 1 "query box.espl" overlaps "overlaps box.espl --rotate 0 0 1" "overlaps box.espl --scale big"
 run 2 query box.espl overlaps missing.espl
 run 3 query box.espl overlaps box.obj
 
 claim "what a blob holds: bounds, triangles with source and edges, nodes"
-run 0 query box.espl bounds --json
-json '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("oriented_box") or has("k_dop") | not)'
-run 0 query full.espl bounds --json
-json '.sphere.radius > 1.87 and .sphere.radius < 1.88 and (.oriented_box.half_axes | length) == 3 and (.k_dop | length) == 13'
-run 0 query full.espl bounds
-out_has "along 1 1 1: "
-run 0 query full.espl show 11 --json
-json '.original.file == 0 and (.a | length) == 3 and ([.edge_ab, .edge_bc, .edge_ca] | sort) == ["convex", "convex", "flat"]'
-run 1 query full.espl show 12
-err_has "the blob has 12 triangles"
+finds '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("oriented_box") or has("k_dop") | not)' query box.espl bounds
+finds '.sphere.radius > 1.87 and .sphere.radius < 1.88 and (.oriented_box.half_axes | length) == 3 and (.k_dop | length) == 13' query full.espl bounds
+prints "along 1 1 1: " query full.espl bounds
+finds '.original.file == 0 and (.a | length) == 3 and ([.edge_ab, .edge_bc, .edge_ca] | sort) == ["convex", "convex", "flat"]' query full.espl show 11
+refuses 1 "the blob has 12 triangles" query full.espl show 12
 run 1 query full.espl show 1.5
-run 1 query full.espl show -1
-err_has "'-1' is no whole number"
-run 0 query full.espl triangles --json
-json '.count == 12 and ([.triangles[].triangle] == [range(12)])'
-run 0 query full.espl triangles --from 10 --limit 1
-out_has "1 triangle, and there are more: --from 11 goes on"
-run 0 query sheet.espl tree --json
-json '(.nodes | length) > 20 and .nodes[0].depth == 1 and ([.nodes[].children[] | .triangles // 0] | add) == 3200'
-run 0 query sheet.espl tree --depth 1
-out_has "1 node"
-run 0 query empty.espl tree
-out_has "0 nodes"
+refuses 1 "'-1' is no whole number" query full.espl show -1
+finds '.count == 12 and ([.triangles[].triangle] == [range(12)])' query full.espl triangles
+prints "1 triangle, and there are more: --from 11 goes on" query full.espl triangles --from 10 --limit 1
+finds '(.nodes | length) > 20 and .nodes[0].depth == 1 and ([.nodes[].children[] | .triangles // 0] | add) == 3200' query sheet.espl tree
+prints "1 node" query sheet.espl tree --depth 1
+prints "0 nodes" query empty.espl tree
 
 claim "a contact on a flat edge gets the normal of its triangle, on a ridge it keeps its own"
 run 0 query full.espl show 0 --json
@@ -306,20 +214,15 @@ for edge in ab bc ca; do
         *) grep -q '^unchanged' contact && grep -q 'normal 0.6 0 0.8' contact || fail "$kind $edge: $(cat contact)" ;;
     esac
 done
-run 1 query full.espl fix-internal-edge-normal 0 edge 0 0 1
-err_has "is none of face, edge_ab"
-run 5 query box.espl fix-internal-edge-normal 0 face 0 0 1
-err_has "--flat-angle"
+refuses 1 "is none of face, edge_ab" query full.espl fix-internal-edge-normal 0 edge 0 0 1
+refuses 5 "--flat-angle" query box.espl fix-internal-edge-normal 0 face 0 0 1
 
 claim "an empty blob answers everything with nothing"
-run 0 query empty.espl ray 0 0 0 1 0 0 --first 3
-out_has "0 hits"
-run 0 query empty.espl closest-point 0 0 0 --first 3
-out_has "0 triangles"
+prints "0 hits" query empty.espl ray 0 0 0 1 0 0 --first 3
+prints "0 triangles" query empty.espl closest-point 0 0 0 --first 3
 for volume in "sphere 0 0 0 inf" "capsule 0 0 0 1 1 1 1" "box 0 0 0 1 1 1" "convex-volume 0 0 1 0" "triangle 0 0 0 1 0 0 0 1 0"; do
     # shellcheck disable=SC2086
-    run 0 query empty.espl $volume
-    out_has "0 triangles"
+    prints "0 triangles" query empty.espl $volume
 done
 
 claim "help lists every kind, and each kind has help that names its words"
@@ -327,10 +230,8 @@ run 0 query --help
 sed -n 's/^  \([a-z][a-z-]*\)  *[A-Z].*/\1/p' out >kinds
 [ "$(wc -l <kinds)" -ge 26 ] || fail "$(wc -l <kinds) kinds"
 while read -r kind; do
-    run 0 query x "$kind" --help
-    out_has "--json"
+    prints "--json" query x "$kind" --help
 done <kinds
-run 0 query x capsule --help
-out_has "from x y z, to x y z, radius"
+prints "from x y z, to x y z, radius" query x capsule --help
 
 finish

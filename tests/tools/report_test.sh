@@ -13,8 +13,9 @@ warns_of() {
     done >unprinted
     [ ! -s unprinted ] || fail "not on stderr: $(cat unprinted)"
 }
-# fails_with KIND FILE MESH TRIANGLE, each of the last three as JSON
+# fails_with KIND FILE MESH TRIANGLE EXIT_CODE ARGUMENTS..., the second to the fourth as JSON
 fails_with() {
+    run "${@:5}" --json
     json ".error.kind == \"$1\" and .error.file == $2 and .error.mesh == $3 and .error.triangle == $4"
     jq -r '.error.message' out 2>/dev/null | while IFS= read -r line; do
         grep -qF -- "$line" err || echo "$line"
@@ -65,38 +66,27 @@ run 2 render none.espl -o /dev/full --size 8x8 --json
 warns_of empty
 
 claim "each verb that fails prints one document with the kind and the message and the place of the error"
-run 1 --json
-fails_with usage null null null
+fails_with usage null null null 1
 run 1 fold --json
 run 1 bake --json
 run 1 bake box.obj -o x.espl --bits 25 --json
-run 2 bake missing.obj -o x.espl --json
-fails_with file_access '"missing.obj"' null null
+fails_with file_access '"missing.obj"' null null 2 bake missing.obj -o x.espl
 echo nonsense >nonsense.obj.txt
-run 5 bake nonsense.obj.txt -o x.espl --json
-fails_with unsupported '"nonsense.obj.txt"' null null
+fails_with unsupported '"nonsense.obj.txt"' null null 5 bake nonsense.obj.txt -o x.espl
 printf 'o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\no b\nf 1 2 3\nf 1 3 2\nf 1 2 4\n' >nan.obj
-run 3 bake box.obj nan.obj -o x.espl --json
-fails_with invalid_input '"nan.obj"' 1 2
-run 5 bake box.obj -o x.espl --step 2^-60 --json
-fails_with unsupported null null null
-run 2 bake box.obj -o missing/x.espl --json
-fails_with file_access '"missing/x.espl"' null null
+fails_with invalid_input '"nan.obj"' 1 2 3 bake box.obj nan.obj -o x.espl
+fails_with unsupported null null null 5 bake box.obj -o x.espl --step 2^-60
+fails_with file_access '"missing/x.espl"' null null 2 bake box.obj -o missing/x.espl
 for verb in info verify dump; do
-    run 3 $verb box.obj --json
-    fails_with invalid_input '"box.obj"' null null
+    fails_with invalid_input '"box.obj"' null null 3 $verb box.obj
 done
-run 3 query box.obj bounds --json
-fails_with invalid_input '"box.obj"' null null
+fails_with invalid_input '"box.obj"' null null 3 query box.obj bounds
 run 3 render box.obj -o x.png --json
 run 3 embed box.obj -o x.c --json
-run 3 verify box.espl --source far_box.obj --json
-fails_with invalid_input '"box.espl"' null null
-run 3 trade line.obj --json
-fails_with invalid_input null null null
+fails_with invalid_input '"box.espl"' null null 3 verify box.espl --source far_box.obj
+fails_with invalid_input null null null 3 trade line.obj
 "$espalier" bake open.obj -o open.espl -q
-run 6 query open.espl contains 0 0 0 --json
-fails_with no_answer null null null
+fails_with no_answer null null null 6 query open.espl contains 0 0 0
 json '.query == "contains" and .status == "not_closed"'
 
 claim "a verb that fails without a result lists its warnings, also when there are none"
@@ -112,12 +102,10 @@ for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e39 0:y = infinity" "
     printf 'v 0 0 0\nv 1 0 0\nv %s\nf 1 2 3\n' "${values%%:*}" >wrong.obj
     for options in "" "--unit mm" "--up y"; do
         # shellcheck disable=SC2086  # words
-        run 3 bake wrong.obj -o x.espl $options
-        err_has "has ${values#*:}"
+        refuses 3 "has ${values#*:}" bake wrong.obj -o x.espl $options
     done
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n' >wrong.obj
-run 3 bake wrong.obj -o x.espl --up z
-err_has "has y = NaN"
+refuses 3 "has y = NaN" bake wrong.obj -o x.espl --up z
 
 finish

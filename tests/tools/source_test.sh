@@ -5,98 +5,73 @@
 . "$(dirname "$0")/meshes.sh"
 
 claim "unit, scale and up axis do what they say"
-run 0 bake box.obj -o x.espl --unit mm
-err_has "unit: 1 = 0.001 m (--unit)"
+reports "unit: 1 = 0.001 m (--unit)" bake box.obj -o x.espl --unit mm
 bounds_near 0 0 0 0.001 0.002 0.003
-run 0 bake box.obj -o x.espl --scale 10
-err_has "bounds: 0 0 0 to 10 20 30"
+reports "bounds: 0 0 0 to 10 20 30" bake box.obj -o x.espl --scale 10
 run 0 bake box.obj -o x.espl --unit cm --scale 100
 bounds_near 0 0 0 1 2 3
-run 0 bake box.obj -o x.espl --up z
-err_has "bounds: 0 0 -2 to 1 3 0"
+reports "bounds: 0 0 -2 to 1 3 0" bake box.obj -o x.espl --up z
 err_has "+Z of the input is +Y in the blob"
-run 0 bake box.obj -o x.espl --up x
-err_has "bounds: -2 0 0 to 0 1 3"
-run 0 bake box.obj -o x.espl --up y
-err_has "bounds: 0 0 0 to 1 2 3"
+reports "bounds: -2 0 0 to 0 1 3" bake box.obj -o x.espl --up x
+reports "bounds: 0 0 0 to 1 2 3" bake box.obj -o x.espl --up y
 
 claim "an asset of surprising size is warned about, also when quiet"
-run 0 bake box.obj -o x.espl --scale 1000 -q
-err_has "3000 m across"
-run 0 bake box.obj -o x.espl --scale 0.0001 -q
-err_has " m across"
+reports "3000 m across" bake box.obj -o x.espl --scale 1000 -q
+reports " m across" bake box.obj -o x.espl --scale 0.0001 -q
 
 claim "node transforms, units and up axes of files are applied"
 write_box_collada "<translate>10 20 30</translate><scale>2 2 2</scale>" 1 Y_UP >moved.dae
-run 0 bake moved.dae -o moved.espl
-err_has "bounds: 10 20 30 to 12 24 36"
+reports "bounds: 10 20 30 to 12 24 36" bake moved.dae -o moved.espl
 write_box_collada "<translate>1 0 0</translate>" 0.01 Y_UP >centimetres.dae
 run 0 bake centimetres.dae -o x.espl
 bounds_near 0.01 0 0 0.02 0.02 0.03
 write_box_collada "" 1 Z_UP >z_up.dae
-run 0 bake z_up.dae -o x.espl
-err_has "bounds: 0 0 -2 to 1 3 0"
+reports "bounds: 0 0 -2 to 1 3 0" bake z_up.dae -o x.espl
 
 claim "a mirrored mesh keeps its front outside"
 write_box_collada "<scale>-1 1 1</scale>" 1 Y_UP >mirrored.dae
-run 0 bake mirrored.dae -o mirrored.espl
-err_has "bounds: -1 0 0 to 0 2 3"
-run 0 query mirrored.espl ray -5 1 1 1 0 0 --culling back
-out_has "t 4"
+reports "bounds: -1 0 0 to 0 2 3" bake mirrored.dae -o mirrored.espl
+prints "t 4" query mirrored.espl ray -5 1 1 1 0 0 --culling back
 out_has "normal -1 0 0"
-run 0 query moved.espl ray 0 21 31 1 0 0 --culling back
-out_has "t 10"
+prints "t 10" query moved.espl ray 0 21 31 1 0 0 --culling back
 
 claim "several files become one blob, in their order, with distinct materials"
-run 0 bake box.obj far_box.obj -o two.espl --ids --materials
-err_has "far_box.obj: 12 triangles in 1 mesh"
+reports "far_box.obj: 12 triangles in 1 mesh" bake box.obj far_box.obj -o two.espl --ids --materials
 err_has "bounds: 0 0 0 to 11 2 3"
-run 0 query two.espl ray -1 1 1 1 0 0 --json
-out_has '"file": 0'
+prints '"file": 0' query two.espl ray -1 1 1 1 0 0 --json
 first=$(grep '"material"' out)
-run 0 query two.espl ray 20 1 1 -1 0 0 --json
-out_has '"file": 1'
+prints '"file": 1' query two.espl ray 20 1 1 -1 0 0 --json
 [ "$first" != "$(grep '"material"' out)" ] || fail "both files have the material $first"
 
 claim "broken geometry is refused with file, mesh and triangle, unless it is to be dropped; then it is counted"
-run 3 bake not_finite.obj -o broken.espl
-err_has "not_finite.obj, mesh 0"
-err_has "triangle 1"
-err_has "--drop-bad-triangles"
+refuses 3 "not_finite.obj, mesh 0" bake not_finite.obj -o broken.espl
+err_has "triangle 1" "--drop-bad-triangles"
 absent broken.espl
 run 0 bake not_finite.obj -o x.espl --drop-bad-triangles --max-dropped 50%
 err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
 write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
-run 3 bake out_of_range.ply -o broken.espl
-err_has "out_of_range.ply, mesh 0, triangle 0"
+refuses 3 "out_of_range.ply, mesh 0, triangle 0" bake out_of_range.ply -o broken.espl
 absent broken.espl
-run 0 bake out_of_range.ply -o x.espl --drop-bad-triangles --json
-err_has "dropped 1 triangle with an index out of range"
+reports "dropped 1 triangle with an index out of range" bake out_of_range.ply -o x.espl --drop-bad-triangles --json
 out_has '"triangles": 11'
 
 claim "triangles without area and repeated ones are dropped, counted and named"
 { write_box_obj 0; printf 'f 1 1 2\nf 1 3 4\nf 1 3 4\n'; } >untidy.obj
-run 0 bake untidy.obj -o x.espl --json
-err_has "dropped 1 triangle without area; first: untidy.obj, mesh 0"
+reports "dropped 1 triangle without area; first: untidy.obj, mesh 0" bake untidy.obj -o x.espl --json
 err_has "triangle 12"
 err_has "dropped 2 triangles with the corners of another one; first: untidy.obj, mesh 0"
 out_has '"triangles": 12'
 
 claim "points and lines are skipped and counted; a scene without triangles is an empty blob, and says so"
-run 0 bake points.obj -o empty.espl --allow-empty
-err_has "skipped 2 points and lines"
+reports "skipped 2 points and lines" bake points.obj -o empty.espl --allow-empty
 err_has "the input has no triangles; the blob is valid and empty"
 run 0 verify empty.espl --deep
-run 0 info empty.espl --json
-out_has '"triangles": 0'
-run 0 query empty.espl ray 0 0 0 1 0 0
-out_has "no hit"
+prints '"triangles": 0' info empty.espl --json
+prints "no hit" query empty.espl ray 0 0 0 1 0 0
 run 0 query empty.espl closest-point 0 0 0
-run 0 query empty.espl sphere 0 0 0 inf
-out_has "0 triangles"
+prints "0 triangles" query empty.espl sphere 0 0 0 inf
 run 0 dump empty.espl
-run 0 render empty.espl -o empty.png --size 8x8
-err_has "no triangles"
+reports "no triangles" render empty.espl -o empty.png --size 8x8
 
 claim "what is no mesh is invalid input with the importer's reason; what is not there cannot be read"
 echo "not a mesh" >junk.obj
@@ -104,22 +79,17 @@ echo "not a mesh" >junk.obj
 printf 'OFF\n1000 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off # fails an assertion of assimp 5.2
 write_box_collada "$(yes '<node>' | head -n 200000)$(yes '</node>' | head -n 200000)" 1 Y_UP >deep.dae # uses up its stack
 for mesh in junk.glb nothing.ply boastful.off deep.dae; do
-    run 3 bake $mesh -o broken.espl
-    err_has "$mesh"
+    refuses 3 "$mesh" bake $mesh -o broken.espl
     absent broken.espl
 done
-run 5 bake junk.unknown -o broken.espl # a format without an importer
-err_has "junk.unknown"
+refuses 5 "junk.unknown" bake junk.unknown -o broken.espl # a format without an importer
 absent broken.espl
 "$espalier" bake junk.obj -o broken.espl 2>/dev/null # a file of unknown lines is an OBJ without faces to some importers
 rm -f broken.espl
-run 2 bake missing.obj -o broken.espl
-err_has "cannot read 'missing.obj': No such file or directory"
-run 2 bake . -o broken.espl
-err_has "folder"
+refuses 2 "cannot read 'missing.obj': No such file or directory" bake missing.obj -o broken.espl
+refuses 2 "folder" bake . -o broken.espl
 mkfifo pipe.obj
-run 2 bake pipe.obj -o broken.espl # and does not wait for a writer
-err_has "no pipes or devices"
+refuses 2 "no pipes or devices" bake pipe.obj -o broken.espl # and does not wait for a writer
 run 5 bake box.obj junk.unknown -o broken.espl
 absent broken.espl
 
@@ -156,13 +126,10 @@ run 3 bake not_finite.obj -o failed.espl --depfile failed.d
 absent failed.d
 run 1 bake box.obj -o x.espl --depfile box.obj
 run 1 bake box.obj -o x.espl --depfile x.espl
-run 1 bake box.obj -o x.espl --depfile ./x.espl
-err_has "--depfile and -o name the same file"
+refuses 1 "--depfile and -o name the same file" bake box.obj -o x.espl --depfile ./x.espl
 cp box.obj "$(printf 'two\nlines.obj')"
-run 5 bake "$(printf 'two\nlines.obj')" -o failed.espl --depfile failed.d
-err_has "line break"
-absent failed.d
-absent failed.espl
+refuses 5 "line break" bake "$(printf 'two\nlines.obj')" -o failed.espl --depfile failed.d
+absent failed.d failed.espl
 run 0 bake "$(printf 'two\nlines.obj')" -o x.espl
 
 finish

@@ -8,8 +8,7 @@
 is_explained() {
     local words=$1
     shift
-    run 1 "$@"
-    err_has "$words"
+    refuses 1 "$words" "$@"
     [ "$(wc -l <err)" = 1 ] || fail "'espalier $*' is explained in several lines: $(cat err)"
     ! grep -qiE 'subcommand|could not convert|required but received|is required|not expected' err || fail "the parser's words: $(cat err)"
 }
@@ -101,12 +100,10 @@ for words in "" bake query trade; do
     # shellcheck disable=SC2086  # words
     "$espalier" help $words >shown.txt
     # shellcheck disable=SC2086  # words
-    run 0 $words --help
-    same shown.txt out
+    makes shown.txt out $words --help
 done
 "$espalier" help query ray >shown.txt
-run 0 query BLOB ray --help
-same shown.txt out
+makes shown.txt out query BLOB ray --help
 
 claim "a blob is read from standard input by the name - and no output or mesh has that name"
 for verb in info verify dump "query - bounds"; do
@@ -138,8 +135,7 @@ claim "a folder that is not there or no folder is noticed before the bake"
 for option in "-o no/x.espl" "-o x.espl --remap no/x" "-o x.espl --reorder no/x.ply" "-o x.espl --depfile no/x.d" \
     "-o box.obj/x.espl" "-o /proc/x.espl"; do
     # shellcheck disable=SC2086
-    run 2 bake box.obj $option
-    err_has "cannot write '"
+    refuses 2 "cannot write '" bake box.obj $option
     err_lacks "triangles in"
     [ ! -e x.espl ] || fail "x.espl is there"
 done

@@ -4,6 +4,7 @@ import math
 import os
 import subprocess
 import sys
+import tempfile
 
 from .builder import *
 
@@ -138,6 +139,15 @@ def solid_file(**node):
     return gltf
 
 
+def indexed_file(position, corners=(), component=UNSIGNED_BYTE, **node):
+    """A mesh of FACES, and of more corners, of the positions that position(gltf) stores."""
+    gltf = Gltf()
+    indices = [[i] for face in FACES for i in face] + [[i] for i in corners]
+    primitive = {"attributes": {"POSITION": position(gltf)}, "indices": gltf.accessor(indices, component)}
+    gltf.node(mesh=gltf.mesh(primitive), **node)
+    return gltf
+
+
 def warned(done, kind, expected=True):
     """The bake has a warning of this kind, by its JSON."""
     warnings = json.loads(done.stdout)["warnings"] if done.returncode == 0 else []
@@ -145,7 +155,13 @@ def warned(done, kind, expected=True):
         fail("warnings are %s" % warnings)
 
 
-def summary():
-    """Prints the totals. Returns the exit status."""
+def run_parts(*parts):
+    """Runs those that the command line names, or all, in a folder that it names or in one of their own. Ends the program."""
+    with tempfile.TemporaryDirectory() as temporary:
+        os.chdir(sys.argv[2] if len(sys.argv) > 2 else temporary)
+        for part in parts:
+            if len(sys.argv) < 4 or part.__name__ in sys.argv[3:]:
+                part()
+        os.chdir("/")
     print("%d claims, %d broken" % (claims, broken))
-    return 1 if broken else 0
+    sys.exit(1 if broken else 0)

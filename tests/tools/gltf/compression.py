@@ -49,14 +49,13 @@ def meshopt():
     claim("compressed elements of another size than the view or its accessor states are refused")
     for stride, length, element in ((None, 400 * 12, 12), (12, 400 * 12, 12), (16, 400 * 16, 16), (None, 400 * 16, 16), (12, 400 * 16, 16),
                                    (12, 400 * 12, 16), (16, 400 * 16, 12), (16, 400 * 16 - 4, 16)):
-        gltf = Gltf()
-        encoded = meshopt_attributes(packed(POINTS * 100, FLOAT, element), element)
-        view = meshopt_view(gltf, encoded, 400, element, "ATTRIBUTES", byte_stride=False)
-        gltf.json["bufferViews"][view].update({"byteLength": length, **({"byteStride": stride} if stride else {})})
-        position = gltf.accessor([(0, 0, 0)] * 400, view=view)
-        corners = gltf.accessor([[i] for face in FACES for i in face], UNSIGNED_SHORT)
+        def position(gltf):
+            encoded = meshopt_attributes(packed(POINTS * 100, FLOAT, element), element)
+            view = meshopt_view(gltf, encoded, 400, element, "ATTRIBUTES", byte_stride=False)
+            gltf.json["bufferViews"][view].update({"byteLength": length, **({"byteStride": stride} if stride else {})})
+            return gltf.accessor([(0, 0, 0)] * 400, view=view)
+        gltf = indexed_file(position, component=UNSIGNED_SHORT)
         gltf.json["buffers"][0] = {"byteLength": len(gltf.bytes)}
-        gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": position}, "indices": corners}))
         if (stride or 12) == element and length == 400 * element:
             bakes(gltf, solid())
         else:

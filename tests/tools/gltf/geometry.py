@@ -37,11 +37,8 @@ def topology():
     gltf.node(mesh=gltf.mesh(solid_primitive(gltf), {"attributes": {"NORMAL": gltf.accessor(POINTS)}}))
     warned(bakes(gltf, solid()), "missing_positions")
     claim("one or two corners after the last triangle are left out with a warning")
-    for more in ([[0]], [[0], [1]]):
-        gltf = Gltf()
-        gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(POINTS)},
-                                  "indices": gltf.accessor([[i] for face in FACES for i in face] + more, UNSIGNED_BYTE)}))
-        warned(bakes(gltf, solid()), "incomplete_triangle")
+    for more in ([0], [0, 1]):
+        warned(bakes(indexed_file(lambda gltf: gltf.accessor(POINTS), more), solid()), "incomplete_triangle")
     claim("an accessor without elements is refused by number")
     gltf = solid_file()
     gltf.json["accessors"][1]["count"] = 0
@@ -53,16 +50,11 @@ def topology():
         if json.loads(bakes(gltf, solid()).stdout)["inputs"][0]["points_and_lines"] != count:
             fail("mode %d" % mode)
     claim("vertices that no triangle uses are not in the bounds")
-    gltf = Gltf()
-    far = POINTS + [(1000.0, 1000.0, 1000.0)]
-    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(far)},
-                              "indices": gltf.accessor([[i] for face in FACES for i in face], UNSIGNED_BYTE)}))
+    gltf = indexed_file(lambda gltf: gltf.accessor(POINTS + [(1000.0, 1000.0, 1000.0)]))
     if json.loads(bakes(gltf, solid()).stdout)["bounds"]["max"] != [2.0, 1.5, 3.0]:
         fail("the bounds are those of all vertices")
     claim("an index beyond the vertices is refused with its triangle, and --drop-bad-triangles drops the triangle")
-    gltf = Gltf()
-    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(POINTS)},
-                              "indices": gltf.accessor([[i] for face in FACES for i in face] + [[0], [1], [77]], UNSIGNED_BYTE)}))
+    gltf = indexed_file(lambda gltf: gltf.accessor(POINTS), [0, 1, 77])
     refused(gltf, 3, "triangle 4", "vertex 77")
     bakes(gltf, solid(), options=("--drop-bad-triangles", "--max-dropped", "20%"))
     claim("materials are numbered as in the file, and a primitive without one comes after the last")
@@ -83,45 +75,32 @@ def positions():
         rows = [(lowest, 3, 5), (largest, 0, lowest), (7, largest, 1), (11, 13, largest)]
         for normalised in (False, True):
             for stride in (0, 12):
-                gltf = Gltf()
+                width = stride or (4 if component in (BYTE, UNSIGNED_BYTE) else 8)
+                gltf = indexed_file(lambda gltf: gltf.accessor(rows, component, normalised, width),
+                                    scale=[2, 3, 0.5], translation=[1, 0, -1])
                 gltf.extension("KHR_mesh_quantization")
-                position = gltf.accessor(rows, component, normalised, stride or (4 if component in (BYTE, UNSIGNED_BYTE) else 8))
-                gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": position},
-                                          "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}),
-                          scale=[2, 3, 0.5], translation=[1, 0, -1])
                 points = [tuple(max(x / largest, -1.0) if normalised else float(x) for x in row) for row in rows]
                 bakes(gltf, solid(times(moved(1, 0, -1), scaled(2, 3, 0.5)), points))
     claim("the lowest normalised integer is -1, as the one above it")
-    gltf = Gltf()
     rows = [(-128, 0, 0), (127, 0, 0), (0, 127, 0), (0, 0, 127)]
-    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(rows, BYTE, True, 4)},
-                              "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}))
-    bakes(gltf, solid(points=[(-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]))
+    bakes(indexed_file(lambda gltf: gltf.accessor(rows, BYTE, True, 4)),
+          solid(points=[(-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]))
     claim("a flag of normalised integers changes no float")
     gltf = solid_file(scale=[-1, -1, -1])
     gltf.json["accessors"][0]["normalized"] = True
     negative = [tuple(-x for x in p) for p in POINTS]
     bakes(gltf, solid(points=negative, mirrored=True))
-    gltf = Gltf()
-    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(negative, normalized=True)},
-                              "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}))
-    bakes(gltf, solid(points=negative))
+    bakes(indexed_file(lambda gltf: gltf.accessor(negative, normalized=True)), solid(points=negative))
     gltf = draco_file(negative)
     gltf.json["accessors"][0]["normalized"] = True
     bakes(gltf, solid(points=negative))
     claim("sparse positions replace stored ones, or zeros, with indices of every type")
     for component in (UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT):
         for view in (None, False):
-            gltf = Gltf()
             stored = [POINTS[0], (9.0, 9.0, 9.0), POINTS[2], (8.0, 8.0, 8.0)]
-            if view is None:
-                sparse = ([1, 3], [POINTS[1], POINTS[3]], component)
-            else:
-                sparse = ([1, 2, 3], POINTS[1:], component)
-            position = gltf.accessor(stored, sparse=sparse, view=view)
-            gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": position},
-                                      "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}))
-            bakes(gltf, solid())
+            replaced = [1, 3] if view is None else [1, 2, 3]
+            sparse = (replaced, [POINTS[i] for i in replaced], component)
+            bakes(indexed_file(lambda gltf: gltf.accessor(stored, sparse=sparse, view=view)), solid())
     claim("sparse indices that do not ascend, or lead beyond the accessor, are refused")
     for places in ([3, 1], [1, 4]):
         gltf = Gltf()
