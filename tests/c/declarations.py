@@ -43,13 +43,14 @@ class C:
 
     def __init__(self):
         self.structures, self.enumerations, self.callbacks, self.functions, self.inline = {}, {}, {}, {}, {}
-        self.headers = {}  # of structures
+        self.headers, self.bodies = {}, {}  # of structures
         for header in sorted((LIBRARY / "c").rglob("*.h")):
             code = plain(header.read_text())
             is_baker = header.name == "bake.h"
             for name, body in re.findall(r"typedef struct (?:ESPALIER_\w+ )?espalier_(\w+) \{ (.*?) \} espalier_\1;", code):
                 if name != "abi_sizes":
                     self.structures[name], self.headers[name] = list(fields(body)), header.name
+                    self.bodies[name] = body
             for name, body in re.findall(r"typedef \w+ espalier_(\w+); enum \{(.*?)\}", code):
                 self.enumerations[name] = re.findall(r"(\w+) = \d+", body)
             for name, parameters in re.findall(r"typedef \S+\*? ?\(\*espalier_(\w+)\)\((.*?)\);", code):

@@ -41,6 +41,7 @@ def c99_header():
     yield "#pragma once\n#include <espalier/c/bake.h>\n#include <espalier/espalier.h>"
     yield "#define LAYOUTS_ " + ", ".join(layouts())
     yield "#define STRUCTURES_ " + ", ".join(f'"{name}"' for name, header in C.headers.items() if header != "bake.h")
+    yield "#define BAKING_STRUCTURES(of) " + " ".join(f"of({name})" for name, header in C.headers.items() if header == "bake.h")
     yield '#ifdef __cplusplus\nextern "C" {\n#endif'
     yield "extern const size_t c99_layouts[];"
     for function in (C.functions | C.inline).values():

@@ -82,35 +82,33 @@ static_assert(ESPALIER_WORK_UNLIMITED == WorkLimit::unlimited().visits());
 
 }  // namespace espalier::detail
 
-TEST_SUITE("layouts") {
-    TEST_CASE("c api: a compiler of C lays out the structures as one of C++ does") {
-        const std::size_t in_cpp[] = {LAYOUTS_};
-        for (std::size_t i = 0; i < std::size(in_cpp); ++i) CHECK(c99_layouts[i] == in_cpp[i]);
-    }
+TEST_CASE("c api: a compiler of C lays out the structures as one of C++ does") {
+    const std::size_t in_cpp[] = {LAYOUTS_};
+    for (std::size_t i = 0; i < std::size(in_cpp); ++i) CHECK(c99_layouts[i] == in_cpp[i]);
+}
 
-    TEST_CASE("c api: espalier_abi has the size of every structure") {
+TEST_CASE("c api: espalier_abi has the size of every structure") {
 #define NAME(name, Cpp) #name,
-        const std::set<std::string> listed = {ESPALIER_C_STRUCTURES(NAME, NAME)}, declared = {STRUCTURES_};
+    const std::set<std::string> listed = {ESPALIER_C_STRUCTURES(NAME, NAME)}, declared = {STRUCTURES_};
 #undef NAME
-        CHECK(listed == declared);
-        // espalier_abi() fills in a field for each that is listed: there are no others.
-        CHECK(sizeof(espalier_abi_sizes) == (3 + listed.size()) * sizeof(std::uint16_t));
-        const espalier_abi_sizes sizes = c99_abi();
-        CHECK(sizes.version_major == espalier::library_version_major);
-        CHECK(sizes.version_minor == espalier::library_version_minor);
-        CHECK(sizes.version_patch == espalier::library_version_patch);
+    CHECK(listed == declared);
+    // espalier_abi() fills in a field for each that is listed: there are no others.
+    CHECK(sizeof(espalier_abi_sizes) == (3 + listed.size()) * sizeof(std::uint16_t));
+    const espalier_abi_sizes sizes = c99_abi();
+    CHECK(sizes.version_major == espalier::library_version_major);
+    CHECK(sizes.version_minor == espalier::library_version_minor);
+    CHECK(sizes.version_patch == espalier::library_version_patch);
 #define SIZE(name, Cpp) CHECK(sizes.name == sizeof(espalier_##name));
-        ESPALIER_C_STRUCTURES(SIZE, SIZE)
+    ESPALIER_C_STRUCTURES(SIZE, SIZE)
 #undef SIZE
-    }
+}
 
-    TEST_CASE("c api: a loaded library has its version and the size of each structure by name") {
-        CHECK(std::string(c99_version()) == ESPALIER_VERSION);
+TEST_CASE("c api: a loaded library has its version and the size of each structure by name") {
+    CHECK(std::string(c99_version()) == ESPALIER_VERSION);
 #define SIZE(name, Cpp) CHECK(c99_size_of(#name) == sizeof(espalier_##name));
-        ESPALIER_C_STRUCTURES(SIZE, SIZE)
+    ESPALIER_C_STRUCTURES(SIZE, SIZE)
 #undef SIZE
-        for (const char* const other : {"", "blo", "blobs", "espalier_blob", "mesh_view", "Blob"})
-            CHECK_MESSAGE(c99_size_of(other) == 0, other);
-        CHECK(c99_size_of(nullptr) == 0);
-    }
+    for (const char* const other : {"", "blo", "blobs", "espalier_blob", "mesh_view", "Blob"})
+        CHECK_MESSAGE(c99_size_of(other) == 0, other);
+    CHECK(c99_size_of(nullptr) == 0);
 }

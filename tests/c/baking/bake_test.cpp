@@ -183,99 +183,88 @@ void check_same(const espalier_bake_result& c, const BakeResult& cpp, bool with_
 
 }  // namespace
 
-TEST_SUITE("bake") {
-    TEST_CASE("c api: the baker gives the bytes and the report of C++") {
-        Random random(31);
-        std::uint64_t baked = 0, deformable = 0;
-        const std::uint64_t rounds = scaled(600);
-        for (std::uint64_t i = 0; i < rounds; ++i) {
-            const Mesh mesh = some_mesh(random);
-            const Options options = some_options(mesh, random);
-            GivenMesh given(mesh, some_arrangement(mesh, random));
-            const BakedFromC c = bake_from_c(given.view(), options.c);
-            const MeshView view = mesh.view();
-            const BakeResult cpp = bake(std::span(&view, 1), options.cpp);
-            check_same(*c, cpp, options.c.with_remap != 0);
-            CHECK(c->report->conversion_error == 0.0);
-            baked += cpp ? 1u : 0u;
-            deformable += cpp && options.cpp.deformation ? 1u : 0u;
-        }
-        if (asks_enough()) CHECK(baked > rounds / 8);
-        if (asks_enough()) CHECK(deformable > rounds / 64);
+TEST_CASE("c api: the baker gives the bytes and the report of C++") {
+    Random random(31);
+    std::uint64_t baked = 0, deformable = 0;
+    const std::uint64_t rounds = scaled(600);
+    for (std::uint64_t i = 0; i < rounds; ++i) {
+        const Mesh mesh = some_mesh(random);
+        const Options options = some_options(mesh, random);
+        GivenMesh given(mesh, some_arrangement(mesh, random));
+        const BakedFromC c = bake_from_c(given.view(), options.c);
+        const MeshView view = mesh.view();
+        const BakeResult cpp = bake(std::span(&view, 1), options.cpp);
+        check_same(*c, cpp, options.c.with_remap != 0);
+        CHECK(c->report->conversion_error == 0.0);
+        baked += cpp ? 1u : 0u;
+        deformable += cpp && options.cpp.deformation ? 1u : 0u;
     }
+    if (asks_enough()) CHECK(baked > rounds / 8);
+    if (asks_enough()) CHECK(deformable > rounds / 64);
+}
 
-    TEST_CASE("c api: the baker takes several meshes and none") {
-        const Mesh cube = make_cube(-1.0f, 1.0f), sphere = make_icosphere(2, 1.0, {3.0f, 0.0f, 0.0f});
-        GivenMesh first(cube), second(sphere, {.coordinates = ESPALIER_COORDINATE_FLOAT64, .gap = 4});
-        std::array views = {first.view(), second.view()};
-        views[1].file = 4;
-        views[1].mesh = 9;
-        std::array cpp_views = {cube.view(), sphere.view()};
-        cpp_views[1].file = 4;
-        cpp_views[1].mesh = 9;
+TEST_CASE("c api: the baker takes several meshes and none") {
+    const Mesh cube = make_cube(-1.0f, 1.0f), sphere = make_icosphere(2, 1.0, {3.0f, 0.0f, 0.0f});
+    GivenMesh first(cube), second(sphere, {.coordinates = ESPALIER_COORDINATE_FLOAT64, .gap = 4});
+    std::array views = {first.view(), second.view()};
+    std::array cpp_views = {cube.view(), sphere.view()};
+    views[1].file = cpp_views[1].file = 4;
+    views[1].mesh = cpp_views[1].mesh = 9;
+    espalier_bake_options options = default_options_of_c();
+    options.original_ids = options.with_remap = 1;
+    const BakedFromC both(c99_bake(views.data(), views.size(), &options));
+    check_same(*both, bake(cpp_views, {.original_ids = true}), true);
+    const BakedFromC none(c99_bake(nullptr, 0, nullptr));
+    check_same(*none, bake({}), false);
+    const BakedFromC by_default(c99_bake(views.data(), views.size(), nullptr));
+    check_same(*by_default, bake(cpp_views), false);
+}
+
+TEST_CASE("c api: the report bounds the error of float64 and of an origin") {
+    Random random(32);
+    for (std::uint64_t i = 0; i < scaled(200); ++i) {
+        const double power = std::ldexp(1.0, static_cast<int>(random.below(24)));
+        std::vector<double> positions(30);
+        for (double& coordinate : positions) coordinate = power * (1.0 + double(random.in_cube(1.0f).x) / 3.0);
+        const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+        const espalier_mesh_view view = view_of(positions, indices);
         espalier_bake_options options = default_options_of_c();
-        options.original_ids = options.with_remap = 1;
-        const BakedFromC both(c99_bake(views.data(), views.size(), &options));
-        check_same(*both, bake(cpp_views, {.original_ids = true}), true);
-        const BakedFromC none(c99_bake(nullptr, 0, nullptr));
-        check_same(*none, bake({}), false);
-        const BakedFromC by_default(c99_bake(views.data(), views.size(), nullptr));
-        check_same(*by_default, bake(cpp_views), false);
-    }
-
-    TEST_CASE("c api: the report bounds the error of float64 and of an origin") {
-        Random random(32);
-        for (std::uint64_t i = 0; i < scaled(200); ++i) {
-            const double power = std::ldexp(1.0, static_cast<int>(random.below(24)));
-            std::vector<double> positions(30);
-            for (double& coordinate : positions) coordinate = power * (1.0 + double(random.in_cube(1.0f).x) / 3.0);
-            const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-            espalier_mesh_view view;
-            c99_init_mesh_view(&view, sizeof view);
-            view.positions = positions.data();
-            view.position_count = 10;
-            view.position_stride = 3 * sizeof(double);
-            view.coordinate_type = ESPALIER_COORDINATE_FLOAT64;
-            view.triangles = indices.data();
-            view.triangle_count = 3;
-            espalier_bake_options options = default_options_of_c();
-            if (random.coin()) std::copy_n(positions.begin() + 3, 3, options.origin);
-            const BakedFromC baked = bake_from_c(view, options);
-            REQUIRE(baked->status == ESPALIER_BAKE_OK);
-            Mesh mesh;
-            long double largest = 0.0L;  // of errors, with 11 bits more
-            for (std::size_t v = 0; v < 10; ++v) {
-                float single[3];
-                long double squared = 0.0L;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    single[k] = static_cast<float>(positions[3 * v + k] - options.origin[k]);
-                    const long double error =
-                        static_cast<long double>(single[k]) -
-                        (static_cast<long double>(positions[3 * v + k]) - static_cast<long double>(options.origin[k]));
-                    squared += error * error;
-                }
-                largest = std::max(largest, std::sqrt(squared));
-                mesh.positions.push_back({single[0], single[1], single[2]});
+        if (random.coin()) std::copy_n(positions.begin() + 3, 3, options.origin);
+        const BakedFromC baked = bake_from_c(view, options);
+        REQUIRE(baked->status == ESPALIER_BAKE_OK);
+        Mesh mesh;
+        long double largest = 0.0L;  // of errors, with 11 bits more
+        for (std::size_t v = 0; v < 10; ++v) {
+            float single[3];
+            long double squared = 0.0L;
+            for (std::size_t k = 0; k < 3; ++k) {
+                single[k] = static_cast<float>(positions[3 * v + k] - options.origin[k]);
+                const long double error =
+                    static_cast<long double>(single[k]) -
+                    (static_cast<long double>(positions[3 * v + k]) - static_cast<long double>(options.origin[k]));
+                squared += error * error;
             }
-            mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
-            const MeshView cpp_view = mesh.view();
-            CHECK(std::ranges::equal(bytes_of(*baked), bake(std::span(&cpp_view, 1)).bytes));
-            REQUIRE(baked->report->conversion_error >= static_cast<double>(largest));
-            REQUIRE(baked->report->conversion_error <= static_cast<double>(largest) * 1.0001 + power * 0x1p-49);
+            largest = std::max(largest, std::sqrt(squared));
+            mesh.positions.push_back({single[0], single[1], single[2]});
         }
+        mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+        const MeshView cpp_view = mesh.view();
+        CHECK(std::ranges::equal(bytes_of(*baked), bake(std::span(&cpp_view, 1)).bytes));
+        REQUIRE(baked->report->conversion_error >= static_cast<double>(largest));
+        REQUIRE(baked->report->conversion_error <= static_cast<double>(largest) * 1.0001 + power * 0x1p-49);
     }
+}
 
-    TEST_CASE("c api: an origin keeps the details of places far away") {
-        const Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
-        const double far[3] = {445'123.375, 5'411'234.25, 310.5};
-        GivenMesh given(mesh, {.coordinates = ESPALIER_COORDINATE_FLOAT64}, far);
-        espalier_bake_options options = default_options_of_c();
-        const BakedFromC coarse = bake_from_c(given.view(), options);
-        std::copy_n(far, 3, options.origin);
-        const BakedFromC fine = bake_from_c(given.view(), options);
-        CHECK(coarse->report->conversion_error > 0.1);
-        CHECK(fine->report->conversion_error < 1e-7);
-        CHECK(fine->report->bounds_max.x == doctest::Approx(1.0).epsilon(0.01));
-        CHECK(std::string(coarse->report->not_finite.first).empty());
-    }
+TEST_CASE("c api: an origin keeps the details of places far away") {
+    const Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
+    const double far[3] = {445'123.375, 5'411'234.25, 310.5};
+    GivenMesh given(mesh, {.coordinates = ESPALIER_COORDINATE_FLOAT64}, far);
+    espalier_bake_options options = default_options_of_c();
+    const BakedFromC coarse = bake_from_c(given.view(), options);
+    std::copy_n(far, 3, options.origin);
+    const BakedFromC fine = bake_from_c(given.view(), options);
+    CHECK(coarse->report->conversion_error > 0.1);
+    CHECK(fine->report->conversion_error < 1e-7);
+    CHECK(fine->report->bounds_max.x == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(std::string(coarse->report->not_finite.first).empty());
 }

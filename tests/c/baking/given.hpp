@@ -89,6 +89,19 @@ private:
     std::unique_ptr<ExactBuffer> positions_, triangles_;
 };
 
+/// Returns a view of packed arrays of doubles and indices.
+inline espalier_mesh_view view_of(std::span<const double> positions, std::span<const std::uint32_t> indices) {
+    espalier_mesh_view view;
+    c99_init_mesh_view(&view, sizeof view);
+    view.positions = positions.data();
+    view.position_count = positions.size() / 3;
+    view.position_stride = 3 * sizeof(double);
+    view.coordinate_type = ESPALIER_COORDINATE_FLOAT64;
+    view.triangles = indices.data();
+    view.triangle_count = indices.size() / 3;
+    return view;
+}
+
 /// A result that is released when it goes out of scope.
 struct Release {
     void operator()(const espalier_bake_result* result) const { c99_release_bake_result(result); }

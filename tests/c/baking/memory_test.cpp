@@ -55,95 +55,93 @@ espalier_visit count_down(const char*, double, void* left) {
 
 }  // namespace
 
-TEST_SUITE("memory") {
-    TEST_CASE("c api: a result is one block of the callbacks and its release gives it back") {
+TEST_CASE("c api: a result is one block of the callbacks and its release gives it back") {
+    Allocator allocator;
+    const espalier_bake_options options = allocator.options();
+    GivenMesh good(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
+    Mesh broken_mesh = make_cube(-1.0f, 1.0f);
+    broken_mesh.triangles[3][0] = 99;
+    GivenMesh broken(broken_mesh);
+    {
+        const BakedFromC baked = bake_from_c(good.view(), options);
+        REQUIRE(baked->status == ESPALIER_BAKE_OK);
+        CHECK(reinterpret_cast<std::uintptr_t>(baked->bytes) % 64 == 0);
+        CHECK(allocator.live == 1);
+        CHECK(allocator.bytes < baked->byte_count + 2048);
+        const BakedFromC refused = bake_from_c(broken.view(), options);
+        CHECK(refused->status == ESPALIER_BAKE_INVALID_MESH);
+        CHECK(allocator.live == 2);
+    }
+    CHECK(allocator.live == 0);
+    CHECK(allocator.bytes == 0);
+    CHECK(allocator.calls == 2);
+}
+
+TEST_CASE("c api: a callback without memory and one that throws give a result without memory") {
+    GivenMesh given(make_cube(-1.0f, 1.0f));
+    for (const bool throws : {false, true}) {
         Allocator allocator;
-        const espalier_bake_options options = allocator.options();
-        GivenMesh good(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
-        Mesh broken_mesh = make_cube(-1.0f, 1.0f);
-        broken_mesh.triangles[3][0] = 99;
-        GivenMesh broken(broken_mesh);
-        {
-            const BakedFromC baked = bake_from_c(good.view(), options);
-            REQUIRE(baked->status == ESPALIER_BAKE_OK);
-            CHECK(reinterpret_cast<std::uintptr_t>(baked->bytes) % 64 == 0);
-            CHECK(allocator.live == 1);
-            CHECK(allocator.bytes < baked->byte_count + 2048);
-            const BakedFromC refused = bake_from_c(broken.view(), options);
-            CHECK(refused->status == ESPALIER_BAKE_INVALID_MESH);
-            CHECK(allocator.live == 2);
-        }
+        allocator.is_empty = true;
+        allocator.throws = throws;
+        const BakedFromC none = bake_from_c(given.view(), allocator.options());
+        REQUIRE(none->status == ESPALIER_BAKE_NO_MEMORY);
+        CHECK(none->bytes == nullptr);
+        CHECK(none->report->triangles == 0);
+        CHECK(std::string(none->report->collapsed.first).empty());
+        CHECK(std::string(none->message).find("memory") != std::string::npos);
         CHECK(allocator.live == 0);
-        CHECK(allocator.bytes == 0);
-        CHECK(allocator.calls == 2);
     }
+}
 
-    TEST_CASE("c api: a callback without memory and one that throws give a result without memory") {
-        GivenMesh given(make_cube(-1.0f, 1.0f));
-        for (const bool throws : {false, true}) {
-            Allocator allocator;
-            allocator.is_empty = true;
-            allocator.throws = throws;
-            const BakedFromC none = bake_from_c(given.view(), allocator.options());
-            REQUIRE(none->status == ESPALIER_BAKE_NO_MEMORY);
-            CHECK(none->bytes == nullptr);
-            CHECK(none->report->triangles == 0);
-            CHECK(std::string(none->report->collapsed.first).empty());
-            CHECK(std::string(none->message).find("memory") != std::string::npos);
-            CHECK(allocator.live == 0);
-        }
-    }
-
-    TEST_CASE("c api: each allocation of a bake that fails gives a result without memory and leaks no block") {
-        Mesh mesh = make_soup(20, 4);
-        mesh.materials.assign(20, 3);
-        mesh.name = "a name that is longer than what a string holds without the heap";
-        GivenMesh given(mesh);
-        espalier_bake_options options = default_options_of_c();
-        const std::uint64_t stride = sanitized ? 7 : 1;
-        std::uint64_t failed = 0;
-        for (const bool is_broken : {false, true}) {
-            if (is_broken) options.profile = 9;
-            const BakedFromC expected = bake_from_c(given.view(), options);
-            for (std::uint64_t n = 0;; n += stride) {
-                const std::int64_t live = live_allocations();
-                bool reached = false;
-                espalier_bake_status status = ESPALIER_BAKE_INTERNAL;
-                {
-                    const FailingAllocation failing(n);
-                    const BakedFromC result = bake_from_c(given.view(), options);
-                    status = result->status;
-                    reached = failing.was_reached();
-                }
-                const std::int64_t left = live_allocations() - live;
-                CAPTURE(n);
-                REQUIRE(left == 0);
-                REQUIRE((status == ESPALIER_BAKE_NO_MEMORY || status == expected->status));
-                failed += status == ESPALIER_BAKE_NO_MEMORY ? 1u : 0u;
-                if (!reached) break;
+TEST_CASE("c api: each allocation of a bake that fails gives a result without memory and leaks no block") {
+    Mesh mesh = make_soup(20, 4);
+    mesh.materials.assign(20, 3);
+    mesh.name = "a name that is longer than what a string holds without the heap";
+    GivenMesh given(mesh);
+    espalier_bake_options options = default_options_of_c();
+    const std::uint64_t stride = sanitized ? 7 : 1;
+    std::uint64_t failed = 0;
+    for (const bool is_broken : {false, true}) {
+        if (is_broken) options.profile = 9;
+        const BakedFromC expected = bake_from_c(given.view(), options);
+        for (std::uint64_t n = 0;; n += stride) {
+            const std::int64_t live = live_allocations();
+            bool reached = false;
+            espalier_bake_status status = ESPALIER_BAKE_INTERNAL;
+            {
+                const FailingAllocation failing(n);
+                const BakedFromC result = bake_from_c(given.view(), options);
+                status = result->status;
+                reached = failing.was_reached();
             }
+            const std::int64_t left = live_allocations() - live;
+            CAPTURE(n);
+            REQUIRE(left == 0);
+            REQUIRE((status == ESPALIER_BAKE_NO_MEMORY || status == expected->status));
+            failed += status == ESPALIER_BAKE_NO_MEMORY ? 1u : 0u;
+            if (!reached) break;
         }
-        CHECK(failed > (sanitized ? 5 : 20));
     }
+    CHECK(failed > (sanitized ? 5 : 20));
+}
 
-    TEST_CASE("c api: progress stops a bake at each of its calls and what it throws is a status") {
-        GivenMesh given(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
-        espalier_bake_options options = default_options_of_c();
-        options.progress = count_down;
-        int stops = 0;
-        for (int calls = 0;; ++calls) {
-            int left = calls;
-            options.progress_user = &left;
-            const BakedFromC result = bake_from_c(given.view(), options);
-            if (result->status == ESPALIER_BAKE_OK) break;
-            REQUIRE(result->status == ESPALIER_BAKE_STOPPED);
-            REQUIRE(result->bytes == nullptr);
-            REQUIRE(std::string(result->message).find("progress") != std::string::npos);
-            REQUIRE(left == -1);
-            ++stops;
-        }
-        CHECK(stops > 7);
-        options.progress = throw_something;
-        CHECK(bake_from_c(given.view(), options)->status == ESPALIER_BAKE_INTERNAL);
+TEST_CASE("c api: progress stops a bake at each of its calls and what it throws is a status") {
+    GivenMesh given(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
+    espalier_bake_options options = default_options_of_c();
+    options.progress = count_down;
+    int stops = 0;
+    for (int calls = 0;; ++calls) {
+        int left = calls;
+        options.progress_user = &left;
+        const BakedFromC result = bake_from_c(given.view(), options);
+        if (result->status == ESPALIER_BAKE_OK) break;
+        REQUIRE(result->status == ESPALIER_BAKE_STOPPED);
+        REQUIRE(result->bytes == nullptr);
+        REQUIRE(std::string(result->message).find("progress") != std::string::npos);
+        REQUIRE(left == -1);
+        ++stops;
     }
+    CHECK(stops > 7);
+    options.progress = throw_something;
+    CHECK(bake_from_c(given.view(), options)->status == ESPALIER_BAKE_INTERNAL);
 }

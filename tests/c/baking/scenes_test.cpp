@@ -59,56 +59,54 @@ void check_refused(const espalier_bake_result* given, espalier_bake_status statu
 
 }  // namespace
 
-TEST_SUITE("scenes") {
-    TEST_CASE("c api: a scene has the bytes of the same scene from C++") {
-        const Bytes small = some_blob(1.0f), large = some_blob(2.0f);
-        const std::array blobs = {in_c(small), in_c(large)};
-        const std::array<std::span<const std::byte>, 2> spans = {small, large};
-        const std::vector<Instance> instances = some_instances();
-        const std::vector<espalier_instance> given = in_c(instances);
-        const SceneBakeResult expected = bake_scene(spans, instances);
-        REQUIRE(expected);
-        const BakedFromC result(c99_bake_scene(blobs.data(), 2, given.data(), given.size()));
-        REQUIRE(result->status == ESPALIER_BAKE_OK);
-        CHECK(std::string(result->message).empty());
-        CHECK(copied(*result) == expected.bytes);
-        const BakedFromC verdict(c99_verify_scene(result->bytes, result->byte_count));
-        CHECK(verdict->status == ESPALIER_BAKE_OK);
-        CHECK(verdict->bytes == nullptr);
-        check_refused(c99_verify(result->bytes, result->byte_count), ESPALIER_BAKE_NOT_SOUND, "");
-        const BakedFromC empty(c99_bake_scene(nullptr, 0, nullptr, 0));
-        CHECK(empty->status == ESPALIER_BAKE_OK);
-        CHECK(copied(*empty) == bake_scene({}, {}).bytes);
-    }
+TEST_CASE("c api: a scene has the bytes of the same scene from C++") {
+    const Bytes small = some_blob(1.0f), large = some_blob(2.0f);
+    const std::array blobs = {in_c(small), in_c(large)};
+    const std::array<std::span<const std::byte>, 2> spans = {small, large};
+    const std::vector<Instance> instances = some_instances();
+    const std::vector<espalier_instance> given = in_c(instances);
+    const SceneBakeResult expected = bake_scene(spans, instances);
+    REQUIRE(expected);
+    const BakedFromC result(c99_bake_scene(blobs.data(), 2, given.data(), given.size()));
+    REQUIRE(result->status == ESPALIER_BAKE_OK);
+    CHECK(std::string(result->message).empty());
+    CHECK(copied(*result) == expected.bytes);
+    const BakedFromC verdict(c99_verify_scene(result->bytes, result->byte_count));
+    CHECK(verdict->status == ESPALIER_BAKE_OK);
+    CHECK(verdict->bytes == nullptr);
+    check_refused(c99_verify(result->bytes, result->byte_count), ESPALIER_BAKE_NOT_SOUND, "");
+    const BakedFromC empty(c99_bake_scene(nullptr, 0, nullptr, 0));
+    CHECK(empty->status == ESPALIER_BAKE_OK);
+    CHECK(copied(*empty) == bake_scene({}, {}).bytes);
+}
 
-    TEST_CASE("c api: a scene that cannot be baked is refused with the reason") {
-        const Bytes blob = some_blob(1.0f);
-        espalier_bytes one = in_c(blob);
-        std::vector<espalier_instance> given = in_c(some_instances());
-        check_refused(c99_bake_scene(&one, 1, given.data(), 3), ESPALIER_BAKE_INVALID_MESH, "instance 1");
-        check_refused(c99_bake_scene(nullptr, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blobs is null");
-        check_refused(c99_bake_scene(&one, 1, nullptr, 1), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
-        one.bytes = nullptr;
-        check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
-        one = {blob.data(), blob.size() - 1};
-        check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
-    }
+TEST_CASE("c api: a scene that cannot be baked is refused with the reason") {
+    const Bytes blob = some_blob(1.0f);
+    espalier_bytes one = in_c(blob);
+    std::vector<espalier_instance> given = in_c(some_instances());
+    check_refused(c99_bake_scene(&one, 1, given.data(), 3), ESPALIER_BAKE_INVALID_MESH, "instance 1");
+    check_refused(c99_bake_scene(nullptr, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blobs is null");
+    check_refused(c99_bake_scene(&one, 1, nullptr, 1), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
+    one.bytes = nullptr;
+    check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
+    one = {blob.data(), blob.size() - 1};
+    check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
+}
 
-    TEST_CASE("c api: the deep check has the verdict of C++") {
-        Bytes blob = some_blob(1.0f);
-        const BakedFromC sound(c99_verify(blob.data(), blob.size()));
-        CHECK(sound->status == ESPALIER_BAKE_OK);
-        CHECK(std::string(sound->message).empty());
-        for (std::size_t i = 0; i < blob.size(); i += 7) {
-            blob[i] ^= std::byte{4};
-            const VerifyReport expected = verify(blob);
-            const BakedFromC result(c99_verify(blob.data(), blob.size()));
-            CHECK((result->status == ESPALIER_BAKE_OK) == expected.sound);
-            CHECK(result->message == expected.message);
-            blob[i] ^= std::byte{4};
-        }
-        check_refused(c99_verify(nullptr, 8), ESPALIER_BAKE_INVALID_ARGUMENT, "bytes is null");
-        check_refused(c99_verify(nullptr, 0), ESPALIER_BAKE_NOT_SOUND, "");
-        check_refused(c99_verify_scene(blob.data(), blob.size()), ESPALIER_BAKE_NOT_SOUND, "");
+TEST_CASE("c api: the deep check has the verdict of C++") {
+    Bytes blob = some_blob(1.0f);
+    const BakedFromC sound(c99_verify(blob.data(), blob.size()));
+    CHECK(sound->status == ESPALIER_BAKE_OK);
+    CHECK(std::string(sound->message).empty());
+    for (std::size_t i = 0; i < blob.size(); i += 7) {
+        blob[i] ^= std::byte{4};
+        const VerifyReport expected = verify(blob);
+        const BakedFromC result(c99_verify(blob.data(), blob.size()));
+        CHECK((result->status == ESPALIER_BAKE_OK) == expected.sound);
+        CHECK(result->message == expected.message);
+        blob[i] ^= std::byte{4};
     }
+    check_refused(c99_verify(nullptr, 8), ESPALIER_BAKE_INVALID_ARGUMENT, "bytes is null");
+    check_refused(c99_verify(nullptr, 0), ESPALIER_BAKE_NOT_SOUND, "");
+    check_refused(c99_verify_scene(blob.data(), blob.size()), ESPALIER_BAKE_NOT_SOUND, "");
 }

@@ -27,11 +27,25 @@ def fail(problem):
     print("BROKEN: %s: %s" % (claim_text, problem))
 
 
-def run(*arguments, code=0):
+def run(*arguments, code=0, says=()):
+    """Runs the command, which ends with this exit status and these words on stderr."""
     done = subprocess.run([ESPALIER, *arguments], capture_output=True, text=True, timeout=300)
     if done.returncode != code:
         fail("'%s' ended with %d, not %d: %s" % (" ".join(arguments), done.returncode, code, done.stderr[:600]))
+    has(done.stderr, *says)
     return done
+
+
+def has(text, *words):
+    for word in words:
+        if word not in text:
+            fail("'%s' is not in: %s" % (word, text[:600]))
+
+
+def absent(*paths):
+    for path in paths:
+        if os.path.exists(path):
+            fail("%s is there" % path)
 
 
 # ---- transforms --------------------------------------------------------------------------------------------------------
@@ -118,19 +132,19 @@ def refused(gltf, code, *words, name="case.gltf"):
         gltf = name
     if os.path.exists("refused.espl"):
         os.remove("refused.espl")
-    done = run("bake", gltf, "-o", "refused.espl", "--json", code=code)
+    done = run("bake", gltf, "-o", "refused.espl", "--json", code=code, says=words)
     if done.returncode == code and json.loads(done.stdout)["error"]["file"] != gltf:
         fail("the error in JSON names another file: %s" % done.stdout)
-    for word in words:
-        if word not in done.stderr:
-            fail("'%s' is not in: %s" % (word, done.stderr[:600]))
-    if os.path.exists("refused.espl"):
-        fail("a refused file left a blob")
+    absent("refused.espl")
+
+
+def primitive(gltf, points, faces, **rest):
+    return {"attributes": {"POSITION": gltf.accessor(points)},
+            "indices": gltf.accessor([[i] for face in faces for i in face], UNSIGNED_SHORT), **rest}
 
 
 def solid_primitive(gltf, **rest):
-    return {"attributes": {"POSITION": gltf.accessor(POINTS)},
-            "indices": gltf.accessor([[i] for face in FACES for i in face], UNSIGNED_SHORT), **rest}
+    return primitive(gltf, POINTS, FACES, **rest)
 
 
 def solid_file(**node):

@@ -107,8 +107,7 @@ def grid_file():
         for i in range(size - 1):
             a = j * size + i
             faces += [(a, a + 1, a + size), (a + 1, a + size + 1, a + size)]
-    mesh = gltf.mesh({"attributes": {"POSITION": gltf.accessor(points)},
-                      "indices": gltf.accessor([[i] for face in faces for i in face], UNSIGNED_SHORT)})
+    mesh = gltf.mesh(primitive(gltf, points, faces))
     placements = [moved(0, 0, 0), times(moved(1, 2, 30), times(turned_about_z(30), scaled(2, 2, 2)))]
     gltf.node(mesh=mesh)
     gltf.node(mesh=mesh, translation=[1, 2, 30], rotation=quaternion_about_z(30), scale=[2, 2, 2])

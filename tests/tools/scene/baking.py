@@ -54,15 +54,9 @@ def variants():
     run("verify", "case.esps", "--deep")
     claim("a place that overflows is refused by name, as in one blob")
     for mode in ("auto", "all"):
-        done = run("bake", write(solids(IDENTITY, scaled(1e39, 1, 1))), "-o", "none.esps", "--instances", mode, code=3)
-        if "mesh 1" not in done.stderr:
-            fail("no mesh is named: %s" % done.stderr)
-    for mode in ("auto", "all"):
-        done = run("bake", write(solids(IDENTITY, moved(1e39, 0, 0))), "-o", "none.esps", "--instances", mode, code=3)
-        if "mesh 1" not in done.stderr:
-            fail("no mesh is named: %s" % done.stderr)
-    if os.path.exists("none.esps"):
-        fail("a refused bake left a scene")
+        for place in (scaled(1e39, 1, 1), moved(1e39, 0, 0)):
+            run("bake", write(solids(IDENTITY, place)), "-o", "none.esps", "--instances", mode, code=3, says=["mesh 1"])
+    absent("none.esps")
 
 
 def write(gltf, name="case.glb"):
@@ -135,7 +129,7 @@ def borders():
         faces = [f for a in (0, 1, 3, 4) for f in ((a, a + 1, a + 4), (a, a + 4, a + 3))]
         mesh = gltf.mesh(primitive(gltf, points, faces), name="piece")
         for i in range(4):
-            gltf.node(mesh=mesh, matrix=columns_of(times(before, moved(i % 2 * side, 0, i // 2 * side))))
+            gltf.node(mesh=mesh, matrix=columns(times(before, moved(i % 2 * side, 0, i // 2 * side))))
         return gltf
 
     def warnings_of(report):

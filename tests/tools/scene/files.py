@@ -1,7 +1,10 @@
 """Files of many places, and scenes read back without code of the project."""
 import json
 import math
+import os
 import struct
+import subprocess
+import sys
 
 from gltf.builder import *
 from gltf.checks import *
@@ -19,31 +22,21 @@ def grid(columns):
     return points, faces
 
 
-def primitive(gltf, points, faces):
-    return {"attributes": {"POSITION": gltf.accessor(points)},
-            "indices": gltf.accessor([[i] for face in faces for i in face], UNSIGNED_SHORT)}
-
-
-def sheets(matrices, columns=12):
-    """A file that places one sheet by these matrices."""
+def placed_by(matrices, name, points, faces):
+    """A file that places one mesh by these matrices."""
     gltf = Gltf()
-    mesh = gltf.mesh(primitive(gltf, *grid(columns)), name="sheet")
+    mesh = gltf.mesh(primitive(gltf, points, faces), name=name)
     for matrix in matrices:
-        gltf.node(mesh=mesh, matrix=columns_of(matrix))
+        gltf.node(mesh=mesh, matrix=columns(matrix))
     return gltf
 
 
-def columns_of(matrix):
-    return [matrix[row][column] for column in range(4) for row in range(4)]
+def sheets(matrices, side=12):
+    return placed_by(matrices, "sheet", *grid(side))
 
 
 def solids(*matrices):
-    """A file that places the solid of gltf.checks by these matrices."""
-    gltf = Gltf()
-    mesh = gltf.mesh(solid_primitive(gltf), name="solid")
-    for matrix in matrices:
-        gltf.node(mesh=mesh, matrix=columns_of(matrix))
-    return gltf
+    return placed_by(matrices, "solid", POINTS, FACES)
 
 
 class Scene:
@@ -94,9 +87,6 @@ def placed(instance, point):
 
 def documented(verb, output):
     """The JSON document, which the schema of the verb describes."""
-    import os
-    import subprocess
-    import sys
     tests = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     with open("document.json", "w") as file:
         file.write(output)
