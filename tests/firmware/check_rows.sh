@@ -13,7 +13,7 @@ mkdir -p "$1"
 
 # Rows that take just what the budgets allow.
 allowed() {
-    awk '/^#/ { next } NF == 5 { print; next } { print $1, $2, $3, $4, 1, $5, $6, $7, $8, $9, 0 }' "$here/budgets.txt"
+    awk '/^#/ { next } NF == 5 { print; next } { print $1, $2, $3, $4, 1, $5, $6, $7, $8, $9, 0 }' <(bash "$here/rows.sh" lines)
 }
 
 # expect STATUS WHAT: of the rows, which `rows.sh check` must answer with that

@@ -4,10 +4,11 @@
 #                            1 something takes more, or was not measured
 #     rows.sh budgets ROWS   a new budgets.txt, which allows a fiftieth more than what was found
 #     rows.sh json ROWS      a JSON object for each row, for bench/results
+#     rows.sh lines          prints budgets.txt, a line for each size
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-rows=$2
+rows=${2-}
 compiler=$(arm-none-eabi-g++ -dumpfullversion)
 
 # The queries that get a line of their own in budgets.txt on every mesh; all of them do on the torus and the M4F, a closed mesh
@@ -49,8 +50,14 @@ TEXT
             printf row, "#core", "profile", "mesh", "query", "instructions", "max", "blob bytes", "max", "stack" }
         # as text: large numbers lose their digits in some awks
         function more(value) { return value == "-" ? value : sprintf("%.0f", int(value * 1.02 + 0.999)) }
-        NF == 5 { printf "%-5s %-8s %-8s %-18s %12s\n", $1, $2, $3, $4, more($5); next }
-        { printf row, $1, $2, $3, $4, more($5), more($6), more($7), more($8), more($9) }'
+        NF == 5 || $4 == "others" {
+            key = sprintf("%-5s %-8s %-8s", $1, $2, NF == 5 ? $3 : $4)
+            if (!(key in sizes)) keys[++count] = key
+            sizes[key] = sizes[key] " " (NF == 5 ? $4 : $3) "=" more($NF)
+            next
+        }
+        { printf row, $1, $2, $3, $4, more($5), more($6), more($7), more($8), more($9) }
+        END { for (i = 1; i <= count; ++i) print keys[i] sizes[keys[i]] }'
 }
 
 check() {
@@ -98,7 +105,17 @@ check() {
             if (held == 0) bad = 1
             print held + 0 " figures held to budgets"
             exit bad
-        }' "$here/budgets.txt" -
+        }' <(budgets_as_rows) -
+}
+
+# The lines of budgets.txt, with each size of code and of blobs, and each stack of the others, in one of its own.
+budgets_as_rows() {
+    awk '$3 != "code" && $3 != "blob" && $3 != "others" { print; next }
+        { for (i = 4; i <= NF; ++i) {
+            split($i, size, "=")
+            if ($3 == "others") print $1, $2, size[1], $3, "-", "-", "-", "-", size[2]
+            else print $1, $2, $3, size[1], size[2]
+        } }' "$here/budgets.txt"
 }
 
 print_json() {
@@ -121,5 +138,6 @@ case $1 in
     check) check ;;
     budgets) print_budgets ;;
     json) print_json ;;
-    *) echo "rows.sh check|budgets|json ROWS" >&2; exit 1 ;;
+    lines) budgets_as_rows ;;
+    *) echo "rows.sh check|budgets|json ROWS, or rows.sh lines" >&2; exit 1 ;;
 esac
