@@ -83,18 +83,22 @@ inline std::array<std::array<double, 3>, 3> world_corners(const DecodedBlob& blo
     return {to_world(triangle.a), to_world(triangle.b), to_world(triangle.c)};
 }
 
-/// Requires that each corner of each triangle is near that of its source, in its order from the first corner on.
-inline void require_corners_of_source(const DecodedBlob& decoded, const Mesh& mesh) {
-    for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-        const auto corners = world_corners(decoded, decoded.triangles[i]);
-        const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
-            REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-            REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-            REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
-        }
+/// Requires that the corners of a triangle are near those of its source, in their order from the first corner on.
+inline void require_near_source(const DecodedBlob& decoded, std::size_t triangle, const Mesh& mesh,
+                                std::uint32_t source, std::size_t first_corner) {
+    const auto corners = world_corners(decoded, decoded.triangles[triangle]);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3& meant = mesh.positions[mesh.triangles[source][(first_corner + corner) % 3]];
+        REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+        REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+        REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
     }
+}
+
+/// The same of each triangle of a blob with ids.
+inline void require_corners_of_source(const DecodedBlob& decoded, const Mesh& mesh) {
+    for (std::size_t i = 0; i < decoded.triangles.size(); ++i)
+        require_near_source(decoded, i, mesh, decoded.original_ids[i], decoded.first_corners[i]);
 }
 
 }  // namespace espalier::tests

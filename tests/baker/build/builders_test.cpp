@@ -25,29 +25,21 @@ unsigned balanced_height_of(std::size_t count) { return baker::balanced_height(s
 
 /// The height of a tree that has every triangle once, in a leaf with the triangle's own box.
 unsigned height_of_sound_tree(const baker::LatticeMesh& mesh, const baker::BinaryTree& tree) {
-    REQUIRE(tree.triangles.size() == mesh.triangles.size());
-    auto sorted = tree.triangles;
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<std::uint32_t> all(sorted.size());
-    std::iota(all.begin(), all.end(), 0u);
-    REQUIRE(sorted == all);
+    require_each_once(tree.triangles, mesh.triangles.size());
     REQUIRE(tree.nodes[0].first == 0);
-    REQUIRE(tree.nodes[0].count == all.size());
+    REQUIRE(tree.nodes[0].count == mesh.triangles.size());
     std::size_t loose_boxes = 0;
     for (std::size_t i = 0; i < tree.node_count(); ++i) {
         const baker::BinaryNode& node = tree.nodes[i];
         if (!node.is_leaf()) continue;
         const auto& corners = mesh.triangles[tree.triangles[node.first]].corners;
-        const auto [low_x, high_x] =
-            std::minmax({mesh.vertices[corners[0]].x, mesh.vertices[corners[1]].x, mesh.vertices[corners[2]].x});
-        const auto [low_y, high_y] =
-            std::minmax({mesh.vertices[corners[0]].y, mesh.vertices[corners[1]].y, mesh.vertices[corners[2]].y});
-        const auto [low_z, high_z] =
-            std::minmax({mesh.vertices[corners[0]].z, mesh.vertices[corners[1]].z, mesh.vertices[corners[2]].z});
-        const bool is_tight = double(node.lo[0]) == low_x && double(node.hi[0]) == high_x &&
-                              double(node.lo[1]) == low_y && double(node.hi[1]) == high_y &&
-                              double(node.lo[2]) == low_z && double(node.hi[2]) == high_z;
-        if (!is_tight) ++loose_boxes;
+        const LatticePoint &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]],
+                           &c = mesh.vertices[corners[2]];
+        const std::int32_t coordinates[3][3] = {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = std::ranges::minmax(coordinates[axis]);
+            if (double(node.lo[axis]) != low || double(node.hi[axis]) != high) ++loose_boxes;
+        }
     }
     CHECK(loose_boxes == 0);
     return checked_height(tree, 0);

@@ -92,6 +92,14 @@ inline Mesh as_mesh(const baker::LatticeMesh& lattice_mesh) {
     return mesh;
 }
 
+/// Requires that there is each triangle once.
+inline void require_each_once(std::vector<std::uint32_t> triangles, std::size_t count) {
+    std::ranges::sort(triangles);
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    REQUIRE(triangles == all);
+}
+
 /// Height of the subtree, having checked that it lies together and that its box is the one around its children.
 inline unsigned checked_height(const baker::BinaryTree& tree, std::size_t node) {
     const baker::BinaryNode& here = tree.nodes[node];
