@@ -21,6 +21,8 @@
 #include "report.hpp"
 #include "scene_answers.hpp"
 
+using namespace espalier;
+
 namespace {
 
 std::vector<std::byte> read_file(const char* path) {
@@ -37,14 +39,14 @@ std::vector<std::byte> read_file(const char* path) {
 
 struct Asset {
     std::vector<std::byte> bytes;
-    espalier::Blob blob;
+    Blob blob;
 };
 
 struct Scene {
     std::vector<std::byte> bytes;
-    std::vector<espalier::Blob> meshes;
-    std::vector<espalier::BakedScene> tiles;
-    espalier::BakedScene scene;
+    std::vector<Blob> meshes;
+    std::vector<BakedScene> tiles;
+    BakedScene scene;
 };
 
 /// Opens the files as scenes, as deformable blobs or as others.
@@ -52,42 +54,43 @@ bool read_files(std::span<char*> paths, std::vector<Asset>& assets, std::vector<
                 std::vector<Scene>& scenes) {
     for (const char* const path : paths) {
         const std::vector<std::byte> bytes = read_file(path);
-        const espalier::Blob blob = espalier::open(bytes);
+        const Blob blob = open(bytes);
         if (blob) {
             Asset& asset = (blob.is_deformable() ? deformables : assets).emplace_back();
             asset.bytes = bytes;
-            asset.blob = espalier::open(asset.bytes);
+            asset.blob = open(asset.bytes);
             continue;
         }
         Scene& scene = scenes.emplace_back();
         scene.bytes = bytes;
-        scene.meshes.resize(espalier::mesh_count_of_scene(bytes));
-        scene.tiles.resize(espalier::tile_count_of_scene(bytes));
-        scene.scene = espalier::open_scene(scene.bytes, scene.meshes, scene.tiles);
+        scene.meshes.resize(mesh_count_of_scene(bytes));
+        scene.tiles.resize(tile_count_of_scene(bytes));
+        scene.scene = open_scene(scene.bytes, scene.meshes, scene.tiles);
         if (scene.scene) continue;
-        const bool is_blob = scene.scene.status() == espalier::OpenStatus::not_a_blob;
-        std::fprintf(stderr, "%s: %s\n", path, espalier::describe(is_blob ? blob.status() : scene.scene.status()));
+        const bool is_blob = scene.scene.status() == OpenStatus::not_a_blob;
+        std::fprintf(stderr, "%s: %s\n", path, describe(is_blob ? blob.status() : scene.scene.status()));
         return false;
     }
     return true;
 }
 
-namespace platform = espalier::platform;
-
-/// The bytes of files of one kind, and the answers about them.
+/// The bytes of things of one kind, and the answers about them.
 struct Tally {
     platform::Fingerprint bytes;
     platform::Answers all;
 
-    void add(const std::vector<std::byte>& file, const platform::Answers& answers) {
+    void add(const platform::Answers& answers) {
         std::fputs(platform::report(answers).c_str(), stdout);
-        bytes.add(std::span<const std::byte>(file));
         all.calls += answers.calls;
         all.fingerprint.add(answers.fingerprint);
     }
+    void add(const std::vector<std::byte>& file, const platform::Answers& answers) {
+        add(answers);
+        bytes.add(std::span<const std::byte>(file));
+    }
     void print(std::uint32_t questions_of_a_kind, std::size_t count, const char* kind) const {
-        const auto files = static_cast<std::uint32_t>(count);
-        std::fputs(platform::summary(questions_of_a_kind, files, kind, bytes, all).c_str(), stdout);
+        const auto things = static_cast<std::uint32_t>(count);
+        std::fputs(platform::summary(questions_of_a_kind, things, kind, bytes, all).c_str(), stdout);
     }
 };
 
@@ -102,8 +105,7 @@ void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a
     for (const Asset& asset : assets) {
         tally.add(asset.bytes, platform::ask_everything(asset.blob, questions_of_a_kind));
         if (!with_moving) continue;
-        const platform::Answers moving = platform::ask_moving(asset.blob, 40 * questions_of_a_kind);
-        std::fputs(platform::report(moving).c_str(), stdout);
+        std::fputs(platform::report(platform::ask_moving(asset.blob, 40 * questions_of_a_kind)).c_str(), stdout);
     }
     for (std::size_t i = 0; i + 1 < assets.size(); ++i) {
         platform::Questions questions(assets[i].blob);
@@ -126,34 +128,29 @@ void answer_deformables(const std::vector<Asset>& assets, std::uint32_t question
 void answer_moving_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
     constexpr std::uint32_t capacity = 400;
     alignas(32) static std::byte memory[68 * 1024];
-    platform::Fingerprint blocks;
-    platform::Answers all;
+    Tally tally;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const espalier::BakedScene& scene = scenes[i].scene;
-        const std::uint64_t bytes =
-            i % 2 == 0 ? espalier::moving_scene_bytes(capacity) : espalier::least_moving_scene_bytes(capacity);
+        const BakedScene& scene = scenes[i].scene;
+        const std::uint64_t bytes = i % 2 == 0 ? moving_scene_bytes(capacity) : least_moving_scene_bytes(capacity);
         std::memset(memory, 0, sizeof memory);
         const platform::MovingParts parts = {scene.meshes(), scene.tiles(), scene};
         platform::Answers answers;
         platform::MovingScript script(parts, std::span(memory).first(static_cast<std::size_t>(bytes)), capacity,
-                                      answers, blocks);
+                                      answers, tally.bytes);
         script.run(250 * questions_of_a_kind);
-        std::fputs(platform::report(answers).c_str(), stdout);
-        all.calls += answers.calls;
-        all.fingerprint.add(answers.fingerprint);
+        tally.add(answers);
     }
-    const auto count = static_cast<std::uint32_t>(scenes.size());
-    std::fputs(platform::summary(questions_of_a_kind, count, "moving scenes", blocks, all).c_str(), stdout);
+    tally.print(questions_of_a_kind, scenes.size(), "moving scenes");
 }
 
 /// False when this machine, or the build, has no such set.
 bool choose_instruction_set(const char* name) {
 #if ESPALIER_X86
-    using espalier::detail::InstructionSet;
+    using detail::InstructionSet;
     const char* const names[] = {"scalar", "sse42", "avx2", "avx512"};
-    for (std::uint8_t set = 0; set <= static_cast<std::uint8_t>(espalier::detail::detect_instruction_set()); ++set) {
-        if (std::strcmp(name, names[set]) == 0 && espalier::detail::is_built(static_cast<InstructionSet>(set))) {
-            espalier::detail::known_instruction_set = static_cast<std::uint8_t>(set + 1);
+    for (std::uint8_t set = 0; set <= static_cast<std::uint8_t>(detail::detect_instruction_set()); ++set) {
+        if (std::strcmp(name, names[set]) == 0 && detail::is_built(static_cast<InstructionSet>(set))) {
+            detail::known_instruction_set = static_cast<std::uint8_t>(set + 1);
             return true;
         }
     }
