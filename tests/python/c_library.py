@@ -1,81 +1,115 @@
-"""libespalier.so by ctypes: one call for each query, into arrays of the types that the package has."""
+"""libespalier.so by ctypes: its functions with the types that the headers of C declare, and arrays of the types that the package has."""
 
 import ctypes
+import functools
+import pathlib
+import re
+import sys
 
 import numpy as np
 
 import espalier
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "c"))
+import declarations  # noqa: E402
 
-class Vec3(ctypes.Structure):
-    _fields_ = [("x", ctypes.c_float), ("y", ctypes.c_float), ("z", ctypes.c_float)]
-
-
-class YesNo(ctypes.Structure):
-    _fields_ = [("status", ctypes.c_uint8)]
-
-
-class PairContact(ctypes.Structure):
-    _fields_ = [("a", ctypes.c_uint32), ("b", ctypes.c_uint32), ("status", ctypes.c_uint8)]
+C = declarations.C()
+FUNCTIONS = C.functions | C.inline
+NUMBERS = {"float": ctypes.c_float, "bool": ctypes.c_bool, "int": ctypes.c_int, "size_t": ctypes.c_size_t, "void": None,
+           "uint8_t": ctypes.c_uint8, "uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "triangle_id": ctypes.c_uint32}
+TRIANGLE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_uint32, ctypes.c_void_p)
 
 
-class FloatResult(ctypes.Structure):
-    _fields_ = [("value", ctypes.c_float), ("status", ctypes.c_uint8)]
+def type_of(kind):
+    name = kind.removeprefix("const ").removeprefix("espalier_")
+    if "*" in name or name in C.callbacks:
+        return ctypes.c_void_p
+    return ctypes.c_uint8 if name in C.enumerations else NUMBERS[name] if name in NUMBERS else structure(name)
 
 
-def record(dtype):
-    """Returns a structure of more than 16 bytes, which C returns by its address."""
-    return type("Record", (ctypes.Structure,), {"_fields_": [("bytes", ctypes.c_uint32 * (dtype.itemsize // 4))]})
+def dtype_of(name):
+    """Returns the type that the package has for a structure, if any."""
+    name = name.removeprefix("espalier_")
+    other = {"yes_no": np.dtype(np.uint8), "float_result": espalier.WINDING}
+    return other.get(name) or getattr(espalier, name.removesuffix("_result").upper(), None)
 
 
-class Placed(ctypes.Structure):
-    _fields_ = [("blob", ctypes.c_void_p), ("transform", ctypes.c_float * 8)]
+@functools.cache
+def structure(name):
+    dtype, fields = dtype_of(name), []
+    if dtype is not None and dtype.itemsize > 16:  # C returns it by its address
+        fields = [("words", ctypes.c_uint32 * (dtype.itemsize // 4))]
+    for kind, field in C.structures[name] if not fields else ():
+        length = re.search(rf"\b{field}\[(\d+)\]", C.bodies[name])
+        fields.append((field, type_of(kind) * int(length[1]) if length else type_of(kind)))
+    return type(name, (ctypes.Structure,), {"_fields_": fields})
 
 
-class OpenBlob:
-    """An espalier_blob, at an address that is a multiple of 16, with its bytes."""
+SCENE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, structure("instance_id"), ctypes.c_uint32, ctypes.c_void_p)
 
-    def __init__(self, library, data):
-        self.bytes = bytes(data)
-        self._memory = ctypes.create_string_buffer(library.espalier_size_of(b"blob") + 16)
-        self.address = (ctypes.addressof(self._memory) + 15) & ~15
-        assert library.espalier_open(self.bytes, ctypes.c_size_t(len(self.bytes)), ctypes.c_void_p(self.address)) == 0
+
+def converted(kind, argument):
+    """Returns an argument as ctypes takes it: the address of an array or of a structure of floats, or a structure by its fields."""
+    if kind is ctypes.c_void_p:
+        if isinstance(argument, np.ndarray):
+            return argument.ctypes.data
+        return floats(*argument) if isinstance(argument, tuple) else getattr(argument, "address", argument)
+    if issubclass(kind, ctypes.Structure):
+        return kind(*(getattr(x, "item", lambda x=x: x)() for x in argument))
+    return getattr(argument, "item", lambda: argument)()
+
+
+class Room:
+    """Memory at an address that is a multiple of 32."""
+
+    def __init__(self, size):
+        self._memory = ctypes.create_string_buffer(size + 32)
+        self.address = (ctypes.addressof(self._memory) + 31) & ~31
+
+
+class Rows:
+    """An espalier_convex_volume or espalier_convex_hull: where its planes or vertices are, and their number."""
+
+    def __init__(self, rows):
+        self._rows = np.ascontiguousarray(rows, np.float32)
+        self._words = np.array([self._rows.ctypes.data, len(rows)], np.uint64)
+        self.address = self._words.ctypes.data
 
 
 class Library:
     def __init__(self, path):
         self.c = ctypes.CDLL(path)
-        self.c.espalier_size_of.restype = ctypes.c_size_t
 
-    def open(self, blob):
-        return OpenBlob(self.c, blob.data)
+    @functools.cache
+    def __getattr__(self, name):
+        """Returns a function by its name without espalier_."""
+        function = getattr(self.c, f"espalier_{name}")
+        function.restype = type_of(FUNCTIONS[name].result)
+        function.argtypes = [type_of(kind) for kind, _ in FUNCTIONS[name].parameters]
+        return lambda *arguments: function(*map(converted, function.argtypes, arguments))
 
-    def each(self, name, dtype, opened, count, arguments):
-        """Returns what a function returns for each query, where arguments(i) are those after the blob."""
-        function = getattr(self.c, name)
-        if dtype == np.uint8:
-            function.restype = YesNo
-        elif dtype == espalier.PAIR_CONTACT:
-            function.restype = PairContact
-        elif dtype == espalier.WINDING:
-            function.restype = FloatResult
-        else:
-            function.restype = record(dtype)
-        results = np.zeros(count, dtype)
-        first = () if opened is None else (ctypes.c_void_p(opened.address),)
+    def room_for(self, name):
+        return Room(self.size_of(name.encode()))
+
+    def opened(self, blob):
+        """Returns an espalier_blob, with its bytes."""
+        place = self.room_for("blob")
+        place.bytes = bytes(blob.data)
+        assert self.open(place.bytes, len(place.bytes), place) == 0
+        return place
+
+    def each(self, name, count, arguments):
+        """Returns what a function returns for each query, where arguments(i) are its arguments."""
+        function = getattr(self, name)
+        results = np.zeros(count, dtype_of(FUNCTIONS[name].result))
         raw = results.view(np.uint8).reshape(count, -1)
         for i in range(count):
-            answer = function(*first, *arguments(i))
-            raw[i] = np.frombuffer(answer, np.uint8)
+            raw[i] = np.frombuffer(function(*arguments(i)), np.uint8)
         return results
 
 
-def vector(row):
-    return Vec3(*(float(x) for x in row))
-
-
 def floats(*parts):
-    """Returns the address of a structure of floats, such as a sphere."""
+    """Returns a structure of floats, such as a sphere."""
     numbers = np.concatenate([np.atleast_1d(np.asarray(part, np.float32)).ravel() for part in parts])
     return (ctypes.c_float * len(numbers))(*numbers)
 
@@ -85,90 +119,50 @@ def ray(origin, direction, t_min=0.0, t_max=np.inf, culling=0):
     numbers = np.zeros(9, np.float32)
     numbers[:3], numbers[3:6], numbers[6], numbers[7] = origin, direction, t_min, t_max
     numbers[8:].view(np.uint8)[0] = culling
-    return numbers.ctypes.data_as(ctypes.c_void_p), numbers
+    return numbers
 
 
 def placed(opened, transform):
-    return ctypes.byref(Placed(opened.address, (ctypes.c_float * 8)(*transform)))
-
-
-class InstanceId(ctypes.Structure):
-    _fields_ = [("index", ctypes.c_uint32), ("in_tile", ctypes.c_uint32)]
-
-
-class Handle(ctypes.Structure):
-    _fields_ = [("slot", ctypes.c_uint32), ("generation", ctypes.c_uint32)]
-
-
-class HandleResult(ctypes.Structure):
-    _fields_ = [("value", Handle), ("status", ctypes.c_uint8)]
-
-
-class FilledPairs(ctypes.Structure):
-    _fields_ = [("count", ctypes.c_size_t), ("next", ctypes.c_uint32 * 2), ("status", ctypes.c_uint8)]
-
-
-TRIANGLE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_uint32, ctypes.c_void_p)
-SCENE_FILTER = ctypes.CFUNCTYPE(ctypes.c_bool, InstanceId, ctypes.c_uint32, ctypes.c_void_p)
-
-
-def aligned(size):
-    """Returns memory and an address in it that is a multiple of 32, with `size` bytes behind it."""
-    memory = ctypes.create_string_buffer(size + 32)
-    return memory, ctypes.c_void_p((ctypes.addressof(memory) + 31) & ~31)
+    """Returns an espalier_placed_blob."""
+    return np.array([opened.address], np.uint64).view(np.uint8).tobytes() + np.asarray(transform, np.float32).tobytes()
 
 
 class MovingScene:
     """An espalier_moving_scene of one mesh, and the view of it that queries take."""
 
     def __init__(self, library, opened, capacity, step_exponent):
-        self.library, self.opened = library.c, opened
-        self.library.espalier_moving_scene_bytes.restype = ctypes.c_uint64
-        self.library.espalier_moving_scene_insert.restype = HandleResult
-        self.library.espalier_moving_scene_block.restype = ctypes.c_void_p
-        size = self.library.espalier_moving_scene_bytes(capacity)
-        self._block, address = aligned(size)
-        self._scene, self.address = aligned(self.library.espalier_size_of(b"moving_scene"))
-        self._view, self.view_address = aligned(self.library.espalier_size_of(b"scene"))
-        self.library.espalier_create_moving_scene.restype = ctypes.c_bool
-        assert self.library.espalier_create_moving_scene(
-            address, ctypes.c_size_t(size), ctypes.c_uint32(capacity), step_exponent, ctypes.c_void_p(opened.address),
-            ctypes.c_size_t(1), None, ctypes.c_size_t(0), self.address)
+        self.library, self.opened = library, opened
+        size = library.moving_scene_bytes(capacity)
+        self._block, self._scene, self._view = Room(size), library.room_for("moving_scene"), library.room_for("scene")
+        self.address = self._scene.address
+        assert library.create_moving_scene(self._block, size, capacity, step_exponent, opened, 1, None, 0, self)
 
     def insert(self, instance):
         """Inserts a record of espalier.INSTANCE, and returns one of espalier.HANDLE as a tuple."""
-        result = self.library.espalier_moving_scene_insert(self.address, instance.ctypes.data_as(ctypes.c_void_p))
+        result = self.library.moving_scene_insert(self, instance)
         return result.value.slot, result.value.generation, result.status
 
     def call(self, name, handle, *arguments):
         """Calls a function of one instance, and returns its status."""
-        function = getattr(self.library, f"espalier_moving_scene_{name}")
-        function.restype = ctypes.c_uint8
-        return function(self.address, Handle(int(handle["slot"]), int(handle["generation"])), *arguments)
+        return getattr(self.library, f"moving_scene_{name}")(self, (handle["slot"], handle["generation"]), *arguments)
 
-    def move(self, movements, filled):
+    def move(self, movements):
         """Moves a batch, then renews the tree, and returns what the batch returned."""
-        function = self.library.espalier_moving_scene_move_batch
-        function.restype = filled
-        result = function(self.address, movements.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(movements)))
-        self.library.espalier_moving_scene_refit(self.address)
+        result = self.library.moving_scene_move_batch(self, movements, len(movements))
+        self.library.moving_scene_refit(self)
         return result
 
     def bytes(self):
         size = ctypes.c_size_t()
-        block = self.library.espalier_moving_scene_block(self.address, ctypes.byref(size))
-        return ctypes.string_at(block, size.value)
+        return ctypes.string_at(self.library.moving_scene_block(self, ctypes.byref(size)), size.value)
 
     def view(self):
-        """Returns the address of the scene that queries take until the next change."""
-        assert self.library.espalier_moving_scene_view(self.address, self.view_address) == 0
-        return self.view_address
+        """Returns the scene that queries take until the next change."""
+        assert self.library.moving_scene_view(self, self._view) == 0
+        return self._view
 
     def pairs(self, name, *arguments):
         """Returns all pairs of slots, and the status."""
-        function = getattr(self.library, f"espalier_collect_{name}_pairs")
-        function.restype = FilledPairs
         found = np.zeros(100_000, espalier.INSTANCE_PAIR)
-        filled = function(self.address, found.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(found)), *arguments,
-                          None, InstanceId(0, 0))
+        filled = getattr(self.library, f"collect_{name}_pairs")(self, found, len(found), *arguments, None, (0, 0))
         return found[: filled.count], filled.status

@@ -6,16 +6,19 @@ import numpy as np
 import pytest
 
 import espalier
-from c_library import floats, placed, ray, vector
+from c_library import Rows, placed, ray
 from conftest import same
 
-FLOAT = ctypes.c_float
-CURSOR = type("Cursor", (ctypes.Structure,), {"_fields_": [("place", ctypes.c_uint32 * 3)]})
+
+def of(shape, i):
+    """Returns one of the shapes for C."""
+    fields = tuple(field[i] for field in shape)
+    return Rows(fields[0]) if isinstance(shape, (espalier.ConvexVolume, espalier.ConvexHull)) else fields
 
 
 @pytest.fixture
 def opened(library, blob):
-    return library.open(blob)
+    return library.opened(blob)
 
 
 @pytest.mark.parametrize("culling", ["none", "back", "front"])
@@ -27,17 +30,15 @@ def test_rays(library, blob, opened, points, directions, culling, threads):
     keywords = dict(t_min=0.05, t_max=limits, culling=culling, threads=threads)
     hits = blob.raycast(points, directions, **keywords)
     assert (hits["status"] == espalier.Status.OK).sum() > 300
-    same(hits, library.each("espalier_raycast", espalier.RAY_HIT, opened, len(points), lambda i: (rays[i][0],)))
+    same(hits, library.each("raycast", len(points), lambda i: (opened, rays[i])))
     occluded = blob.occluded(points, directions, **keywords)
-    same(occluded.status, library.each("espalier_occluded", np.dtype(np.uint8), opened, len(points),
-                                       lambda i: (rays[i][0],)))
+    same(occluded.status, library.each("occluded", len(points), lambda i: (opened, rays[i])))
 
 
 def test_sources_and_places(library, blob, opened, points, directions):
     hits, places, sources = blob.raycast_sources(points, directions)
     same(hits, blob.raycast(points, directions))
-    same(sources, library.each("espalier_original_hit_of", espalier.ORIGINAL_HIT, opened, len(hits),
-                               lambda i: (hits[i : i + 1].ctypes.data_as(ctypes.c_void_p),)))
+    same(sources, library.each("original_hit_of", len(hits), lambda i: (opened, hits[i : i + 1])))
     same(sources, blob.original_hits(hits))
     same(sources, blob.original_hits(hits, blob.remap))
     with np.errstate(all="ignore"):
@@ -49,21 +50,18 @@ def test_sources_and_places(library, blob, opened, points, directions):
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_points(library, blob, opened, points, threads):
-    for name, answers in (("espalier_closest_point", blob.closest_point(points, 2.5, threads=threads)),
-                          ("espalier_signed_distance", blob.signed_distance(points, 2.5, threads=threads))):
-        same(answers, library.each(name, espalier.CLOSEST_POINT, opened, len(points),
-                                   lambda i: (vector(points[i]), FLOAT(2.5))))
+    for name in ("closest_point", "signed_distance"):
+        same(getattr(blob, name)(points, 2.5, threads=threads), library.each(name, len(points), lambda i: (opened, points[i], 2.5)))
     inside = blob.contains(points, threads=threads)
     assert inside.yes.sum() > 50 and inside.no.sum() > 50
-    same(inside.status, library.each("espalier_contains", np.dtype(np.uint8), opened, len(points),
-                                     lambda i: (vector(points[i]),)))
+    same(inside.status, library.each("contains", len(points), lambda i: (opened, points[i])))
 
 
 def test_winding_numbers(library, open_mesh_blob, points):
+    opened = library.opened(open_mesh_blob)
     for directions in (7, 64):
         same(open_mesh_blob.winding_number(points, directions, threads=2),
-             library.each("espalier_winding_number", espalier.WINDING, library.open(open_mesh_blob), len(points),
-                          lambda i: (vector(points[i]), ctypes.c_uint32(directions))))
+             library.each("winding_number", len(points), lambda i: (opened, points[i], directions)))
     inside = open_mesh_blob.winding_number([[3, 0, 0], [0, 0, 0]], 1024)["value"]
     assert inside[0] > 0.9 and abs(inside[1]) < 0.1
 
@@ -71,17 +69,18 @@ def test_winding_numbers(library, open_mesh_blob, points):
 def test_closest_to_segments_and_boxes(library, blob, opened, points):
     ends = np.roll(points, 1, axis=0)
     same(blob.closest_point(espalier.Segment(points, ends), 1.5),
-         library.each("espalier_closest_point_segment", espalier.CLOSEST_POINT, opened, len(points),
-                      lambda i: (floats(points[i], ends[i]), FLOAT(1.5))))
+         library.each("closest_point_segment", len(points), lambda i: (opened, (points[i], ends[i]), 1.5)))
     same(blob.closest_point(espalier.Box(points, points + np.float32(0.5))),
-         library.each("espalier_closest_point_box", espalier.CLOSEST_POINT, opened, len(points),
-                      lambda i: (floats(points[i], points[i] + np.float32(0.5)), FLOAT(np.inf))))
+         library.each("closest_point_box", len(points), lambda i: (opened, (points[i], points[i] + np.float32(0.5)), np.inf)))
 
 
 def volumes(points, random):
     far = np.roll(points, 1, axis=0)
     radius = random.uniform(0, 1, len(points)).astype(np.float32)
     axes = random.uniform(-1, 1, (len(points), 3, 3)).astype(np.float32)
+    normals = np.concatenate([axes, -axes], 1)
+    with np.errstate(all="ignore"):
+        offsets = (normals * points[:, None]).sum(-1) + radius[:, None]
     return {
         "sphere": espalier.Sphere(points, radius),
         "capsule": espalier.Capsule(points, far, radius),
@@ -89,44 +88,33 @@ def volumes(points, random):
         "oriented_box": espalier.OrientedBox(points, axes),
         "cone": espalier.Cone(points, axes[:, 1], radius),
         "triangle": espalier.Triangle(points[:, None] + axes),
+        "convex_volume": espalier.ConvexVolume(np.concatenate([normals, offsets[..., None]], -1)),
+        "convex_hull": espalier.ConvexHull(points[:, None] + 0.5 * normals),
     }
 
 
-@pytest.mark.parametrize("kind", ["sphere", "capsule", "box", "oriented_box", "cone", "triangle"])
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "box", "oriented_box", "cone", "triangle", "convex_volume"])
 def test_overlaps(library, blob, opened, points, random, kind):
     shape = volumes(points, random)[kind]
     answers = blob.overlaps(shape)
-    arguments = lambda i: (floats(*(field[i] for field in shape)),)
-    same(answers.status, library.each(f"espalier_overlaps_{kind}", np.dtype(np.uint8), opened, len(points), arguments))
+    same(answers.status, library.each(f"overlaps_{kind}", len(points), lambda i: (opened, of(shape, i))))
     for threads in (1, 2):
         lists = blob.overlapping_triangles(shape, threads=threads)
         np.testing.assert_array_equal(lists.counts() > 0, answers.yes)
         visitor = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_uint32, ctypes.c_void_p, ctypes.c_void_p)
-        for_each = getattr(library.c, f"espalier_for_each_overlap_{kind}")
-        for_each.restype = ctypes.c_uint8
+        for_each = getattr(library, f"for_each_overlap_{kind}")
         for i in range(0, len(points), 5):
             found = []
             visit = visitor(lambda triangle, corners, user: found.append(triangle) or 0)
-            assert for_each(ctypes.c_void_p(opened.address), *arguments(i), visit, None) == lists.status[i]
+            assert for_each(opened, of(shape, i), visit, None) == lists.status[i]
             assert found == list(lists.items[lists.offsets[i] : lists.offsets[i + 1]])
 
 
-def test_convex_volumes(blob, random):
-    center = random.uniform(-4, 4, (300, 3)).astype(np.float32)
-    normals = np.concatenate([np.eye(3), -np.eye(3)]).astype(np.float32)
-    offsets = np.einsum("nk,pk->np", center, normals) + np.float32(0.5)
-    planes = np.concatenate([np.broadcast_to(normals, (300, 6, 3)), offsets[..., None]], -1).astype(np.float32)
-    as_planes = blob.overlaps(espalier.ConvexVolume(planes)).yes
-    as_boxes = blob.overlaps(espalier.Box(center - 0.5, center + 0.5)).yes
-    assert (as_planes != as_boxes).sum() <= 3 and as_boxes.any()
-
-
-@pytest.mark.parametrize("kind", ["sphere", "capsule", "box", "oriented_box"])
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "box", "oriented_box", "convex_hull"])
 def test_sweeps(library, blob, opened, points, directions, random, kind):
     shape = volumes(points, random)[kind]
     same(blob.sweep(shape, directions),
-         library.each(f"espalier_sweep_{kind}", espalier.SWEEP_HIT, opened, len(points),
-                      lambda i: (floats(*(field[i] for field in shape)), vector(directions[i]))))
+         library.each(f"sweep_{kind}", len(points), lambda i: (opened, of(shape, i), directions[i])))
 
 
 def test_sweeps_with_options(blob, points, directions, random):
@@ -145,41 +133,13 @@ def test_sweeps_with_options(blob, points, directions, random):
     assert (blob.sweep(shape, directions, skin=-1.0)["status"] >= 16).all()
 
 
-def test_contacts_of_hulls(blob):
-    corners = np.array([[x, y, z] for x in (-0.2, 0.2) for y in (-0.2, 0.2) for z in (-0.2, 0.2)], np.float32)
-    center = np.array([[3, 0, 1], [4, 0, 0], [9, 9, 9]], np.float32)
-    hull = blob.contacts(espalier.ConvexHull(center[:, None] + corners), 0.1, most=64)
-    box = blob.contacts(espalier.OrientedBox(center, np.eye(3) * 0.2), 0.1, most=64)
-    assert hull.counts()[0] > 0 and hull.counts()[1] > 0 and hull.counts()[2] == 0
-    # Places differ, but not which triangles are touched, nor how deep.
-    deepest = lambda contacts: {t: contacts["distance"][contacts["triangle"] == t].min() for t in contacts["triangle"]}
-    for of_hull, of_box in zip(hull.each(), box.each()):
-        ours, theirs = deepest(of_hull), deepest(of_box)
-        assert ours.keys() == theirs.keys()
-        np.testing.assert_allclose([ours[t] for t in ours], [theirs[t] for t in ours], atol=1e-4)
-
-
-def test_hulls(blob, points, directions):
-    corners = np.array([[x, y, z] for x in (-0.2, 0.2) for y in (-0.2, 0.2) for z in (-0.2, 0.2)], np.float32)
-    hull = blob.sweep(espalier.ConvexHull(points[20:90, None] + corners), directions[20:90])
-    box = blob.sweep(espalier.Box(points[20:90] - 0.2, points[20:90] + 0.2), directions[20:90])
-    assert np.allclose(hull["t"], box["t"], atol=1e-4) and (hull["status"] == 0).any()
-
-
-FILLED = type("Filled", (ctypes.Structure,), {
-    "_fields_": [("count", ctypes.c_size_t), ("cursor", ctypes.c_uint32 * 3), ("status", ctypes.c_uint8)]})
-
-
-@pytest.mark.parametrize("kind", ["sphere", "capsule", "oriented_box"])
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "oriented_box", "convex_hull"])
 def test_contacts(library, blob, opened, points, random, kind):
     shape = volumes(points, random)[kind]
     lists = blob.contacts(shape, 0.1, most=6)
-    function = getattr(library.c, f"espalier_find_contacts_{kind}")
-    function.restype = FILLED
     found = np.zeros(6, espalier.CONTACT)
     for i in range(len(points)):
-        filled = function(ctypes.c_void_p(opened.address), floats(*(field[i] for field in shape)), FLOAT(0.1),
-                          found.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(6))
+        filled = getattr(library, f"find_contacts_{kind}")(opened, of(shape, i), 0.1, found, 6)
         assert filled.status == lists.status[i] and filled.count == lists.counts()[i]
         same(lists.items[lists.offsets[i] : lists.offsets[i + 1]], found[: filled.count])
 
@@ -189,26 +149,23 @@ def test_pairs(library, blob, opened, random):
                                 random.uniform(0.5, 2, 60))
     pairs = espalier.pairs
     others = np.roll(places, 1, axis=0)
-    limit = (ctypes.c_uint64(100_000),)
+    limit = 100_000
     two = lambda i: (placed(opened, places[i]), placed(opened, others[i]))
     touch = pairs.overlaps(blob, blob, places, others, work_limit=100_000)
-    same(touch.status, library.each("espalier_overlaps_blob", np.dtype(np.uint8), None, 60, lambda i: two(i) + limit))
+    same(touch.status, library.each("overlaps_blob", 60, lambda i: (*two(i), limit)))
     same(pairs.first_contact(blob, blob, places, others, work_limit=100_000),
-         library.each("espalier_first_contact", espalier.PAIR_CONTACT, None, 60, lambda i: two(i) + limit))
+         library.each("first_contact", 60, lambda i: (*two(i), limit)))
     same(pairs.distance(blob, blob, places, others, 4.0, work_limit=100_000),
-         library.each("espalier_distance", espalier.BLOB_DISTANCE, None, 60, lambda i: two(i) + limit + (FLOAT(4),)))
+         library.each("distance", 60, lambda i: (*two(i), limit, 4.0)))
     lists = pairs.contacts(blob, blob, places, others, work_limit=100_000, threads=2)
     np.testing.assert_array_equal((lists.counts() > 0)[touch.yes], True)
     assert touch.yes.any() and touch.no.any()
     within = pairs.within_distance(blob, blob, 1.5, places, others, work_limit=100_000)
-    same(within.status, library.each("espalier_within_distance", np.dtype(np.uint8), None, 60,
-                                     lambda i: two(i) + (FLOAT(1.5),) + limit))
+    same(within.status, library.each("within_distance", 60, lambda i: (*two(i), 1.5, limit)))
     assert within.yes.any() and within.no.any()
-    collect = library.c.espalier_collect_contacts
-    collect.restype = FILLED
     for i in range(60):
         found = np.zeros(max(lists.counts()[i], 1) + 1, espalier.PAIR_CONTACT)
-        filled = collect(*two(i), found.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(found)), *limit, CURSOR())
+        filled = library.collect_contacts(*two(i), found, len(found), limit, ())
         assert filled.count == lists.counts()[i]
         ours = lists.items[lists.offsets[i] : lists.offsets[i + 1]]
         np.testing.assert_array_equal(np.sort(ours[["a", "b"]]), np.sort(found[: filled.count][["a", "b"]]))
@@ -221,5 +178,4 @@ def test_pairs(library, blob, opened, random):
     contacts = lists.items[some]
     assert 1 <= touches.items["count"].min() and touches.items["depth"].min() >= 0 and len(contacts) > 100
     same(touches.items[some],
-         library.each("espalier_pair_touch_of", espalier.PAIR_TOUCH, None, len(contacts),
-                      lambda i: two(owner[some][i]) + (contacts[i : i + 1].ctypes.data_as(ctypes.c_void_p),)))
+         library.each("pair_touch_of", len(contacts), lambda i: (*two(owner[some][i]), contacts[i : i + 1])))

@@ -24,24 +24,12 @@ def cloth(mesh, stretched):
 
 
 def test_a_pose_has_the_bytes_of_c(library, cloth, stretched):
-    opened = library.open(cloth)
-    size = library.c.espalier_deformable_bytes
-    size.restype = ctypes.c_size_t
     data = ctypes.create_string_buffer(bytes(cloth), len(bytes(cloth)))
-    count = size(ctypes.c_void_p(opened.address))
-    memory = ctypes.create_string_buffer(256 + 16)
-    mesh = ctypes.c_void_p((ctypes.addressof(memory) + 15) & ~15)
-    other = ctypes.create_string_buffer(library.c.espalier_size_of(b"blob") + 16)
-    copy = ctypes.c_void_p((ctypes.addressof(other) + 15) & ~15)
-    assert library.c.espalier_open(data, ctypes.c_size_t(len(data)), copy) == 0
-    assert library.c.espalier_create_deformable(copy, data, ctypes.c_size_t(count), mesh) == 0
-    fields = [("status", ctypes.c_uint8), ("position", ctypes.c_uint32), ("quality", ctypes.c_float)]
-    result = type("Result", (ctypes.Structure,), {"_fields_": fields})
-    library.c.espalier_deformable_refit.restype = result
-    moved = library.c.espalier_deformable_refit(mesh, stretched.ctypes.data_as(ctypes.c_void_p),
-                                                ctypes.c_size_t(len(stretched)))
-    assert moved.status == 0
-    assert library.c.espalier_deformable_seal(mesh, data, ctypes.c_size_t(len(data))) == 0
+    copy, mesh = library.room_for("blob"), library.room_for("deformable")
+    assert library.open(data, len(data), copy) == 0
+    assert library.create_deformable(copy, data, library.deformable_bytes(copy), mesh) == 0
+    moved = library.deformable_refit(mesh, stretched, len(stretched))
+    assert moved.status == 0 and library.deformable_seal(mesh, data, len(data)) == 0
     refitted = cloth.refit(stretched)
     assert bytes(refitted.blob) == data.raw and refitted.quality == moved.quality
 

@@ -1,14 +1,12 @@
 """Flags of triangles and of instances against the filters of C, bit for bit, and against masks."""
 
-import ctypes
-
 import numpy as np
 import pytest
 
 import espalier
-from c_library import SCENE_FILTER, TRIANGLE_FILTER, MovingScene, floats, ray, vector
+from c_library import SCENE_FILTER, TRIANGLE_FILTER, MovingScene, ray
 from conftest import same
-from test_bits import FILLED, volumes
+from test_bits import of, volumes
 from test_moving_scenes import some_places
 
 OK = espalier.Status.OK
@@ -21,27 +19,22 @@ def flags(blob, random):
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_rays(library, blob, points, directions, flags, threads):
-    opened = library.open(blob)
+    opened = library.opened(blob)
     keep = TRIANGLE_FILTER(lambda triangle, user: bool(flags[triangle]))
     rays = [ray(points[i], directions[i], culling=1) for i in range(len(points))]
     keywords = dict(culling="back", only=flags, threads=threads)
     hits = blob.raycast(points, directions, **keywords)
-    same(hits, library.each("espalier_raycast_filtered", espalier.RAY_HIT, opened, len(points),
-                            lambda i: (rays[i][0], keep, None)))
+    same(hits, library.each("raycast_filtered", len(points), lambda i: (opened, rays[i], keep, None)))
     found = hits["status"] == OK
     assert found.sum() > 100 and flags[hits["triangle"][found]].all()
     same(blob.raycast(points, directions, culling="back", only=flags.astype(np.uint8) * 7), hits)
     same(blob.raycast_sources(points, directions, **keywords).hits, hits)
     same(blob.occluded(points, directions, **keywords).status,
-         library.each("espalier_occluded_filtered", np.dtype(np.uint8), opened, len(points),
-                      lambda i: (rays[i][0], keep, None)))
+         library.each("occluded_filtered", len(points), lambda i: (opened, rays[i], keep, None)))
     lists = blob.closest_hits(points, directions, 3, **keywords)
-    function = library.c.espalier_closest_hits_filtered
-    function.restype = FILLED
     for i in range(0, len(points), 3):
         expected = np.zeros(3, espalier.RAY_HIT)
-        filled = function(ctypes.c_void_p(opened.address), rays[i][0], expected.ctypes.data_as(ctypes.c_void_p),
-                          ctypes.c_size_t(3), keep, None)
+        filled = library.closest_hits_filtered(opened, rays[i], expected, 3, keep, None)
         assert filled.status == lists.status[i]
         same(lists.items[lists.offsets[i] : lists.offsets[i + 1]], expected[: filled.count])
 
@@ -50,14 +43,13 @@ def test_rays(library, blob, points, directions, flags, threads):
 def test_sweeps(library, blob, points, directions, random, flags, kind):
     shape = volumes(points, random)[kind]
     keep = TRIANGLE_FILTER(lambda triangle, user: bool(flags[triangle]))
-    hits = blob.sweep(shape, directions, only=flags)
-    same(hits, library.each(f"espalier_sweep_{kind}_filtered", espalier.SWEEP_HIT, library.open(blob), len(points),
-                            lambda i: (floats(*(field[i] for field in shape)), vector(directions[i]), keep, None)))
+    hits, opened = blob.sweep(shape, directions, only=flags), library.opened(blob)
+    same(hits, library.each(f"sweep_{kind}_filtered", len(points), lambda i: (opened, of(shape, i), directions[i], keep, None)))
     assert (hits["status"] == OK).sum() > 100
 
 
 def test_flags_of_a_moving_scene(library, blob, random, points, directions):
-    scene, theirs = espalier.MovingScene([blob], 64), MovingScene(library, library.open(blob), 64, -10)
+    scene, theirs = espalier.MovingScene([blob], 64), MovingScene(library, library.opened(blob), 64, -10)
     given = np.zeros(40, espalier.INSTANCE)
     given["transform"], given["mask"] = some_places(random, 40), 0xFFFFFFFF
     scene.insert(given["transform"])
@@ -65,21 +57,16 @@ def test_flags_of_a_moving_scene(library, blob, random, points, directions):
         theirs.insert(each)
     only = np.arange(40) % 3 == 0
     keep = SCENE_FILTER(lambda instance, triangle, user: bool(only[instance.index]))
-    view = type("View", (), {"address": theirs.view().value})
-    filter = (ctypes.c_uint32(0xFFFFFFFF), keep, None)
+    view, filter = theirs.view(), (0xFFFFFFFF, keep, None)
     rays = [ray(points[i], directions[i]) for i in range(len(points))]
     hits = scene.raycast(points, directions, only=only, threads=2)
-    same(hits, library.each("espalier_scene_raycast", espalier.SCENE_RAY_HIT, view, len(points),
-                            lambda i: (rays[i][0], *filter)))
+    same(hits, library.each("scene_raycast", len(points), lambda i: (view, rays[i], *filter)))
     assert (hits["status"] == OK).sum() > 200
     shape = volumes(points, random)["sphere"]
-    of_shape = lambda i: floats(*(field[i] for field in shape))
     same(scene.sweep(shape, directions, only=only),
-         library.each("espalier_scene_sweep_sphere", espalier.SCENE_SWEEP_HIT, view, len(points),
-                      lambda i: (of_shape(i), vector(directions[i]), *filter)))
+         library.each("scene_sweep_sphere", len(points), lambda i: (view, of(shape, i), directions[i], *filter)))
     same(scene.overlaps(shape, only=only).status,
-         library.each("espalier_scene_overlaps_sphere", np.dtype(np.uint8), view, len(points),
-                      lambda i: (of_shape(i), *filter)))
+         library.each("scene_overlaps_sphere", len(points), lambda i: (view, of(shape, i), *filter)))
 
 
 @pytest.mark.parametrize("is_moving", [False, True])

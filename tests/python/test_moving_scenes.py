@@ -1,6 +1,5 @@
 """Moving scenes against those of C, byte for byte, and against loops over their instances."""
 
-import ctypes
 import pickle
 import threading
 import time
@@ -9,9 +8,9 @@ import numpy as np
 import pytest
 
 import espalier
-from c_library import MovingScene, floats, ray, vector
+from c_library import MovingScene, ray
 from conftest import same
-from test_bits import FILLED, volumes
+from test_bits import of, volumes
 
 OK = espalier.Status.OK
 MOVEMENT = np.dtype([("slot", "u4"), ("generation", "u4"), ("place", "8f4")])
@@ -33,7 +32,7 @@ def scene(blob, random):
 
 
 def test_changes_equal_those_of_c(library, blob, random):
-    scene, theirs = espalier.MovingScene([blob], 64, -8), MovingScene(library, library.open(blob), 64, -8)
+    scene, theirs = espalier.MovingScene([blob], 64, -8), MovingScene(library, library.opened(blob), 64, -8)
     handles = np.zeros(0, espalier.HANDLE)
     for step in range(6):
         given = np.zeros(20, espalier.INSTANCE)
@@ -48,7 +47,7 @@ def test_changes_equal_those_of_c(library, blob, random):
         movements = np.zeros(12, MOVEMENT)
         movements["slot"], movements["generation"] = moved["slot"], moved["generation"]
         movements["place"] = some_places(random, 12)
-        assert (scene.move(moved, movements["place"]) == theirs.move(movements, FILLED).status).all()
+        assert (scene.move(moved, movements["place"]) == theirs.move(movements).status).all()
         assert (scene.set_masks(moved[:3], 5) == [theirs.call("set_mask", each, 5) for each in moved[:3]]).all()
         assert (scene.set_users(moved[:3], [6, 7, 8]) == [theirs.call("set_user", each, 6 + i)
                                                           for i, each in enumerate(moved[:3])]).all()
@@ -59,12 +58,12 @@ def test_changes_equal_those_of_c(library, blob, random):
         handles = handles[~np.isin(handles["slot"], gone["slot"])]
         if step == 3:
             scene.repack()
-            theirs.library.espalier_moving_scene_repack(theirs.address)
+            theirs.library.moving_scene_repack(theirs)
         if step == 4:
             scene.end_step()
-            theirs.library.espalier_moving_scene_end_step(theirs.address)
+            theirs.library.moving_scene_end_step(theirs)
         assert scene.snapshot() == theirs.bytes()
-        for name, limit in (("candidate", ()), ("colliding", (ctypes.c_uint64(2**64 - 1),))):
+        for name, limit in (("candidate", ()), ("colliding", (2**64 - 1,))):
             pairs, status = theirs.pairs(name, *limit)
             ours = getattr(scene, f"{name}_pairs")()
             same(ours.items, pairs)
@@ -75,38 +74,31 @@ def test_changes_equal_those_of_c(library, blob, random):
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_queries_equal_those_of_c(library, blob, random, points, directions, threads):
-    scene, theirs = espalier.MovingScene([blob], 64), MovingScene(library, library.open(blob), 64, -10)
+    scene, theirs = espalier.MovingScene([blob], 64), MovingScene(library, library.opened(blob), 64, -10)
     given = np.zeros(40, espalier.INSTANCE)
     given["transform"], given["mask"] = some_places(random, 40), 1 << (np.arange(40) % 3)
     scene.insert(given["transform"], masks=given["mask"])
     for each in np.split(given, 40):
         theirs.insert(each)
-    view = lambda: type("View", (), {"address": theirs.view().value})
-    mask, keep_all = ctypes.c_uint32(3), (None, None)
+    view, filter = theirs.view(), (3, None, None)
     rays = [ray(points[i], directions[i]) for i in range(len(points))]
     hits = scene.raycast(points, directions, mask=3, threads=threads)
     assert (hits["status"] == OK).sum() > 300
-    same(hits, library.each("espalier_scene_raycast", espalier.SCENE_RAY_HIT, view(), len(points),
-                            lambda i: (rays[i][0], mask, *keep_all)))
+    same(hits, library.each("scene_raycast", len(points), lambda i: (view, rays[i], *filter)))
     same(scene.occluded(points, directions, mask=3, threads=threads).status,
-         library.each("espalier_scene_occluded", np.dtype(np.uint8), view(), len(points),
-                      lambda i: (rays[i][0], mask, *keep_all)))
+         library.each("scene_occluded", len(points), lambda i: (view, rays[i], *filter)))
     lists = scene.all_hits(points, directions, mask=3, threads=threads)
     np.testing.assert_array_equal(lists.counts() > 0, hits["status"] == OK)
     first = np.minimum.reduceat(lists.items["t"], lists.offsets[:-1][lists.counts() > 0])
     same(first, hits["t"][hits["status"] == OK])
     assert all((np.diff(each["instance"].astype(int)) >= 0).all() for each in lists.each())
     same(scene.closest_point(points, 3.0, mask=3, threads=threads),
-         library.each("espalier_scene_closest_point", espalier.SCENE_CLOSEST_POINT, view(), len(points),
-                      lambda i: (vector(points[i]), ctypes.c_float(3.0), mask)))
+         library.each("scene_closest_point", len(points), lambda i: (view, points[i], 3.0, 3)))
     shape = volumes(points, random)["capsule"]
-    of_shape = lambda i: floats(*(field[i] for field in shape))
     same(scene.sweep(shape, directions, mask=3, threads=threads),
-         library.each("espalier_scene_sweep_capsule", espalier.SCENE_SWEEP_HIT, view(), len(points),
-                      lambda i: (of_shape(i), vector(directions[i]), mask, *keep_all)))
+         library.each("scene_sweep_capsule", len(points), lambda i: (view, of(shape, i), directions[i], *filter)))
     touching = scene.overlaps(shape, mask=3, threads=threads)
-    same(touching.status, library.each("espalier_scene_overlaps_capsule", np.dtype(np.uint8), view(), len(points),
-                                       lambda i: (of_shape(i), mask, *keep_all)))
+    same(touching.status, library.each("scene_overlaps_capsule", len(points), lambda i: (view, of(shape, i), *filter)))
     triangles = scene.overlapping_triangles(shape, mask=3, threads=threads)
     np.testing.assert_array_equal(triangles.counts() > 0, touching.yes)
     assert touching.yes.any() and touching.no.any()

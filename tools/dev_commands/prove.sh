@@ -17,7 +17,7 @@ part_sources() {
         firmware) echo "$libraries|^tests/(firmware|platform)|^docs/examples/firmware" ;;
         wasm) echo "$libraries|^lib/wasm|^tests/(wasm|platform)" ;;
         windows) echo "$libraries|^tools/|^tests/(tools|platform)" ;;
-        python) echo "$libraries|^lib/(python|shared)|^tests/(python|c/shared)|^docs/examples/python" ;;
+        python) echo "$libraries|^lib/(python|shared)|^tests/(python|c/shared|c/declarations)|^docs/examples/python" ;;
         packages) echo "$libraries|^lib/shared|^tools/|^tests/(package|build_step|c/shared)|^docs/examples" ;;
         release) echo "^(CMakeLists.txt|LICENSE|lib/cmake)|^tools/" ;;
         lint) echo "^lib/|^tools/" ;;
