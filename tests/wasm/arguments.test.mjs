@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import { shapesOf } from './support/answers.mjs';
 import { lumpyBody, questions } from './support/questions.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, throws } from './support/setup.mjs';
 
 const library = await espalier.load();
 const mesh = lumpyBody(), asked = questions(100);
@@ -106,7 +106,6 @@ test('contacts have margins and a largest number', () => {
 });
 
 test('wrong arguments throw and name the argument', () => {
-    const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
     throws(() => blob.raycast([0, 0], [0, 0, 1]), RangeError, /origins/);
     throws(() => blob.raycast(new Float32Array(6), new Float32Array(9)), RangeError, /directions has 3 elements, but another argument has 2/);
     throws(() => blob.raycast('rays', [0, 0, 1]), TypeError, /origins/);

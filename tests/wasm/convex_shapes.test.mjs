@@ -3,7 +3,7 @@ import assert from 'node:assert';
 import test from 'node:test';
 
 import { lumpyBody, questions } from './support/questions.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, throws } from './support/setup.mjs';
 
 const { load, Status } = espalier;
 const library = await load();
@@ -64,7 +64,6 @@ test('one hull serves all queries, and vertices may lie apart', () => {
 });
 
 test('wrong hulls throw and name the argument', () => {
-    const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
     const sweep = (shape) => body.sweep({ kind: 'convexHull', ...shape }, [0, 0, 1]);
     throws(() => sweep({}), TypeError, /convexHull.vertices/);
     throws(() => sweep({ vertices: [0, 0] }), RangeError, /convexHull.vertices/);

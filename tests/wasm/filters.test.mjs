@@ -3,14 +3,13 @@ import assert from 'node:assert';
 import test from 'node:test';
 
 import { lumpyBody, questions } from './support/questions.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, throws } from './support/setup.mjs';
 
 const { load, NO_TRIANGLE, pairs, Status } = espalier;
 const library = await load();
 const { origins, directions } = questions(100);
 const body = await library.bake(lumpyBody());
 const square = await library.bake({ positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], triangles: [0, 1, 2, 0, 2, 3] });
-const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
 
 test('queries of a blob pass over triangles without a flag', () => {
     const rays = [origins, directions], all = body.raycast(...rays), { triangle } = all;

@@ -43,9 +43,17 @@ test('forgotten blobs are released', async () => {
     assert.ok(sizes()[0] - before < 400 * baked.length, `grown by ${sizes()[0] - before} bytes`);
 });
 
-test('freed blobs and finished calls leave memory for the next', async () => {
+/// Requires that memory is as large after many uses of a library as after one.
+async function leavesMemory(times, use) {
     const { library, sizes } = await loadWatched();  // other tests leave room in which much fits
-    const use = () => {
+    use(library);
+    const [before] = sizes();
+    for (let i = 0; i < times; ++i) use(library);
+    assert.strictEqual(sizes()[0], before);
+}
+
+test('freed blobs and finished calls leave memory for the next', async () => {
+    await leavesMemory(1000, (library) => {
         const blob = library.openBlob(baked);
         blob.raycast(origins, directions);
         blob.allHits(origins, directions);
@@ -54,17 +62,12 @@ test('freed blobs and finished calls leave memory for the next', async () => {
         assert.throws(() => blob.raycast(origins, [0, 0]), RangeError);
         assert.throws(() => library.openBlob(baked.subarray(0, 5000)), OpenError);
         blob.free();
-    };
-    use();
-    const [before] = sizes();
-    for (let i = 0; i < 1000; ++i) use();
-    assert.strictEqual(sizes()[0], before);
+    });
 });
 
 test('freed scenes and calls of two blobs leave memory for the next', async () => {
-    const { library, sizes } = await loadWatched();
     const few = origins.subarray(60, 90), rays = [few, directions.subarray(60, 90)], places = { translation: [1, 0, 0, 9, 0, 0] };
-    const use = () => {
+    await leavesMemory(500, (library) => {
         const a = library.openBlob(baked), b = library.openBlob(baked), all = library.openScene(scene);
         pairs.contacts(a, { blob: b, ...places }, { workLimit: 500 });
         pairs.distance(a, { blob: b, ...places }, { workLimit: 500 });
@@ -77,17 +80,12 @@ test('freed scenes and calls of two blobs leave memory for the next', async () =
         for (const each of [b, all]) each.free();
         assert.throws(() => pairs.overlaps(a, b), QueryError);
         a.free();
-    };
-    use();
-    const [before] = sizes();
-    for (let i = 0; i < 500; ++i) use();
-    assert.strictEqual(sizes()[0], before);
+    });
 });
 
 test('freed moving scenes, hulls and flags leave memory for the next', async () => {
-    const { library, sizes } = await loadWatched();
     const few = origins.subarray(60, 90), rays = [few, directions.subarray(60, 90)];
-    const use = () => {
+    await leavesMemory(300, (library) => {
         const blob = library.openBlob(baked), tile = library.openScene(scene), moving = library.createMovingScene([blob, blob], 100, { tiles: [tile] });
         const handles = moving.insert({ translation: few, mesh: [0, 1, 2, 0, 1, 2, 0, 1, 2, 3] });
         moving.move(handles, { translation: rays[1] });
@@ -103,11 +101,7 @@ test('freed moving scenes, hulls and flags leave memory for the next', async () 
         assert.throws(() => library.createMovingScene([blob], 100, { tiles: [blob] }), TypeError);
         assert.throws(() => moving.move(handles, { translation: [0, 0] }), RangeError);
         for (const each of [blob, tile, pose, moving, continued]) each.free();
-    };
-    use();
-    const [before] = sizes();
-    for (let i = 0; i < 300; ++i) use();
-    assert.strictEqual(sizes()[0], before);
+    });
 });
 
 const needed = 8e9, skip = freemem() < needed && `less than ${needed} bytes of memory are free`;

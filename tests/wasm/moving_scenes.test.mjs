@@ -3,7 +3,7 @@ import assert from 'node:assert';
 import test from 'node:test';
 
 import { lumpyBody, questions } from './support/questions.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, throws } from './support/setup.mjs';
 
 const { load, NO_TRIANGLE, OpenError, QueryError, Status } = espalier;
 const library = await load();
@@ -111,15 +111,10 @@ test('a snapshot continues with its handles', () => {
     assert.deepStrictEqual(again.snapshot(), bytes);
     assert.deepStrictEqual([...again.move(one(handles, 1), { translation: [5, 0, 4] })], [Status.OK]);
     assert.deepStrictEqual([...again.raycast(...rayAt(5)).t], [5]);
-    const throws = (snapshot, blobs, options) => assert.throws(() => library.openMovingScene(snapshot, blobs, options), OpenError);
-    throws(bytes, [body]);
-    throws(bytes, []);
-    throws(bytes.subarray(0, 100), [square]);
-    throws(new Uint8Array(0), [square]);
-    throws(square, [square]);
     const damaged = Uint8Array.from(bytes);
     damaged[0] ^= 0x40;
-    throws(damaged, [square]);
+    for (const [snapshot, ...blobs] of [[bytes, body], [bytes], [bytes.subarray(0, 100), square], [new Uint8Array(0), square], [square, square], [damaged, square]])
+        throws(() => library.openMovingScene(snapshot, blobs), OpenError, /./);
 });
 
 test('a mesh takes another blob', async () => {
@@ -175,7 +170,6 @@ test('a moving scene holds what it places', async () => {
 
 test('wrong arguments of moving scenes throw and name the argument', async () => {
     const { scene, handles } = row(), other = await load(), elsewhere = other.openBlob(square.bytes());
-    const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
     for (const capacity of [0, 2 ** 24 + 1, 1.5, '8', undefined]) throws(() => library.createMovingScene([square], capacity), RangeError, /capacity must be/);
     for (const stepExponent of [-101, 81, 0.5, '0']) throws(() => library.createMovingScene([square], 4, { stepExponent }), RangeError, /stepExponent must be/);
     throws(() => library.createMovingScene(square, 4), TypeError, /blobs must be an array of blobs/);

@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import { placesOf } from './support/pairs.mjs';
 import { lumpyBody, questions } from './support/questions.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, throws } from './support/setup.mjs';
 
 const { load, pairs, QueryError, Status } = espalier;
 const library = await load();
@@ -73,7 +73,6 @@ test('a work limit is neither yes nor no', () => {
 });
 
 test('wrong arguments of pairs throw and name the argument', async () => {
-    const throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
     throws(() => pairs.overlaps(body), TypeError, /b must be a blob/);
     throws(() => pairs.overlaps({ translation: [0, 0, 0] }, body), TypeError, /a must be a blob/);
     throws(() => pairs.contacts(body, { blob: body, translation: [0, 0] }), RangeError, /b.translation/);

@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import { lumpyBody, questions } from './support/questions.mjs';
 import { instancesOf } from './support/scene.mjs';
-import { espalier } from './support/setup.mjs';
+import { espalier, rejects, throws } from './support/setup.mjs';
 
 const { BakeError, load, NO_TRIANGLE, OpenError, QueryError, Status, VerifyError } = espalier;
 const library = await load();
@@ -81,7 +81,7 @@ test('lists of scenes that are longer than the first guess are complete', async 
 });
 
 test('other bytes and arguments are refused', async () => {
-    const bytes = squares.bytes(), throws = (call, type, text) => assert.throws(call, (error) => error instanceof type && text.test(error.message));
+    const bytes = squares.bytes();
     throws(() => library.openScene(square.bytes()), OpenError, /./);
     throws(() => library.openBlob(bytes), OpenError, /./);
     for (const length of [0, 10, 64, bytes.length - 1]) throws(() => library.openScene(bytes.subarray(0, length)), OpenError, /./);
@@ -91,17 +91,15 @@ test('other bytes and arguments are refused', async () => {
         throws(() => library.openScene(damaged), OpenError, /./);
     }
     throws(() => library.openScene('bytes'), TypeError, /bytes/);
-    const rejects = (blobs, instances, type, text) =>
-        assert.rejects(library.bakeScene(blobs, instances), (error) => error instanceof type && text.test(error.message));
-    await rejects([square], { mesh: 1 }, BakeError, /instance 0/);
-    await rejects([new Uint8Array(100)], {}, BakeError, /instance 0/);
-    await rejects([square], { scale: 0 }, BakeError, /instance 0/);
-    await rejects([square], { translation: [0, 0] }, RangeError, /instances.translation/);
-    await rejects([square], { mesh: [0, 0], mask: [1, 2, 3] }, RangeError, /mask has 3 elements/);
-    await rejects([square], { user: -1 }, RangeError, /user/);
-    await rejects([square], { mask: [0.5] }, RangeError, /mask/);
-    await rejects([square], { mask: 'all' }, TypeError, /mask/);
-    await rejects(['square'], {}, TypeError, /bytes/);
+    await rejects(library.bakeScene([square], { mesh: 1 }), BakeError, /instance 0/);
+    await rejects(library.bakeScene([new Uint8Array(100)], {}), BakeError, /instance 0/);
+    await rejects(library.bakeScene([square], { scale: 0 }), BakeError, /instance 0/);
+    await rejects(library.bakeScene([square], { translation: [0, 0] }), RangeError, /instances.translation/);
+    await rejects(library.bakeScene([square], { mesh: [0, 0], mask: [1, 2, 3] }), RangeError, /mask has 3 elements/);
+    await rejects(library.bakeScene([square], { user: -1 }), RangeError, /user/);
+    await rejects(library.bakeScene([square], { mask: [0.5] }), RangeError, /mask/);
+    await rejects(library.bakeScene([square], { mask: 'all' }), TypeError, /mask/);
+    await rejects(library.bakeScene(['square'], {}), TypeError, /bytes/);
     throws(() => squares.overlaps({ kind: 'cylinder' }), RangeError, /kind of a shape/);
 });
 

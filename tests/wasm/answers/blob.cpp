@@ -1,4 +1,6 @@
 // Queries of one blob.
+#include <utility>
+
 #include "questions.hpp"
 #include "words.hpp"
 
@@ -9,16 +11,21 @@ namespace {
 constexpr auto keep = [](TriangleId triangle) { return triangle.index % 3 != 1; };
 
 void answer_rays(const Blob& blob, const Questions& questions, std::size_t i) {
-    const Ray ray = questions.ray(i, static_cast<FaceCulling>(i % 3));
-    const RayHit hit = raycast(blob, ray);
-    words["raycast"].add(hit);
-    words["occluded"].add(occluded(blob, ray).status());
-    words["original_hits"].add(original_hit(blob, hit));
     RayHit hits[3];
-    add_filled("closest_hits", closest_hits(blob, ray, hits), hits);
-    Words &all = words["all_hits"], &crossings = words["crossings"];
-    all.add(for_each_hit(blob, ray, [&](const RayHit& each) { all.add(each); }));
-    crossings.add(for_each_crossing(blob, ray, [&](const RayHit& each) { crossings.add(each); }));
+    constexpr std::pair<const char*, FaceCulling> sides[] = {
+        {"_none", FaceCulling::none}, {"_back", FaceCulling::back}, {"_front", FaceCulling::front}};
+    for (const auto& [name, culling] : sides) {
+        const std::string side = name;
+        const Ray ray = questions.ray(i, culling);
+        const RayHit hit = raycast(blob, ray);
+        words["raycast" + side].add(hit);
+        words["occluded" + side].add(occluded(blob, ray).status());
+        words["original_hits" + side].add(original_hit(blob, hit));
+        add_filled("closest_hits" + side, closest_hits(blob, ray, hits), hits);
+        Words &all = words["all_hits" + side], &crossings = words["crossings" + side];
+        all.add(for_each_hit(blob, ray, [&](const RayHit& each) { all.add(each); }));
+        crossings.add(for_each_crossing(blob, ray, [&](const RayHit& each) { crossings.add(each); }));
+    }
     const Ray filtered = questions.ray(i, FaceCulling::front);
     words["filtered_raycast"].add(raycast(blob, filtered, keep));
     words["filtered_occluded"].add(occluded(blob, filtered, keep).status());

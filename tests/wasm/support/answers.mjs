@@ -1,53 +1,23 @@
 // What the package answers to the questions, as words under the names of the files of C++. For Node and browsers.
-import { wordsOf, wordsOfLists } from './words.mjs';
+import { countedWords, endedWords, wordsOf, wordsOfLists } from './words.mjs';
 
-/// Returns the elements of every third query from `first` on.
-function third(array, components, first) {
-    const rows = [];
-    for (let i = first; i < array.length / components; i += 3) rows.push(...array.subarray(components * i, components * (i + 1)));
-    return Float32Array.from(rows);
-}
-
-/// Interleaves the words of three batches, one for each side to cull.
 function answerRays(blob, { origins, directions, limits }, words) {
-    const parts = ['none', 'back', 'front'].map((culling, k) => {
-        const rays = [third(origins, 3, k), third(directions, 3, k)];
-        const options = { tMin: 0.05, tMax: third(limits, 1, k), culling };
-        const hits = blob.raycast(...rays, options), any = blob.occluded(...rays, options);
-        const first = blob.closestHits(...rays, 3, options);
-        const all = blob.allHits(...rays, options), crossings = blob.crossings(...rays, options);
-        const count = rays[0].length / 3;
-        const each = (words) => Array.from({ length: count }, (_, i) => words.slice(words.length / count * i, words.length / count * (i + 1)));
-        return {
-            raycast: each(wordsOf('hit', hits)), occluded: each([...any.status]),
-            original_hits: each(wordsOf('original', blob.originalHits(hits))),
-            closest_hits: rowsOf(first, { begin: (to, i) => to.push(first.end(i) - first.begin(i), first.status[i]) }),
-            all_hits: rowsOf(all, { end: (to, i) => to.push(all.status[i]) }),
-            crossings: rowsOf(crossings, { end: (to, i) => to.push(crossings.status[i]) }),
+    for (const culling of ['none', 'back', 'front']) {
+        const rays = [origins, directions], options = { tMin: 0.05, tMax: limits, culling }, hits = blob.raycast(...rays, options);
+        const answers = {
+            raycast: wordsOf('hit', hits), occluded: [...blob.occluded(...rays, options).status],
+            original_hits: wordsOf('original', blob.originalHits(hits)), closest_hits: countedWords('hit', blob.closestHits(...rays, 3, options)),
+            all_hits: endedWords('hit', blob.allHits(...rays, options)), crossings: endedWords('hit', blob.crossings(...rays, options)),
         };
-    });
-    for (const name of Object.keys(parts[0]))
-        words[name] = Array.from({ length: limits.length }, (_, i) => parts[i % 3][name][Math.floor(i / 3)]).flat();
-}
-
-/// Returns the words of each list.
-function rowsOf(lists, { begin = () => {}, end = () => {} }) {
-    const starts = [];
-    const words = wordsOfLists('hit', lists, {
-        begin: (to, i) => { starts.push(to.length); begin(to, i); },
-        end,
-    });
-    return starts.map((start, i) => words.slice(start, starts[i + 1]));
+        for (const [name, all] of Object.entries(answers)) words[`${name}_${culling}`] = all;
+    }
 }
 
 function answerPoints(blob, { origins }, words) {
     words.closest_point = wordsOf('nearest', blob.closestPoint(origins, 2.5));
     words.signed_distance = wordsOf('nearest', blob.signedDistance(origins, 2.5));
     words.contains = [...blob.contains(origins).status];
-    const several = blob.closestTriangles(origins, 3, 2.5);
-    words.closest_triangles = wordsOfLists('nearest', several, {
-        begin: (to, i) => to.push(several.end(i) - several.begin(i), several.status[i]),
-    });
+    words.closest_triangles = countedWords('nearest', blob.closestTriangles(origins, 3, 2.5));
     words.winding_number = wordsOf('winding', blob.windingNumber(origins, 7));
 }
 
@@ -89,12 +59,7 @@ function answerShapes(blob, questions, words) {
             end: (to, i) => to.push(lists.status[i]),
         });
     }
-    for (const name of BODIES) {
-        const contacts = blob.contacts(shapes[name], 5, limits);
-        words[`contacts_${name}`] = wordsOfLists('contact', contacts, {
-            begin: (to, i) => to.push(contacts.end(i) - contacts.begin(i), contacts.status[i]),
-        });
-    }
+    for (const name of BODIES) words[`contacts_${name}`] = countedWords('contact', blob.contacts(shapes[name], 5, limits));
     for (const name of MOVING) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
 }
 
@@ -103,10 +68,9 @@ export function filteredAnswers(blob, questions) {
     const { origins, directions, limits } = questions, shapes = shapesOf(questions);
     const only = Uint8Array.from({ length: blob.triangleCount }, (_, i) => Number(i % 3 !== 1));
     const rays = [origins, directions], options = { tMin: 0.05, tMax: limits, culling: 'front', only };
-    const first = blob.closestHits(...rays, 3, options);
     const words = {
         filtered_raycast: wordsOf('hit', blob.raycast(...rays, options)), filtered_occluded: [...blob.occluded(...rays, options).status],
-        filtered_closest_hits: wordsOfLists('hit', first, { begin: (to, i) => to.push(first.end(i) - first.begin(i), first.status[i]) }),
+        filtered_closest_hits: countedWords('hit', blob.closestHits(...rays, 3, options)),
     };
     for (const name of MOVING) words[`filtered_sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { skin: 0.01, only }));
     return words;

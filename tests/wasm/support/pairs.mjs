@@ -1,5 +1,5 @@
 // What the package answers about two blobs, as words under the names of the files of C++.
-import { wordsOf, wordsOfLists } from './words.mjs';
+import { endedWords, wordsOf } from './words.mjs';
 
 /// Returns the places of C++: one for each question.
 export function placesOf({ origins, directions, limits, radii }) {
@@ -12,14 +12,13 @@ export function pairAnswers(pairs, a, b, questions) {
     const first = { blob: a, rotation: [1, 2, 3, 4], translation: [0.25, 0, -0.5], scale: 1.25 };
     const second = { blob: b, ...placesOf(questions) }, few = { workLimit: 40 };
     const all = pairs.overlaps(first, second), some = pairs.overlaps(first, second, few);
-    const rowsOf = (kind, lists) => wordsOfLists(kind, lists, { end: (to, i) => to.push(lists.status[i]) });
     return {
         pair_overlaps: [...all.status].flatMap((status, i) => [status, some.status[i]]),
         pair_within: [...pairs.withinDistance(first, second, questions.limits).status],
         pair_first_contact: wordsOf('pair', pairs.firstContact(first, second)),
         pair_distance: wordsOf('distance', pairs.distance(first, second, { maxDistance: 1.5 })),
-        pair_contacts: rowsOf('pair', pairs.contacts(first, second)),
-        pair_contacts_limited: rowsOf('pair', pairs.contacts(first, second, few)),
-        pair_touches: rowsOf('touch', pairs.touches(first, second)),
+        pair_contacts: endedWords('pair', pairs.contacts(first, second)),
+        pair_contacts_limited: endedWords('pair', pairs.contacts(first, second, few)),
+        pair_touches: endedWords('touch', pairs.touches(first, second)),
     };
 }

@@ -1,4 +1,5 @@
 // The package under test and the programs beside it, by the environment that run.sh sets.
+import assert from 'node:assert';
 import { pathToFileURL } from 'node:url';
 import { env } from 'node:process';
 
@@ -16,3 +17,8 @@ export const espalier = await import(index.href);
 export async function loadBoth() {
     return { SIMD128: await espalier.load(null, { simd: true }), scalar: await espalier.load(null, { simd: false }) };
 }
+
+/// Requires that a call throws, or a promise is rejected with, an error of a type with these words.
+const isError = (type, text) => (error) => error instanceof type && text.test(error.message);
+export const throws = (call, type, text) => assert.throws(call, isError(type, text));
+export const rejects = (promise, type, text) => assert.rejects(promise, isError(type, text));

@@ -36,6 +36,10 @@ export function wordsOf(kind, columns) {
     return words;
 }
 
+/// Words of lists with how many elements each has, and why, in front; and with why each ends behind.
+export const countedWords = (kind, lists) => wordsOfLists(kind, lists, { begin: (to, i) => to.push(lists.end(i) - lists.begin(i), lists.status[i]) });
+export const endedWords = (kind, lists) => wordsOfLists(kind, lists, { end: (to, i) => to.push(lists.status[i]) });
+
 /// Words of lists of columns: of each query begin(words, query), its elements, end(words, query).
 export function wordsOfLists(kind, lists, { begin = () => {}, end = () => {} }) {
     const words = [], write = kind === 'triangle' ? (to, i) => to.push(lists.items[i]) : writer(kind, lists.items);
