@@ -181,23 +181,18 @@ private:
         filter.only_moved = word() % 2 == 0;
         if (word() % 4 == 0) filter.keep = keep;
         const std::uint32_t from = word() % slots;
-        if (kind < 2) {
-            InstancePair page[48];
-            const FilledPairs<InstancePair> found =
-                kind == 0 ? collect_candidate_pairs(scene_, page, filter, {from, 0})
-                          : collect_colliding_pairs(scene_, page, WorkLimit(2'000), filter, {from, 0});
-            add(found.status);
-            for (const InstancePair& pair : found.in(page)) add(pair);
-            add(found.next);
-            answers_.pairs_near += static_cast<std::uint32_t>(found.count);
-            return;
-        }
-        BakedPair page[24];
-        const FilledPairs<BakedPair> found =
-            kind == 2 ? collect_candidate_pairs(scene_, parts_.baked, page, filter, {from, {0, 0}})
-                      : collect_colliding_pairs(scene_, parts_.baked, page, WorkLimit(2'000), filter, {from, {0, 0}});
+        const WorkLimit limit(2'000);
+        InstancePair page[48];
+        BakedPair baked[24];
+        if (kind == 0) add(collect_candidate_pairs(scene_, page, filter, {from, 0}), page);
+        if (kind == 1) add(collect_colliding_pairs(scene_, page, limit, filter, {from, 0}), page);
+        if (kind == 2) add(collect_candidate_pairs(scene_, parts_.baked, baked, filter, {from, {0, 0}}), baked);
+        if (kind == 3) add(collect_colliding_pairs(scene_, parts_.baked, baked, limit, filter, {from, {0, 0}}), baked);
+    }
+    template <class Pair, std::size_t size>
+    void add(const FilledPairs<Pair>& found, Pair (&page)[size]) {
         add(found.status);
-        for (const BakedPair& pair : found.in(page)) add(pair);
+        for (const Pair& pair : found.in(page)) add(pair);
         add(found.next);
         answers_.pairs_near += static_cast<std::uint32_t>(found.count);
     }

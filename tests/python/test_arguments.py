@@ -43,31 +43,24 @@ def test_arguments_broadcast(blob, points):
 
 
 def test_wrong_arguments_raise(blob, points):
-    with pytest.raises(ValueError, match=r"origins must have the shape \(..., 3\), not \(4, 2\)"):
-        blob.raycast(np.zeros((4, 2)), [0, 0, 1])
-    with pytest.raises(ValueError, match="do not broadcast"):
-        blob.raycast(points, points[:7])
-    with pytest.raises(TypeError, match="real numbers"):
-        blob.contains(points.astype(complex))
-    with pytest.raises(TypeError):
-        blob.contains([["a", "b", "c"]])
-    with pytest.raises(ValueError, match="culling"):
-        blob.raycast(points, [0, 0, 1], culling="left")
-    with pytest.raises(TypeError, match="shape of espalier"):
-        blob.overlaps(points)
-    with pytest.raises(TypeError, match="no ConvexHull"):
-        blob.overlaps(espalier.ConvexHull(points[:4]))
-    with pytest.raises(TypeError, match="integers"):
-        blob.corners([0.5])
-    with pytest.raises(ValueError, match="rotation"):
-        espalier.transform((5, 6, 7), (0, 0, 0, 1))
-    with pytest.raises(ValueError, match="no transform"):
-        espalier.transform_from_matrix(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]))
-    with pytest.raises(ValueError, match="places"):
-        espalier.bake_scene([blob], np.zeros((4, 16)))
-    for refused in (espalier.ConvexHull, espalier.Segment):
-        with pytest.raises(TypeError, match="takes no"):
-            blob.overlaps(refused(*([points[:4]] * len(refused._fields))))
+    for error, message, call in (
+            (ValueError, r"origins must have the shape \(..., 3\), not \(4, 2\)",
+             lambda: blob.raycast(np.zeros((4, 2)), [0, 0, 1])),
+            (ValueError, "do not broadcast", lambda: blob.raycast(points, points[:7])),
+            (TypeError, "real numbers", lambda: blob.contains(points.astype(complex))),
+            (TypeError, "", lambda: blob.contains([["a", "b", "c"]])),
+            (ValueError, "culling", lambda: blob.raycast(points, [0, 0, 1], culling="left")),
+            (TypeError, "shape of espalier", lambda: blob.overlaps(points)),
+            (TypeError, "no ConvexHull", lambda: blob.overlaps(espalier.ConvexHull(points[:4]))),
+            (TypeError, "takes no", lambda: blob.overlaps(espalier.ConvexHull(points[:4]))),
+            (TypeError, "takes no", lambda: blob.overlaps(espalier.Segment(points[:4], points[:4]))),
+            (TypeError, "integers", lambda: blob.corners([0.5])),
+            (ValueError, "rotation", lambda: espalier.transform((5, 6, 7), (0, 0, 0, 1))),
+            (ValueError, "no transform",
+             lambda: espalier.transform_from_matrix(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]))),
+            (ValueError, "places", lambda: espalier.bake_scene([blob], np.zeros((4, 16))))):
+        with pytest.raises(error, match=message):
+            call()
 
 
 def test_statuses_of_single_queries(blob, open_mesh_blob):
