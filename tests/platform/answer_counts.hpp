@@ -32,18 +32,11 @@ struct Answers {
 
 /// Returns the number that the status of a lookup had when golden.txt was recorded.
 constexpr std::uint32_t lookup_word(QueryStatus status) {
-    switch (status) {
-        case QueryStatus::invalid_argument:
-            return 1;
-        case QueryStatus::not_found:
-            return 7;
-        case QueryStatus::not_open:
-            return 8;
-        case QueryStatus::no_data:
-            return 9;
-        default:
-            return 0;
-    }
+    return status == QueryStatus::invalid_argument ? 1
+           : status == QueryStatus::not_found      ? 7
+           : status == QueryStatus::not_open       ? 8
+           : status == QueryStatus::no_data        ? 9
+                                                   : 0;
 }
 
 inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, TriangleId triangle) {

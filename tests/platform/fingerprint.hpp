@@ -29,20 +29,12 @@ public:
     }
     /// Statuses enter by the numbers that they had when golden.txt was recorded; those of found and not found are one.
     constexpr void add(QueryStatus status) {
-        switch (status) {
-            case QueryStatus::invalid_argument:
-                return add(std::uint32_t{1});
-            case QueryStatus::out_of_range:
-                return add(std::uint32_t{2});
-            case QueryStatus::not_closed:
-                return add(std::uint32_t{3});
-            case QueryStatus::work_limit:
-                return add(std::uint32_t{5});
-            case QueryStatus::output_full:
-                return add(std::uint32_t{6});
-            default:
-                return add(std::uint32_t{0});
-        }
+        add(std::uint32_t{status == QueryStatus::invalid_argument ? 1u
+                          : status == QueryStatus::out_of_range   ? 2u
+                          : status == QueryStatus::not_closed     ? 3u
+                          : status == QueryStatus::work_limit     ? 5u
+                          : status == QueryStatus::output_full    ? 6u
+                                                                  : 0u});
     }
     constexpr void add(const Fingerprint& part) {
         add(static_cast<std::uint32_t>(part.value_));

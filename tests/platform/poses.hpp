@@ -70,36 +70,21 @@ private:
         const float along = size_.x > 0.0f ? (at.x - low_.x) / size_.x : 0.0f;  // 0 to 1
         const float from_middle = along - 0.5f;
         Vec3 to = at;
-        switch (number) {
-            case 1: {  // a wave of straight lines
-                const float phase = along * 4.0f;
-                const float part = phase - static_cast<float>(static_cast<std::int32_t>(phase));
-                to.z += (part < 0.5f ? part : 1.0f - part) * largest_side_ * 0.125f;
-                break;
-            }
-            case 2:  // bent to a parabola
-                to.z += from_middle * from_middle * largest_side_ * 0.25f;
-                break;
-            case 3:
-                to.x += noise(3 * index) * largest_side_ * 0.03125f;
-                to.y += noise(3 * index + 1) * largest_side_ * 0.03125f;
-                to.z += noise(3 * index + 2) * largest_side_ * 0.03125f;
-                break;
-            case 4:  // one half folded onto the other
-                if (from_middle > 0.0f) to.x = low_.x + (1.0f - along) * size_.x;
-                break;
-            case 5:  // flat
-                to.y = low_.y + size_.y * 0.5f;
-                break;
-            case 6:  // smaller, and elsewhere
-                to = {(low_.x + at.x) * 0.5f, (low_.y + at.y) * 0.5f, (low_.z + at.z) * 0.5f};
-                break;
-            case 7:  // a segment
-                to = {at.x, low_.y, low_.z};
-                break;
-            default:
-                break;
+        if (number == 1) {  // a wave of straight lines
+            const float phase = along * 4.0f;
+            const float part = phase - static_cast<float>(static_cast<std::int32_t>(phase));
+            to.z += (part < 0.5f ? part : 1.0f - part) * largest_side_ * 0.125f;
         }
+        if (number == 2) to.z += from_middle * from_middle * largest_side_ * 0.25f;  // bent to a parabola
+        if (number == 3) {
+            to.x += noise(3 * index) * largest_side_ * 0.03125f;
+            to.y += noise(3 * index + 1) * largest_side_ * 0.03125f;
+            to.z += noise(3 * index + 2) * largest_side_ * 0.03125f;
+        }
+        if (number == 4 && from_middle > 0.0f) to.x = low_.x + (1.0f - along) * size_.x;  // folded onto one half
+        if (number == 5) to.y = low_.y + size_.y * 0.5f;                                  // flat
+        if (number == 6) to = {(low_.x + at.x) * 0.5f, (low_.y + at.y) * 0.5f, (low_.z + at.z) * 0.5f};  // smaller
+        if (number == 7) to = {at.x, low_.y, low_.z};                                                    // a segment
         return to;
     }
 

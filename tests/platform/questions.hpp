@@ -114,27 +114,12 @@ public:
     }
 
     Vec3 point(std::uint32_t number) {
-        switch (number % 4) {
-            case 0:
-                return point_around(1.0f);
-            case 1:
-                return surface_point();
-            case 2:
-                return point_around(1024.0f);
-            default:
-                return any_bits();
-        }
+        if (number % 4 == 3) return any_bits();
+        return number % 4 == 1 ? surface_point() : point_around(number % 4 == 0 ? 1.0f : 1024.0f);
     }
 
     float distance(std::uint32_t number) {
-        switch (number % 3) {
-            case 0:
-                return infinity;
-            case 1:
-                return size() * fraction();
-            default:
-                return any_float();
-        }
+        return number % 3 == 0 ? infinity : number % 3 == 1 ? size() * fraction() : any_float();
     }
 
     /// Of another blob, or of the same: near this one, or with a corner on a corner where both are one.

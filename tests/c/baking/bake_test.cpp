@@ -94,21 +94,11 @@ Arrangement some_arrangement(const Mesh& mesh, Random& random) {
 
 /// A mesh that is broken now and then.
 Mesh some_mesh(Random& random) {
-    Mesh mesh;
-    switch (random.below(4)) {
-        case 0:
-            mesh = make_icosphere(1, 1.0, {0.2f, 0.1f, 0.0f});
-            break;
-        case 1:
-            mesh = make_soup(40, random.next());
-            break;
-        case 2:
-            mesh = make_slivers(30, random.next());
-            break;
-        default:
-            mesh = make_coplanar_stacks(30, random.next());
-            break;
-    }
+    const std::uint32_t kind = random.below(4);
+    Mesh mesh = kind == 0   ? make_icosphere(1, 1.0, {0.2f, 0.1f, 0.0f})
+                : kind == 1 ? make_soup(40, random.next())
+                : kind == 2 ? make_slivers(30, random.next())
+                            : make_coplanar_stacks(30, random.next());
     mesh.name = random.coin() ? "made" : "";
     for (std::uint32_t i = 0; i < mesh.triangles.size() && random.coin(); ++i) mesh.triangles.push_back({i, i, 0});
     if (random.below(4) == 0) mesh.triangles[random.below(9)][1] = 60'000;
