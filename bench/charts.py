@@ -5,6 +5,7 @@ The same values give the same bytes. White ground: they are read on dark pages t
 
 import dataclasses
 import math
+import statistics
 from xml.sax.saxutils import escape
 
 # Okabe and Ito (2008): told apart by colour-blind readers; shapes say the same again.
@@ -33,6 +34,11 @@ def number(value):
     if size >= 100 or value == 0:
         return f"{value:,.0f}"
     return f"{value:.1f}" if size >= 10 else f"{value:.2f}" if size >= 0.1 else f"{value:.2g}"
+
+
+def time(ns):
+    unit, size = next(((unit, size) for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)) if ns >= size), ("ns", 1))
+    return f"{number(ns / size)} {unit}"
 
 
 # ---- elements ----------------------------------------------------------------------------------------------------------
@@ -278,6 +284,11 @@ class Bar:
     low: float | None = None  # the spread, where there is one
     high: float | None = None
     group: int = 0  # selects the colour
+
+
+def mean_bar(name, values, group=0):
+    """The geometric mean, of ratios the one that does not depend on which is the divisor, and the least and the greatest."""
+    return Bar(name, statistics.geometric_mean(values), min(values), max(values), group)
 
 
 @dataclasses.dataclass

@@ -5,6 +5,7 @@ A bar spans the slowest and the fastest mesh of a system; a dot on it is one mes
 
 import dataclasses
 import math
+import statistics
 
 import charts
 
@@ -70,7 +71,7 @@ class Bar:
     marks: list
 
     def place(self, scale):
-        self.x = scale.x(math.exp(sum(math.log(mark.bytes) for mark in self.marks) / len(self.marks)))
+        self.x = scale.x(statistics.geometric_mean(mark.bytes for mark in self.marks))
         self.high = scale.y(max(mark.ratio for mark in self.marks))
         self.low = scale.y(min(mark.ratio for mark in self.marks))
 

@@ -20,8 +20,8 @@ from report_page import ROOT, fail, fill, links, read_objects, run  # noqa: E402
 DOCUMENT = ROOT / "docs" / "guide.md"
 FIGURES = ROOT / "docs" / "images" / "guide"
 COMMON = ("measures", "processor", "compiler")
-# A section is a module sections/NAME.py: ROWS (fields by what a row measures), texts(rows) and figures(rows). Its
-# pages(rows), where it has that, returns texts of other pages: the page's path, and texts by marker.
+# A section is a module sections/NAME.py: ROWS (fields by what a row measures), and made(rows), which returns texts by
+# name: FILE.svg is a figure, PAGE.md#MARKER a text of another page, MARKER one of the guide.
 SECTIONS = tuple(sorted(file.stem for file in (pathlib.Path(__file__).parent / "sections").glob("*.py")))
 
 
@@ -48,6 +48,11 @@ class Rows:
 
     def meshes(self, measures):
         return self.values(measures, "mesh")
+
+    def ratios(self, measures, field, compared, **fields):
+        """Of each mesh, the value over that of the row in which the fields of `compared` are others."""
+        return [self.one(measures, mesh=mesh, **fields)[field] / self.one(measures, mesh=mesh, **{**fields, **compared})[field]
+                for mesh in self.meshes(measures)]
 
 
 def section_modules(names):
@@ -85,23 +90,19 @@ def check_page(page, figures):
         fail(f"{FIGURES.relative_to(ROOT)} has files that no section draws: {', '.join(sorted(old))}")
 
 
-def pages_of(module, rows):
-    return module.pages(rows) if hasattr(module, "pages") else {}
-
-
 def outputs(files):
     modules = section_modules(SECTIONS)
     rows = read(files, modules)
-    texts, figures, others = {"conditions": conditions(rows, files)}, {}, {}
-    for module in modules:
-        texts |= module.texts(rows)
-        figures |= module.figures(rows)
-        for path, blocks in pages_of(module, rows).items():
-            others.setdefault(ROOT / path, {}).update(blocks)
-    page = fill(DOCUMENT, texts)
-    check_page(page, figures)
-    return {DOCUMENT: page, **{FIGURES / name: text for name, text in figures.items()},
-            **{path: fill(path, blocks) for path, blocks in others.items()}}
+    figures, pages = {}, {DOCUMENT: {"conditions": conditions(rows, files)}}
+    for name, text in (item for module in modules for item in module.made(rows).items()):
+        if name.endswith(".svg"):
+            figures[name] = text
+        else:
+            path, _, marker = name.rpartition("#")
+            pages.setdefault(ROOT / path if path else DOCUMENT, {})[marker] = text
+    made = {path: fill(path, blocks) for path, blocks in pages.items()}
+    check_page(made[DOCUMENT], figures)
+    return {**made, **{FIGURES / name: text for name, text in figures.items()}}
 
 
 def write_section(name, folder, files):
@@ -109,13 +110,10 @@ def write_section(name, folder, files):
     rows = read([pathlib.Path(file) for file in files], [module])
     target = pathlib.Path(folder)
     target.mkdir(parents=True, exist_ok=True)
-    for marker, text in module.texts(rows).items():
-        (target / f"{marker}.md").write_text(text + "\n", encoding="utf-8")
-    for file, text in module.figures(rows).items():
-        (target / file).write_text(text, encoding="utf-8")
-    for path, blocks in pages_of(module, rows).items():
-        for marker, text in blocks.items():
-            (target / f"{pathlib.PurePath(path).stem}_{marker}.md").write_text(text + "\n", encoding="utf-8")
+    for name, text in module.made(rows).items():
+        is_figure = name.endswith(".svg")
+        file = name if is_figure else pathlib.PurePath(name).name.replace(".md#", "_") + ".md"
+        (target / file).write_text(text if is_figure else text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 """What the sections on memory and on the degree of trees share: cells and panels of the rows of espalier_bench_study ladder."""
 
-import math
-
 import charts
 from report_page import fail
 
@@ -13,11 +11,7 @@ FIELDS = ("tree", "degree", "leaf_triangles", "nodes", "node_bytes", "bytes_per_
 
 def cell(row, query):
     work = "; ".join(charts.number(row[f"{field}_per_{query}"]) for field in ("nodes", "box_tests", "triangle_tests"))
-    return f"{work}; {time(row[f'ns_per_{query}'])}"
-
-
-def time(ns):
-    return f"{charts.number(ns / 1000)} µs" if ns >= 1000 else f"{charts.number(ns)} ns"
+    return f"{work}; {charts.time(row[f'ns_per_{query}'])}"
 
 
 def ray_cell(row):
@@ -47,12 +41,8 @@ def recounted(rows):
             f"All textbook trees have the same answers; {differing}.")
 
 
-def mean(values):
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def bar(label, name, values):
-    return charts.Bar(label, mean(values), min(values), max(values), group=1 if name.startswith("espalier") else 0)
+    return charts.mean_bar(label, values, 1 if name.startswith("espalier") else 0)
 
 
 def value_panel(rows, measures, title, field, trees):
@@ -61,7 +51,4 @@ def value_panel(rows, measures, title, field, trees):
 
 def ratio_panel(rows, measures, title, field, trees, reference):
     """Values over those of one tree on the same mesh."""
-    def ratios(name):
-        return [rows.one(measures, mesh=mesh, tree=name)[field] / rows.one(measures, mesh=mesh, tree=reference)[field]
-                for mesh in rows.meshes(measures)]
-    return charts.Bars(title, [bar(label, name, ratios(name)) for name, _, label in trees])
+    return charts.Bars(title, [bar(label, name, rows.ratios(measures, field, {"tree": reference}, tree=name)) for name, _, label in trees])

@@ -1,6 +1,7 @@
 """Section 5 of the guide, construction: what each builder's tree costs and brings, and how AAC works."""
 
 import math
+import statistics
 
 import charts
 import construction_drawings
@@ -56,9 +57,8 @@ class Comparison:
 
     def ratio(self, builder, reinserted, field):
         """The geometric mean over the meshes of a value over that of the baseline as it is built."""
-        logarithms = [math.log(value(self.row(mesh, builder, reinserted), field) / value(self.row(mesh, BASELINE), field))
-                      for mesh in self.meshes]
-        return math.exp(sum(logarithms) / len(logarithms))
+        return statistics.geometric_mean(value(self.row(mesh, builder, reinserted), field) / value(self.row(mesh, BASELINE), field)
+                                         for mesh in self.meshes)
 
 
 # ---- tables ------------------------------------------------------------------------------------------------------------
@@ -153,16 +153,9 @@ def draw_ratios(comparison):
 # ---- what the report calls ---------------------------------------------------------------------------------------------
 
 
-def texts(rows):
+def made(rows):
     comparison = Comparison(rows)
-    return {"construction": f"{summary_table(comparison)}\n\n{baseline_text(comparison)}"}
-
-
-def figures(rows):
-    return {"construction.svg": draw_ratios(Comparison(rows)), "aac.svg": construction_drawings.draw_aac(),
-            "top_down.svg": construction_drawings.draw_top_down()}
-
-
-def pages(rows):
-    """Other pages of the project with a table of these rows: texts by path and marker."""
-    return {"bench/results/builders.md": {"builders": full_table(Comparison(rows))}}
+    return {"construction": f"{summary_table(comparison)}\n\n{baseline_text(comparison)}",
+            "construction.svg": draw_ratios(comparison), "aac.svg": construction_drawings.draw_aac(),
+            "top_down.svg": construction_drawings.draw_top_down(),
+            "bench/results/builders.md#builders": full_table(comparison)}

@@ -62,9 +62,6 @@ def figure(rows):
     return charts.draw_point_panels("Time of groups of queries: predicted by a fit to other groups, and measured", panels, legend=meshes)
 
 
-def texts(rows):
-    return {"cost": cost_table(rows)}
-
-
-def figures(rows):
-    return {"cost.svg": figure(rows)}
+def made(rows):
+    return {"cost": cost_table(rows),
+            "cost.svg": figure(rows)}

@@ -53,9 +53,6 @@ def figure(rows):
                      legend=("one box at a time: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 
-def texts(rows):
-    return {"degree": text(rows)}
-
-
-def figures(rows):
-    return {"degree.svg": figure(rows)}
+def made(rows):
+    return {"degree": text(rows),
+            "degree.svg": figure(rows)}

@@ -1,6 +1,6 @@
 """Section 10 of the guide, exactness: rays that pass between triangles, and what kernels in integers and lattices cost."""
 
-import math
+from statistics import geometric_mean
 
 import charts
 from report_page import table
@@ -51,19 +51,13 @@ def kernel_table(rows):
     lines = []
     for kernel in rows.values(KERNELS, "kernel"):
         shown = [rows.one(KERNELS, mesh=mesh, kernel=kernel) for mesh in meshes]
-        lines.append([dict(SYSTEMS)[kernel], f"{mean(row['prepare_ns'] for row in shown):.1f} ns", f"{mean(row['test_ns'] for row in shown):.1f} ns",
+        lines.append([dict(SYSTEMS)[kernel], *(f"{geometric_mean(row[field] for row in shown):.1f} ns" for field in ("prepare_ns", "test_ns")),
                       *(f"{row['ray_ns']:.0f} ns" for row in shown), f"{ratio(rows, kernel):.2f}"])
     return table(["test", "once for a ray", "a test", *(f"{mesh}: a ray" for mesh in meshes), "times the first"], lines)
 
 
-def mean(values):
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def ratio(rows, kernel):
-    return mean(rows.one(KERNELS, mesh=mesh, kernel=kernel)["ray_ns"] / rows.one(KERNELS, mesh=mesh, kernel=FIRST)["ray_ns"]
-                for mesh in rows.meshes(KERNELS))
+    return geometric_mean(rows.ratios(KERNELS, "ray_ns", {"kernel": FIRST}, kernel=kernel))
 
 
 def kernel_words(rows):
@@ -111,10 +105,7 @@ def figure_of_lattices(rows):
     return charts.draw_point_panels("The trade: error against memory and time", panels, legend=rows.meshes(LATTICES))
 
 
-def texts(rows):
+def made(rows):
     return {"leaks": leak_table(rows) + leak_words(rows), "kernels": kernel_table(rows) + kernel_words(rows),
-            "lattices": lattice_table(rows) + lattice_words(rows)}
-
-
-def figures(rows):
-    return {"exactness.svg": figure_of_leaks(rows), "lattices.svg": figure_of_lattices(rows)}
+            "lattices": lattice_table(rows) + lattice_words(rows),
+            "exactness.svg": figure_of_leaks(rows), "lattices.svg": figure_of_lattices(rows)}

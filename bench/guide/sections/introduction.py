@@ -8,16 +8,9 @@ ROWS = {measures: ("method", "queries", "ns") for measures in (RAYS, PAIRS)}
 METHODS = (("loop", "loop over all triangles"), ("hierarchy", "binary tree of boxes"), ("espalier", "Espalier"))
 
 
-def time(ns):
-    for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
-        if ns >= size:
-            return f"{charts.number(ns / size)} {unit}"
-    return f"{charts.number(ns)} ns"
-
-
 def cell(rows, measures, triangles, method):
     found = rows.of(measures, triangles=triangles, method=method)
-    return time(found[0]["ns"]) if found else "–"
+    return charts.time(found[0]["ns"]) if found else "–"
 
 
 def growth_table(rows):
@@ -37,9 +30,6 @@ def figure(rows):
     return charts.draw_point_panels("Time of a query by the size of the mesh", panels)
 
 
-def texts(rows):
-    return {"growth": growth_table(rows)}
-
-
-def figures(rows):
-    return {"growth.svg": figure(rows)}
+def made(rows):
+    return {"growth": growth_table(rows),
+            "growth.svg": figure(rows)}

@@ -44,13 +44,5 @@ def words(rows):
             f"Rays of {first['rays']:,} that hit in one way and miss in the first (floats are not rounded to 16 bits), at most: {differ}.")
 
 
-def texts(_):
-    return {}
-
-
-def figures(_):
-    return {}
-
-
-def pages(rows):
-    return {PAGE: {"load": load_table(rows) + words(rows)}}
+def made(rows):
+    return {f"{PAGE}#load": load_table(rows) + words(rows)}

@@ -59,9 +59,6 @@ def figure(rows):
                      legend=("textbook trees: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 
-def texts(rows):
-    return {"ladder": f"{ladder_table(rows)}\n\n{box_table(rows)}\n\n{words_of(rows)}"}
-
-
-def figures(rows):
-    return {"ladder.svg": figure(rows), "ladder_drawing.svg": ladder_drawing.draw()}
+def made(rows):
+    return {"ladder": f"{ladder_table(rows)}\n\n{box_table(rows)}\n\n{words_of(rows)}",
+            "ladder.svg": figure(rows), "ladder_drawing.svg": ladder_drawing.draw()}

@@ -1,6 +1,6 @@
 """Section 3 of the guide, oriented boxes: how well and how fast each fit encloses triangles, and trees of OBBs beside trees of AABBs."""
 
-import math
+from statistics import geometric_mean
 
 import charts
 from report_page import table
@@ -26,17 +26,8 @@ CLASSES = (("apart", "any", "apart: any contact"), ("touching", "any", "touching
 COMPARED = {"topology": "sah", "boxes": "aabb turned"}
 
 
-def mean(values):
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def of_fit(rows, fit, size, field):
     return [rows.one(FITS, mesh=mesh, fit=fit, size=size)[field] for mesh in rows.meshes(FITS)]
-
-
-def time(microseconds):
-    return f"{charts.number(microseconds / 1000)} ms" if microseconds >= 1000 else f"{charts.number(microseconds)} µs"
 
 
 def fit_table(rows):
@@ -44,7 +35,7 @@ def fit_table(rows):
     for fit, words, _ in FIT_WORDS:
         cells = [words]
         for size, _ in SIZES:
-            cells.append(f"{mean(of_fit(rows, fit, size, 'volume')):.2f}; {time(mean(of_fit(rows, fit, size, 'set_us')))}")
+            cells.append(f"{geometric_mean(of_fit(rows, fit, size, 'volume')):.2f}; {charts.time(1000 * geometric_mean(of_fit(rows, fit, size, 'set_us')))}")
         worst = max(max(of_fit(rows, fit, size, "worst_over_least")) for size, _ in SIZES[1:])
         cells.append(charts.number(worst))
         lines.append(cells)
@@ -58,13 +49,8 @@ def fit_words(rows):
 
 
 def ratios(rows, measured, field, kind):
-    values = []
-    for mesh in rows.meshes(TREES):
-        poses, question, _ = measured
-        row = rows.one(TREES, mesh=mesh, poses_are=poses, question=question, topology=kind[0], boxes=kind[1])
-        base = rows.one(TREES, mesh=mesh, poses_are=poses, question=question, **COMPARED)
-        values.append(row[field] / base[field])
-    return values
+    poses, question, _ = measured
+    return rows.ratios(TREES, field, COMPARED, poses_are=poses, question=question, topology=kind[0], boxes=kind[1])
 
 
 def build_ratio(rows, kind):
@@ -73,7 +59,7 @@ def build_ratio(rows, kind):
              for mesh in rows.meshes(BUILDS)]
     if not all(shown for shown, _ in found):
         return "–"
-    return f"{mean(shown[0]['build_ms'] / base['build_ms'] for shown, base in found):.1f}"
+    return f"{geometric_mean(shown[0]['build_ms'] / base['build_ms'] for shown, base in found):.1f}"
 
 
 def tree_table(rows):
@@ -81,7 +67,7 @@ def tree_table(rows):
     for kind in KINDS:
         cells = [kind[2], build_ratio(rows, kind)]
         for measured in CLASSES:
-            cells.append(f"{mean(ratios(rows, measured, 'box_tests', kind)):.2f}; **{mean(ratios(rows, measured, 'ns', kind)):.2f}**")
+            cells.append(f"{geometric_mean(ratios(rows, measured, 'box_tests', kind)):.2f}; **{geometric_mean(ratios(rows, measured, 'ns', kind)):.2f}**")
         lines.append(cells)
     return table(["tree built; boxes", "build", *(words for _, _, words in CLASSES)], lines)
 
@@ -96,10 +82,9 @@ def tree_words(rows):
 def fit_figure(rows):
     panels = []
     for size, words in SIZES[:3]:
-        shown = [charts.Bar(label, mean(of_fit(rows, fit, size, "volume")), min(of_fit(rows, fit, size, "volume")),
-                          max(of_fit(rows, fit, size, "volume"))) for fit, _, label in FIT_WORDS]
+        shown = [charts.mean_bar(label, of_fit(rows, fit, size, "volume")) for fit, _, label in FIT_WORDS]
         panels.append(charts.Bars(f"Volume over that of the AABB, {words} triangles", shown))
-    shown = [charts.Bar(label, mean(of_fit(rows, fit, "100", "set_us")), group=1) for fit, _, label in FIT_WORDS]
+    shown = [charts.Bar(label, geometric_mean(of_fit(rows, fit, "100", "set_us")), group=1) for fit, _, label in FIT_WORDS]
     panels.append(charts.Bars("Time of a fit, 50 to 100 triangles", shown, "µs", logarithmic=True))
     return charts.draw_bar_panels("Oriented boxes: fits", panels, legend=("volume: the mean over the meshes, and a line from the least to the greatest", "time"))
 
@@ -107,17 +92,11 @@ def fit_figure(rows):
 def tree_figure(rows):
     panels = []
     for measured in CLASSES:
-        shown = []
-        for kind in KINDS:
-            values = ratios(rows, measured, "ns", kind)
-            shown.append(charts.Bar(kind[3], mean(values), min(values), max(values), group=1 if kind[1] == "obb" else 0))
+        shown = [charts.mean_bar(kind[3], ratios(rows, measured, "ns", kind), 1 if kind[1] == "obb" else 0) for kind in KINDS]
         panels.append(charts.Bars(f"Two meshes {measured[2]}", shown, logarithmic=True))
     return charts.draw_bar_panels("Time of a pose, in times of AABBs in the AABB tree", panels, legend=("AABBs: mean, least and greatest of the meshes", "OBBs"))
 
 
-def texts(rows):
-    return {"obb_fits": fit_table(rows) + fit_words(rows), "obb_trees": tree_table(rows) + tree_words(rows)}
-
-
-def figures(rows):
-    return {"obb_fits.svg": fit_figure(rows), "obb_trees.svg": tree_figure(rows)}
+def made(rows):
+    return {"obb_fits": fit_table(rows) + fit_words(rows), "obb_trees": tree_table(rows) + tree_words(rows),
+            "obb_fits.svg": fit_figure(rows), "obb_trees.svg": tree_figure(rows)}

@@ -104,9 +104,6 @@ def drawing():
     return "\n".join([*parts, "</svg>"]) + "\n"
 
 
-def texts(_):
-    return {"packages": packages_table()}
-
-
-def figures(_):
-    return {"origin.svg": drawing()}
+def made(rows):
+    return {"packages": packages_table(),
+            "origin.svg": drawing()}

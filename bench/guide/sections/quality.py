@@ -1,6 +1,6 @@
 """Section 4 of the guide, what makes a hierarchy good: measures of trees beside the time of queries, over all builders."""
 
-import math
+from statistics import correlation, geometric_mean
 
 import charts
 from report_page import table
@@ -23,14 +23,9 @@ def value(row, field):
     return row["node_areas"] + row["leaf_areas"] if field == "areas" else row[field]
 
 
-def mean(values):
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def relative(rows, builder, field):
     """To the first builder: the mean over the meshes."""
-    return mean(value(rows.one(BUILDERS, mesh=mesh, builder=builder, reinserted=False), field) /
+    return geometric_mean(value(rows.one(BUILDERS, mesh=mesh, builder=builder, reinserted=False), field) /
                 value(rows.one(BUILDERS, mesh=mesh, builder=COMPARED, reinserted=False), field) for mesh in rows.meshes(BUILDERS))
 
 
@@ -40,19 +35,10 @@ def ranks(values):
     return [(2 * ordered.index(v) + ordered.count(v) - 1) / 2 for v in values]
 
 
-def rank_correlation(xs, ys):
-    """Spearman's: 1 where both have the same order."""
-    xs, ys = ranks(xs), ranks(ys)
-    middle = (len(xs) - 1) / 2
-    product = sum((x - middle) * (y - middle) for x, y in zip(xs, ys))
-    size = math.sqrt(sum((x - middle) ** 2 for x in xs) * sum((y - middle) ** 2 for y in ys))
-    return product / size if size else 0.0
-
-
-def correlation(rows, measure, time):
-    """The mean over the meshes, of all trees."""
+def rank_correlation(rows, measure, time):
+    """Spearman's, 1 where both have the same order: the mean over the meshes, of all trees."""
     found = [rows.of(BUILDERS, mesh=mesh) for mesh in rows.meshes(BUILDERS)]
-    return sum(rank_correlation([value(row, measure) for row in of], [row[time] for row in of]) for of in found) / len(found)
+    return sum(correlation(ranks([value(row, measure) for row in of]), ranks([row[time] for row in of])) for of in found) / len(found)
 
 
 def builder_table(rows):
@@ -62,7 +48,7 @@ def builder_table(rows):
         lines.append([words, *cells, f"{relative(rows, builder, 'nodes_per_ray'):.2f}", f"**{relative(rows, builder, 'ns_per_ray'):.2f}**",
                       f"**{relative(rows, builder, 'ns_per_pose'):.2f}**"])
     for time, words in (("ns_per_ray", "rank correlation with the time of a ray"), ("ns_per_pose", "rank correlation with the time of a pair")):
-        lines.append([words, *(f"{correlation(rows, field, time):.2f}" for field, _ in MEASURES), "", "", ""])
+        lines.append([words, *(f"{rank_correlation(rows, field, time):.2f}" for field, _ in MEASURES), "", "", ""])
     header = ["builder", *(words for _, words in MEASURES), "nodes of a ray", "**ray**", "**pair**"]
     count = len(rows.of(BUILDERS, mesh=rows.meshes(BUILDERS)[0]))
     return (table(header, lines) + f"\n\nAll relative to binned SAH, means over the meshes, profile `fast`; as built, without reinsertion. "
@@ -97,9 +83,6 @@ def figure(rows):
     return charts.draw_point_panels("Areas of boxes and time (upper panels: a mark for each mesh)", panels, legend=rows.meshes(BUILDERS))
 
 
-def texts(rows):
-    return {"quality": builder_table(rows)}
-
-
-def figures(rows):
-    return {"quality.svg": figure(rows)}
+def made(rows):
+    return {"quality": builder_table(rows),
+            "quality.svg": figure(rows)}

@@ -1,7 +1,5 @@
 """Section 2 of the guide, subdivision of space: a k-d tree and a grid beside a hierarchy of boxes."""
 
-import math
-
 import charts
 import subdivision_drawing
 from report_page import table
@@ -15,16 +13,12 @@ STRUCTURES = (("hierarchy", "hierarchy: binary tree", "hierarchy"), ("k-d tree",
 COMPARED = "hierarchy"
 
 
-def microseconds(ns):
-    return f"{charts.number(ns / 1000)} µs" if ns >= 1000 else f"{charts.number(ns)} ns"
-
-
 def cell(row):
     if row["build_ms"] is None:
         built = f"{row['bytes_per_triangle']:.1f} B with triangles"
     else:
         built = f"{charts.number(row['build_ms'])} ms; {row['references_per_triangle']:.1f}; {row['bytes_per_triangle']:.1f} B"
-    return f"{built}; {microseconds(row['ray_ns'])}; {microseconds(row['box_ns'])}"
+    return f"{built}; {charts.time(row['ray_ns'])}; {charts.time(row['box_ns'])}"
 
 
 def time_table(rows):
@@ -54,14 +48,9 @@ def words_of(rows):
 def ratio_panel(rows, title, field):
     shown = []
     for name, _, label in STRUCTURES:
-        values = []
-        for mesh in rows.meshes(SUBDIVISION):
-            row, base = (rows.one(SUBDIVISION, mesh=mesh, structure=one) for one in (name, COMPARED))
-            if row[field] is not None:
-                values.append(row[field] / base[field])
-        if values:
-            mean = math.exp(sum(map(math.log, values)) / len(values))
-            shown.append(charts.Bar(label, mean, min(values), max(values), group=1 if name == "espalier" else 0))
+        if rows.of(SUBDIVISION, structure=name)[0][field] is not None:
+            values = rows.ratios(SUBDIVISION, field, {"structure": COMPARED}, structure=name)
+            shown.append(charts.mean_bar(label, values, 1 if name == "espalier" else 0))
     return charts.Bars(title, shown)
 
 
@@ -72,9 +61,6 @@ def figure(rows):
                      legend=("the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 
-def texts(rows):
-    return {"subdivision": time_table(rows) + words_of(rows) + lost_table(rows)}
-
-
-def figures(rows):
-    return {"subdivision.svg": figure(rows), "subdivision_drawing.svg": subdivision_drawing.draw()}
+def made(rows):
+    return {"subdivision": time_table(rows) + words_of(rows) + lost_table(rows),
+            "subdivision.svg": figure(rows), "subdivision_drawing.svg": subdivision_drawing.draw()}

@@ -1,7 +1,5 @@
 """Section 7 of the guide, traversal: rules of descent for two trees, orders of children for rays, and how a ray walks."""
 
-import math
-
 import charts
 import ray_walk
 from report_page import table
@@ -72,34 +70,23 @@ def ray_text(rows):
             "A test of Espalier is one ray against the children of a node.")
 
 
-def ratios(rows, measures, compared, **fields):
-    """Time over that of the row compared with: the geometric mean over the meshes, the least and the greatest."""
-    values = [rows.one(measures, mesh=mesh, **fields)["ns"] / rows.one(measures, mesh=mesh, **{**fields, **compared})["ns"]
-              for mesh in rows.meshes(measures)]
-    return math.exp(sum(map(math.log, values)) / len(values)), min(values), max(values)
-
-
 def bar(label, name, values):
-    mean, low, high = values
-    return charts.Bar(label, mean, low, high, group=1 if name == "espalier" else 0)
+    return charts.mean_bar(label, values, 1 if name == "espalier" else 0)
 
 
 def figure(rows):
     panels = []
     for poses_are, words in CLASSES.items():
         for question, asked in QUESTIONS.items():
-            shown = [bar(label, rule, ratios(rows, PAIRS, {"rule": RULE_OF_COMPARISON}, poses_are=poses_are, question=question, rule=rule))
+            shown = [bar(label, rule, rows.ratios(PAIRS, "ns", {"rule": RULE_OF_COMPARISON}, poses_are=poses_are, question=question, rule=rule))
                      for rule, _, label in RULES]
             panels.append(charts.Bars(f"Two meshes {words}: {asked}", shown, logarithmic=True))
-    shown = [bar(label, order, ratios(rows, RAYS, {"order": ORDER_OF_COMPARISON}, order=order)) for order, _, label in ORDERS]
+    shown = [bar(label, order, rows.ratios(RAYS, "ns", {"order": ORDER_OF_COMPARISON}, order=order)) for order, _, label in ORDERS]
     panels.append(charts.Bars("Rays: closest hit", shown))
     return charts.draw_bar_panels("Time of a query, in times of “all children of both” or “nearest first”", panels,
                      legend=("binary tree of boxes, in float: the mean over the meshes, and a line from the least to the greatest", "Espalier"))
 
 
-def texts(rows):
-    return {"pair_rules": pair_table(rows) + pair_text(rows), "ray_order": ray_table(rows) + ray_text(rows)}
-
-
-def figures(rows):
-    return {"traversal.svg": figure(rows), "ray_walk.svg": ray_walk.draw()}
+def made(rows):
+    return {"pair_rules": pair_table(rows) + pair_text(rows), "ray_order": ray_table(rows) + ray_text(rows),
+            "traversal.svg": figure(rows), "ray_walk.svg": ray_walk.draw()}

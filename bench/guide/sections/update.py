@@ -90,9 +90,6 @@ def figure(rows):
     return charts.draw_bar_panels("Update: time to follow a motion", panels, legend=("others", "Espalier"))
 
 
-def texts(rows):
-    return {"refits": refit_table(rows), "after_refit": after_table(rows), "broad_phase": phase_table(rows)}
-
-
-def figures(rows):
-    return {"update.svg": figure(rows)}
+def made(rows):
+    return {"refits": refit_table(rows), "after_refit": after_table(rows), "broad_phase": phase_table(rows),
+            "update.svg": figure(rows)}

@@ -1,6 +1,6 @@
 """Section 3 of the guide, bounding volumes: how tightly they fit, what a test costs, and what that makes of queries."""
 
-import math
+from statistics import geometric_mean
 
 import charts
 import volume_drawing
@@ -18,19 +18,13 @@ COMPARED = "aabb"
 QUERIES = (("ray", "ray_test_ns", "A ray and one mesh"), ("pose", "pair_test_ns", "Two meshes: all contacts"))
 
 
-def mean(values):
-    """The geometric mean: of ratios, the one that does not depend on which is the divisor."""
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def mean_of(rows, kind, field):
-    return mean([row[field] for row in rows.of(VOLUMES, kind=kind)])
+    return geometric_mean(row[field] for row in rows.of(VOLUMES, kind=kind))
 
 
 def ratio(rows, kind, field):
     """Relative to boxes: the mean over the meshes."""
-    return mean([rows.one(VOLUMES, mesh=mesh, kind=kind)[field] / rows.one(VOLUMES, mesh=mesh, kind=COMPARED)[field]
-                 for mesh in rows.meshes(VOLUMES)])
+    return geometric_mean(rows.ratios(VOLUMES, field, {"kind": COMPARED}, kind=kind))
 
 
 def times(value):
@@ -107,14 +101,7 @@ def figure(rows):
     return charts.Layout(charts.FRAME.width, charts.FRAME.height, header=58).draw(header, panels, draw_panel)
 
 
-def texts(rows):
-    return {"volumes": comparison(rows) + conditions(rows)}
-
-
-def figures(rows):
-    return {"volumes.svg": figure(rows), "volumes_drawing.svg": volume_drawing.draw()}
-
-
-def pages(rows):
-    """Other pages of the project with a table of these rows: texts by path and marker."""
-    return {"docs/log/volumes.md": {"volumes": full_table(rows)}}
+def made(rows):
+    return {"volumes": comparison(rows) + conditions(rows),
+            "volumes.svg": figure(rows), "volumes_drawing.svg": volume_drawing.draw(),
+            "docs/log/volumes.md#volumes": full_table(rows)}
