@@ -8,10 +8,10 @@ Standard library only.
 """
 
 import pathlib
+import statistics
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
-import deformation_model  # noqa: E402
 from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "moving.md"
@@ -184,13 +184,17 @@ def nodes_table(rows):
 
 
 def model_text(rows):
-    observations = [((row["nodes"], row["leaf_vertices"]), row["ns"]) for row in rows.all if row["measures"] == "nodes"]
-    fitted = deformation_model.fit(observations)
-    if fitted is None:
+    """The costs with the least sum of squared relative differences (normal equations, by Cramer's rule)."""
+    found = [(row["nodes"] / row["ns"], row["leaf_vertices"] / row["ns"]) for row in rows.all if row["measures"] == "nodes"]
+    nn, nv, vv = (sum(row[i] * row[j] for row in found) for i, j in ((0, 0), (0, 1), (1, 1)))
+    n, v = (sum(row[i] for row in found) for i in (0, 1))
+    determinant = nn * vv - nv * nv
+    if determinant <= 1e-9 * nn * vv:
         fail("the rows that measure nodes do not determine the costs")
-    node, vertex = fitted.costs
+    node, vertex = (n * vv - v * nv) / determinant, (v * nn - n * nv) / determinant
+    error = statistics.median(abs(node * nodes + vertex * vertices - 1) for nodes, vertices in found)
     return (f"Fitted to these rows: {node:.0f} ns a node with the boxes of its children, and {vertex:.2f} ns a leaf vertex with the "
-            f"test of its position (median relative error {100 * fitted.median_error:.0f} %).")
+            f"test of its position (median relative error {100 * error:.0f} %).")
 
 
 def ray_cell(row, bake):

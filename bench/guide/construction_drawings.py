@@ -13,13 +13,12 @@ def place(x, y):
     return LEFT + SCALE * x, TOP + SCALE * (planar_trees.SIDE - y)
 
 
-def rectangle(box, colour, width=1.5, fill=None, dash="", margin=0.0, opacity=1.0):
+def rectangle(box, colour, width=1.5, fill=None, dash="", margin=0.0):
     x, y = place(box.low[0] - margin, box.high[1] + margin)
     w, h = (SCALE * (box.high[k] - box.low[k] + 2 * margin) for k in (0, 1))
     inside = f'fill="{fill}" fill-opacity="0.18"' if fill else 'fill="none"'
     dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}" {inside} stroke="{colour}" '
-            f'stroke-width="{width}" stroke-opacity="{opacity}"{dashes}/>')
+    return charts.rect(x, y, w, h, f'{inside} stroke="{colour}" stroke-width="{width}" stroke-opacity="1.0"{dashes}')
 
 
 def objects(boxes, colours=None, numbers=None):
@@ -29,7 +28,7 @@ def objects(boxes, colours=None, numbers=None):
         colour = colours[i] if colours else charts.INK
         x, y = place(box.low[0], box.high[1])
         w, h = (SCALE * (box.high[k] - box.low[k]) for k in (0, 1))
-        parts.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}" fill="{colour}" fill-opacity="0.45"/>')
+        parts.append(charts.rect(x, y, w, h, f'fill="{colour}" fill-opacity="0.45"'))
         if numbers:
             parts.append(charts.text(x + w / 2, y + h / 2 + 4, str(numbers[i]), "middle"))
     return parts
@@ -37,7 +36,7 @@ def objects(boxes, colours=None, numbers=None):
 
 def heading(title, note):
     """Two lines above a panel's square."""
-    return [charts.text(LEFT, 18, title, extra=' font-weight="bold"'), charts.text(LEFT, 34, note, extra=f' fill="{charts.GREY}"'),
+    return [charts.bold(LEFT, 18, title), charts.text(LEFT, 34, note, extra=f' fill="{charts.GREY}"'),
             rectangle(planar_trees.Box((0, 0), (planar_trees.SIDE, planar_trees.SIDE)), charts.RULE, 1.0)]
 
 
@@ -102,8 +101,7 @@ class Aac:
 
     def curve(self):
         centers = [place(*(self.boxes[i].center(k) / 2 for k in (0, 1))) for i in self.clustering.curve]
-        line = " ".join(f"{x:.1f},{y:.1f}" for x, y in centers)
-        return f'<polyline points="{line}" fill="none" stroke="{charts.GREY}" stroke-width="1.2" stroke-dasharray="4 3"/>'
+        return charts.polyline(centers, charts.GREY, dash="4 3")
 
     def groups(self):
         parts = []
@@ -151,7 +149,7 @@ def draw_tree(aac):
     def draw(node):
         if not node.children:
             x = across[node.number]
-            parts.append(f'<line x1="{x:.1f}" y1="{bottom:.1f}" x2="{x:.1f}" y2="{bottom + 12:.1f}" stroke="{charts.GREY}"/>')
+            parts.append(charts.line(x, bottom, x, bottom + 12, charts.GREY))
             parts.append(charts.text(x, bottom + 24, str(aac.place_on_curve[node.number]), "middle",
                               f' fill="{aac.colours[node.number]}" font-weight="bold" font-size="9.5"'))
             return x, bottom
@@ -159,7 +157,7 @@ def draw_tree(aac):
         x, y = sum(end[0] for end in ends) / 2, bottom - step * height(node)
         colour = PHASES[aac.phase(node.order)]
         for end_x, end_y in ends:
-            parts.append(f'<polyline points="{end_x:.1f},{end_y:.1f} {end_x:.1f},{y:.1f} {x:.1f},{y:.1f}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
+            parts.append(charts.polyline([(end_x, end_y), (end_x, y), (x, y)], colour, 1.5))
         parts.extend(joint_label(node.order, x, y, colour))
         return x, y
 

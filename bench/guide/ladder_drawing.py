@@ -28,12 +28,7 @@ class Step:
 
 
 def triangle_mark(x, y):
-    return f'<polygon points="{x - 5:.1f},{y + 8:.1f} {x + 5:.1f},{y + 8:.1f} {x:.1f},{y - 1:.1f}" fill="{TRIANGLE}"/>'
-
-
-def line(x1, y1, x2, y2, colour=charts.INK, dash=""):
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}"{dashes}/>'
+    return charts.polygon(((x - 5, y + 8), (x + 5, y + 8), (x, y - 1)), f'fill="{TRIANGLE}"')
 
 
 def node_mark(step, x, y):
@@ -55,7 +50,7 @@ def draw_leaf(step, first, count, x, y, parts):
     bottom = TOP + 3 * LEVEL + 19
     for i in range(count):
         at = middle(first + i, 1)
-        parts += [line(x, y + 11, at, bottom, charts.GREY), triangle_mark(at, bottom)]
+        parts += [charts.line(x, y + 11, at, bottom, charts.GREY), triangle_mark(at, bottom)]
 
 
 def draw_subtree(step, first, count, y, parts):
@@ -69,7 +64,7 @@ def draw_subtree(step, first, count, y, parts):
     for i in range(children):
         share = count // children
         child = middle(first + i * share, share)
-        parts.append(line(x, y + 11, child, below, charts.GREY))
+        parts.append(charts.line(x, y + 11, child, below, charts.GREY))
         draw_subtree(step, first + i * share, share, below, parts)
     parts += node_mark(step, x, y)
 
@@ -94,7 +89,7 @@ def draw_panel(step):
     draw_subtree(step, 0, TRIANGLES, TOP, parts)
     word = "node" if step.nodes == 1 else "nodes"
     size = f"{step.nodes} {word} of {step.node_bytes} bytes: {step.nodes * step.node_bytes} bytes"
-    return [charts.text(LEFT, 18, step.title, extra=' font-weight="bold"'), charts.text(WIDTH - LEFT, 18, size, "end"),
+    return [charts.bold(LEFT, 18, step.title), charts.text(WIDTH - LEFT, 18, size, "end"),
             charts.text(LEFT, 34, step.note, extra=f' fill="{charts.GREY}"'), *parts, *draw_fields(step)]
 
 

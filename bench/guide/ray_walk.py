@@ -185,27 +185,26 @@ def draw_box(node, fate, is_current):
     left, top, right, bottom = outline(node)
     dash = {"waiting": ' stroke-dasharray="6 3"', "skipped": ' stroke-dasharray="2 3"', "missed": ' stroke-dasharray="1 3"'}.get(fate, "")
     shade = 0.13 if is_current else 0.2 if fate == "missed" else 0
-    return (f'<rect x="{left:.1f}" y="{top:.1f}" width="{right - left:.1f}" height="{bottom - top:.1f}" '
-            f'fill="{FATES[fate]}" fill-opacity="{shade}" stroke="{FATES[fate]}" stroke-width="{2.6 if is_current else 1.3}"{dash}/>')
+    look = f'fill="{FATES[fate]}" fill-opacity="{shade}" stroke="{FATES[fate]}" stroke-width="{2.6 if is_current else 1.3}"{dash}'
+    return charts.rect(left, top, right - left, bottom - top, look)
 
 
 def draw_ray(ray, hit):
     end = hit[0] if hit else min((40.6 - ray.origin[0]) / ray.direction[0], 60.0)
     (x0, y0), (x1, y1) = place(ray.origin), place(ray.at(end))
-    parts = [f'<line x1="{x0:.1f}" y1="{y0:.1f}" x2="{x1:.1f}" y2="{y1:.1f}" stroke="{charts.INK}" stroke-width="1.8"/>',
-             f'<circle cx="{x0:.1f}" cy="{y0:.1f}" r="3.5" fill="{charts.INK}"/>']
+    parts = [charts.line(x0, y0, x1, y1, charts.INK, 1.8), charts.circle(x0, y0, 3.5, f'fill="{charts.INK}"')]
     if hit:
-        return [*parts, f'<circle cx="{x1:.1f}" cy="{y1:.1f}" r="5" fill="none" stroke="{HIT}" stroke-width="2.4"/>']
+        return [*parts, charts.circle(x1, y1, 5, f'fill="none" stroke="{HIT}" stroke-width="2.4"')]
     dx, dy = ray.direction[0], -ray.direction[1]
     tip = [(x1, y1), (x1 - 9 * dx + 4 * dy, y1 - 9 * dy - 4 * dx), (x1 - 9 * dx - 4 * dy, y1 - 9 * dy + 4 * dx)]
-    return [*parts, f'<polygon points="{" ".join(f"{x:.1f},{y:.1f}" for x, y in tip)}" fill="{charts.INK}"/>']
+    return [*parts, charts.polygon(tip, f'fill="{charts.INK}"')]
 
 
 def draw_triangle(number, step):
-    points = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(place, TRIANGLES[number]))
     is_hit = step.hit is not None and step.hit[1] == number
     fill = HIT if is_hit else FATES["visited"] if number in step.tested else "#ddd"
-    return f'<polygon points="{points}" fill="{fill}" fill-opacity="{0.85 if is_hit or number in step.tested else 1}" stroke="#999" stroke-width="0.7"/>'
+    opacity = 0.85 if is_hit or number in step.tested else 1
+    return charts.polygon(map(place, TRIANGLES[number]), f'fill="{fill}" fill-opacity="{opacity}" stroke="#999" stroke-width="0.7"')
 
 
 def tag(x, y, words, colour):
@@ -219,7 +218,7 @@ def caption(lines):
 
 
 def draw_step(walk, number, step):
-    parts = [charts.text(LEFT, 15, f"Step {number}", extra=' font-weight="bold"')]
+    parts = [charts.bold(LEFT, 15, f"Step {number}")]
     parts += [draw_triangle(i, step) for i in range(len(TRIANGLES))]
     shown = [(node, fate) for node, fate in step.fates.items() if fate in FATES]
     for node, fate in shown:
@@ -249,13 +248,12 @@ def draw_tree(walk):
         return places
 
     places = lay(walk.root, 0, {})
-    parts = [charts.text(LEFT, 15, "The tree, when the walk is over", extra=' font-weight="bold"')]
-    parts += [f'<line x1="{places[n][0]:.1f}" y1="{places[n][1]:.1f}" x2="{places[c][0]:.1f}" y2="{places[c][1]:.1f}" stroke="#bbb"/>'
-              for n in places for c in n.children]
+    parts = [charts.bold(LEFT, 15, "The tree, when the walk is over")]
+    parts += [charts.line(*places[n], *places[c], "#bbb") for n in places for c in n.children]
     for node, (x, y) in places.items():
         is_hit = not node.children and walk.hit and walk.hit[1] in node.triangles
         colour = HIT if is_hit else FATES.get(node.fate, "#e4e4e4")
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="11" fill="{colour}"/>')
+        parts.append(charts.circle(x, y, 11, f'fill="{colour}"'))
         if node.number is not None:
             parts.append(charts.text(x, y + 4, str(node.number), "middle", ' fill="#fff" font-weight="bold"'))
     return parts + caption([

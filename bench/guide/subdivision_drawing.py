@@ -86,18 +86,18 @@ def boxes(numbers, depth=0):
 
 
 def polygon(points, left):
-    shown = " ".join(f"{left + x * SIDE / 100:.1f},{TOP + y * SIDE / 100:.1f}" for x, y in points)
-    return f'<polygon points="{shown}" fill="{charts.colour(5)}" fill-opacity="0.55" stroke="{charts.INK}" stroke-width="0.8"/>'
+    places = [(left + x * SIDE / 100, TOP + y * SIDE / 100) for x, y in points]
+    return charts.polygon(places, f'fill="{charts.colour(5)}" fill-opacity="0.55" stroke="{charts.INK}" stroke-width="0.8"')
 
 
 def rectangle(box, left, style):
     x, y, right, bottom = (value * SIDE / 100 for value in box)
-    return f'<rect x="{left + x:.1f}" y="{TOP + y:.1f}" width="{right - x:.1f}" height="{bottom - y:.1f}" {style}/>'
+    return charts.rect(left + x, TOP + y, right - x, bottom - y, style)
 
 
 def panel(number, title, rectangles, words, is_space):
     left = LEFT + number * (SIDE + GAP)
-    parts = [charts.text(left, TOP - 10, title, extra=' font-weight="bold"')]
+    parts = [charts.bold(left, TOP - 10, title)]
     for box, depth in rectangles:
         if is_space:
             found = len(inside(box))
@@ -117,10 +117,7 @@ def panel(number, title, rectangles, words, is_space):
 
 def draw():
     cells, leaves, nodes = grid(), kd_cells(), boxes(list(range(len(TRIANGLES))))
-    height = TOP + SIDE + 32
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}" '
-             f'font-family="sans-serif" font-size="11" fill="{charts.INK}">', f'<rect width="{WIDTH}" height="{height}" fill="white"/>',
-             charts.title(f"{len(TRIANGLES)} triangles in cells, with their number in each cell, and in boxes", LEFT, 24)]
+    parts = [charts.title(f"{len(TRIANGLES)} triangles in cells, with their number in each cell, and in boxes", LEFT, 24)]
 
     def references(of):
         return sum(len(inside(box)) for box, _ in of)
@@ -128,4 +125,4 @@ def draw():
     parts += panel(0, "Uniform grid", cells, f"{len(cells)} cells, {references(cells)} references", True)
     parts += panel(1, "k-d tree", leaves, f"{len(leaves)} leaves, {references(leaves)} references", True)
     parts += panel(2, "Hierarchy of boxes", nodes, f"{len(nodes)} boxes, {len(TRIANGLES)} references", False)
-    return "\n".join([*parts, "</svg>"]) + "\n"
+    return charts.picture(WIDTH, TOP + SIDE + 32, parts)

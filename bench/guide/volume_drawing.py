@@ -84,15 +84,11 @@ def place(p):
 
 
 def polygon_of(points, colour, opacity, width=1.5):
-    corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(place, points))
-    return (f'<polygon points="{corners}" fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="{width}" '
-            'stroke-linejoin="round"/>')
+    return charts.polygon(map(place, points), f'fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="{width}" stroke-linejoin="round"')
 
 
 def line(p, q, colour, width=1.5, dash=""):
-    (x1, y1), (x2, y2) = place(p), place(q)
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}" stroke-width="{width}"{dashes}/>'
+    return charts.line(*place(p), *place(q), colour, width, dash)
 
 
 def intervals(volumes, direction, offset):
@@ -115,9 +111,8 @@ def draw_spheres():
     parts, circles = [], [circle(shape) for shape in SHAPES]
     for i, (center, radius) in enumerate(circles):
         x, y = place(center)
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{SCALE * radius:.1f}" fill="{charts.colour(i)}" fill-opacity="0.1" '
-                     f'stroke="{charts.colour(i)}" stroke-width="1.5"/>')
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{charts.colour(i)}"/>')
+        parts += [charts.circle(x, y, SCALE * radius, f'fill="{charts.colour(i)}" fill-opacity="0.1" stroke="{charts.colour(i)}" stroke-width="1.5"'),
+                  charts.circle(x, y, 3, f'fill="{charts.colour(i)}"')]
     return [*parts, line(circles[0][0], circles[1][0], charts.INK, 1.2, "3 2")]
 
 
@@ -151,7 +146,7 @@ PANELS = (
 def draw_panel(panel):
     title, question, volumes = panel
     shapes = [polygon_of(shape, charts.colour(i), 0.5, 1.0) for i, shape in enumerate(SHAPES)]
-    return [charts.text(14, 18, title, extra=' font-weight="bold"'), charts.text(14, 34, question, extra=f' fill="{charts.GREY}"'),
+    return [charts.bold(14, 18, title), charts.text(14, 34, question, extra=f' fill="{charts.GREY}"'),
             *volumes(), *shapes]
 
 

@@ -81,13 +81,11 @@ def spread_out(packages):
 
 def drawing():
     places = spread_out(PACKAGES)
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
-             f'font-family="sans-serif" font-size="11" fill="{charts.INK}">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
-             charts.title("Packages by year; a line leads to one that took over a tree or its main idea")]
+    parts = [charts.title("Packages by year; a line leads to one that took over a tree or its main idea")]
     for family, name in enumerate(FAMILIES):
         y = 70 + family * ROW
         parts += [charts.text(12, y + 4, name, extra=f' fill="{charts.colour(family)}" font-weight="bold"'),
-                  f'<line x1="{LEFT - 20}" y1="{y}" x2="{WIDTH - 12}" y2="{y}" stroke="{charts.RULE}"/>']
+                  charts.line(LEFT - 20, y, WIDTH - 12, y, charts.RULE)]
     for package in PACKAGES:
         x, y = places[package.name]
         for parent in package.parents:
@@ -101,7 +99,7 @@ def drawing():
         parts += [f'<rect x="{x - BOX / 2:.1f}" y="{y - 16}" width="{BOX}" height="32" rx="5" fill="white" stroke="{colour}" stroke-width="1.5"/>',
                   charts.text(round(x, 1), y - 2, package.name, "middle", ' font-weight="bold"'),
                   charts.text(round(x, 1), y + 11, str(package.year), "middle", f' fill="{charts.GREY}"')]
-    return "\n".join([*parts, "</svg>"]) + "\n"
+    return charts.picture(WIDTH, HEIGHT, parts)
 
 
 def made(rows):
