@@ -1,7 +1,12 @@
 #include "box_tree.hpp"
 
+#include "../../tests/support/base/vectors.hpp"
+#include "../obb/covariance.hpp"
+
 namespace espalier::bench {
 namespace {
+
+using tests::cross, tests::difference, tests::dot, tests::times;
 
 Aabb box_of(const TriangleVertices& triangle, std::span<const Vec3> positions) {
     Aabb box = Aabb::none();
@@ -59,22 +64,15 @@ namespace {
 
 // Oriented boxes, fitted anew to the triangles of each node.
 
-using Symmetric = std::array<std::array<float, 3>, 3>;
 using Axes = std::array<Vec3, 3>;
 
-float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 scaled(const Vec3& v, float factor) { return {v.x * factor, v.y * factor, v.z * factor}; }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 float length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 /// Returns a direction that is perpendicular to one of length 1.
 Vec3 perpendicular_to(const Vec3& v) {
     const Vec3 other = std::abs(v.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = cross(v, other);
-    return scaled(across, 1.0f / length_of(across));
+    return times(across, 1.0f / length_of(across));
 }
 
 /// Returns the longest edge, the normal, and the axis across both.
@@ -92,60 +90,25 @@ Axes axes_of(const TriangleVertices& triangle, std::span<const Vec3> positions) 
     }
     if (most == 0.0f) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     Axes axes;
-    axes[0] = scaled(longest, 1.0f / std::sqrt(most));
+    axes[0] = times(longest, 1.0f / std::sqrt(most));
     const float height = length_of(normal);
-    axes[2] = height > 0.0f ? scaled(normal, 1.0f / height) : perpendicular_to(axes[0]);
+    axes[2] = height > 0.0f ? times(normal, 1.0f / height) : perpendicular_to(axes[0]);
     axes[1] = cross(axes[2], axes[0]);
     return axes;
 }
 
-Symmetric covariance_of(std::span<const TriangleVertices> triangles, std::span<const Vec3> positions) {
+/// Returns the eigenvectors of the vertices' covariance.
+Axes axes_of(std::span<const TriangleVertices> triangles, std::span<const Vec3> positions) {
     const Vec3 origin = positions[triangles.front()[0]];  // keeps the numbers small
-    float sum[3] = {}, products[6] = {};
+    PointCovariance<float> covariance;
     for (const TriangleVertices& triangle : triangles)
         for (const std::uint32_t vertex : triangle) {
             const Vec3 p = difference(positions[vertex], origin);
-            sum[0] += p.x, sum[1] += p.y, sum[2] += p.z;
-            products[0] += p.x * p.x, products[1] += p.y * p.y, products[2] += p.z * p.z;
-            products[3] += p.x * p.y, products[4] += p.y * p.z, products[5] += p.z * p.x;
+            covariance.add(p.x, p.y, p.z);
         }
-    const float share = 1.0f / (3.0f * static_cast<float>(triangles.size()));
-    const auto entry = [&](std::size_t product, std::size_t i, std::size_t j) {
-        return products[product] * share - (sum[i] * share) * (sum[j] * share);
-    };
-    const float xy = entry(3, 0, 1), yz = entry(4, 1, 2), zx = entry(5, 2, 0);
-    return {{{entry(0, 0, 0), xy, zx}, {xy, entry(1, 1, 1), yz}, {zx, yz, entry(2, 2, 2)}}};
-}
-
-/// Returns the eigenvectors, by Jacobi's rotations.
-Axes eigenvectors_of(Symmetric matrix) {
-    float columns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // columns[k] is an eigenvector
-    for (unsigned sweep = 0; sweep < 8; ++sweep) {
-        const float trace = std::abs(matrix[0][0]) + std::abs(matrix[1][1]) + std::abs(matrix[2][2]);
-        const float outside = std::abs(matrix[0][1]) + std::abs(matrix[1][2]) + std::abs(matrix[0][2]);
-        if (!(outside > 1e-7f * trace)) break;
-        for (std::size_t p = 0; p < 2; ++p)
-            for (std::size_t q = p + 1; q < 3; ++q) {
-                if (matrix[p][q] == 0.0f) continue;
-                const float theta = (matrix[q][q] - matrix[p][p]) / (2.0f * matrix[p][q]);
-                const float tangent = std::copysign(1.0f, theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.0f));
-                const float cosine = 1.0f / std::sqrt(tangent * tangent + 1.0f), sine = tangent * cosine;
-                const std::size_t r = 3 - p - q;
-                const float pr = matrix[p][r], qr = matrix[q][r], shift = tangent * matrix[p][q];
-                matrix[p][p] -= shift;
-                matrix[q][q] += shift;
-                matrix[p][q] = matrix[q][p] = 0.0f;
-                matrix[p][r] = matrix[r][p] = cosine * pr - sine * qr;
-                matrix[q][r] = matrix[r][q] = sine * pr + cosine * qr;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const float a = columns[p][k], b = columns[q][k];
-                    columns[p][k] = cosine * a - sine * b;
-                    columns[q][k] = sine * a + cosine * b;
-                }
-            }
-    }
+    const auto vectors = eigenvectors_of(covariance.of(3 * triangles.size()), 1e-7f);
     Axes axes;
-    for (std::size_t k = 0; k < 3; ++k) axes[k] = {columns[k][0], columns[k][1], columns[k][2]};
+    for (std::size_t k = 0; k < 3; ++k) axes[k] = {vectors[k][0], vectors[k][1], vectors[k][2]};
     return axes;
 }
 
@@ -181,8 +144,7 @@ double Obb::half_area() const {
 void fit_obbs(const BoxTreeShape& shape, std::span<const Vec3> positions, std::span<Obb> boxes) {
     for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
         const std::span<const TriangleVertices> triangles = shape.triangles_of(shape.nodes[i]);
-        const Axes axes = triangles.size() == 1 ? axes_of(triangles.front(), positions)
-                                                : eigenvectors_of(covariance_of(triangles, positions));
+        const Axes axes = triangles.size() == 1 ? axes_of(triangles.front(), positions) : axes_of(triangles, positions);
         boxes[i] = box_along(axes, triangles, positions);
     }
 }

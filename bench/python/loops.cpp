@@ -35,17 +35,21 @@ void loop_raycast_sources(const void* bytes, std::size_t size, std::size_t count
     }
 }
 
-void loop_raycast(const void* bytes, std::size_t size, std::size_t count, const Vec3* origins, const Vec3* directions,
-                  RayHit* hits) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) hits[i] = raycast(blob, {origins[i], directions[i]});
-}
-
-void loop_occluded(const void* bytes, std::size_t size, std::size_t count, const Vec3* origins, const Vec3* directions,
-                   YesNo* answers) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) answers[i] = occluded(blob, {origins[i], directions[i]});
-}
+/// A loop of which `expression` is one turn, over two arrays of vectors.
+#define LOOP(name, Answer, expression)                                                                     \
+    void loop_##name(const void* bytes, std::size_t size, std::size_t count, const Vec3* a, const Vec3* b, \
+                     Answer* answers) {                                                                    \
+        const Blob& blob = opened(bytes, size);                                                            \
+        for (std::size_t i = 0; i < count; ++i, ++a, ++b) answers[i] = expression;                         \
+    }
+LOOP(raycast, RayHit, raycast(blob, {*a, *b}))
+LOOP(occluded, YesNo, occluded(blob, {*a, *b}))
+LOOP(closest_point, ClosestPoint, closest_point(blob, *a))
+LOOP(signed_distance, ClosestPoint, signed_distance(blob, *a))
+LOOP(contains, YesNo, contains(blob, *a))
+LOOP(overlaps, YesNo, overlaps(blob, Sphere{*a, 0.1f}))
+LOOP(sweep, SweepHit, sweep(blob, Sphere{*a, 0.1f}, *b))
+#undef LOOP
 
 void loop_all_hits(const void* bytes, std::size_t size, std::size_t count, const Vec3* origins, const Vec3* directions,
                    std::size_t* total) {
@@ -57,30 +61,6 @@ void loop_all_hits(const void* bytes, std::size_t size, std::size_t count, const
     *total = all.size();
 }
 
-void loop_closest_point(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3*,
-                        ClosestPoint* nearest) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) nearest[i] = closest_point(blob, points[i]);
-}
-
-void loop_signed_distance(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3*,
-                          ClosestPoint* nearest) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) nearest[i] = signed_distance(blob, points[i]);
-}
-
-void loop_contains(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3*,
-                   YesNo* answers) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) answers[i] = contains(blob, points[i]);
-}
-
-void loop_overlaps(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3*,
-                   YesNo* answers) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) answers[i] = overlaps(blob, Sphere{points[i], 0.1f});
-}
-
 void loop_overlapping_triangles(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3*,
                                 std::size_t* total) {
     const Blob& blob = opened(bytes, size);
@@ -89,12 +69,6 @@ void loop_overlapping_triangles(const void* bytes, std::size_t size, std::size_t
         static_cast<void>(for_each_overlap(blob, Sphere{points[i], 0.1f},
                                            [&](TriangleId triangle, const Triangle&) { all.push_back(triangle); }));
     *total = all.size();
-}
-
-void loop_sweep(const void* bytes, std::size_t size, std::size_t count, const Vec3* points, const Vec3* directions,
-                SweepHit* hits) {
-    const Blob& blob = opened(bytes, size);
-    for (std::size_t i = 0; i < count; ++i) hits[i] = sweep(blob, Sphere{points[i], 0.1f}, directions[i]);
 }
 
 }  // extern "C"

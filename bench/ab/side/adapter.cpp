@@ -39,10 +39,7 @@ std::uint64_t digest_of(const Values&... values) {
 
 Vec3 vector_at(const float* n) { return {n[0], n[1], n[2]}; }
 
-struct Count {
-    std::uint32_t count = 0;
-};
-std::uint64_t digest(const Count& answer) { return answer.count; }
+std::uint64_t digest(std::uint32_t count) { return count; }
 std::uint64_t digest(const RayHit& hit) {
     return hit.t < std::numeric_limits<float>::infinity() ? digest_of(hit.t, hit.normal) : 0;
 }
@@ -119,69 +116,23 @@ struct NoQuestion {
 
 // ---- kinds ----
 
-/// Answers one question after the other with Kind::answer.
-template <class Kind, class QuestionMaker, class AnswerType>
+/// Answers one question after the other with `ask(blob, question, answer)`.
+template <class QuestionMaker, class AnswerType, auto ask>
 struct OneByOne : QuestionMaker {
     using Answer = AnswerType;
     static void run(const EspalierSideAsset& asset, std::span<const typename QuestionMaker::Question> questions,
                     std::span<Answer> answers) {
         const Blob& blob = *static_cast<const Blob*>(asset.blob);
-        for (std::size_t i = 0; i < questions.size(); ++i) Kind::answer(blob, questions[i], answers[i]);
+        for (std::size_t i = 0; i < questions.size(); ++i) ask(blob, questions[i], answers[i]);
     }
 };
-
-struct ClosestHit : OneByOne<ClosestHit, RayQuestion, Hit> {
-    static void answer(const Blob& blob, const Ray& ray, Hit& to) { ask_closest(blob, ray, to); }
-};
-struct AnyHit : OneByOne<AnyHit, RayQuestion, Yes> {
-    static void answer(const Blob& blob, const Ray& ray, Yes& to) { ask_any(blob, ray, to); }
-};
-struct ClosestHitBatch : RayQuestion {
-    using Answer = RayHit;
-    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<RayHit> hits) {
-        ask_closest(*static_cast<const Blob*>(asset.blob), rays, hits);
+/// Answers all questions with one call of `ask(blob, questions, answers)`.
+template <class AnswerType, auto ask>
+struct Batch : RayQuestion {
+    using Answer = AnswerType;
+    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<Answer> answers) {
+        ask(*static_cast<const Blob*>(asset.blob), rays, answers);
     }
-};
-struct AnyHitBatch : RayQuestion {
-    using Answer = BatchYes;
-    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<BatchYes> answers) {
-        ask_any(*static_cast<const Blob*>(asset.blob), rays, answers);
-    }
-};
-struct ClosestPointKind : OneByOne<ClosestPointKind, PointQuestion, Nearest> {
-    static void answer(const Blob& blob, const Vec3& point, Nearest& to) { ask_nearest(blob, point, to); }
-};
-template <class Shape>
-struct Overlaps : OneByOne<Overlaps<Shape>, Shape, Yes> {
-    static void answer(const Blob& blob, const typename Shape::Question& shape, Yes& to) {
-        ask_overlap(blob, shape, to);
-    }
-};
-struct AllOverlaps : OneByOne<AllOverlaps, SphereQuestion, Count> {
-    static void answer(const Blob& blob, const Sphere& sphere, Count& to) {
-        std::uint32_t count = 0;
-        count_overlaps(blob, sphere, count);
-        to.count = count;
-    }
-};
-template <class Shape>
-struct Sweep : OneByOne<Sweep<Shape>, SweepQuestion<Shape>, Contact> {
-    static void answer(const Blob& blob, const typename SweepQuestion<Shape>::Question& question, Contact& to) {
-        ask_sweep(blob, question.shape, question.displacement, to);
-    }
-};
-struct Collides : OneByOne<Collides, PlacementQuestion, Yes> {
-    static void answer(const Blob& blob, const Placement& placement, Yes& to) { ask_collision(blob, placement, to); }
-};
-struct AllContacts : OneByOne<AllContacts, PlacementQuestion, Count> {
-    static void answer(const Blob& blob, const Placement& placement, Count& to) {
-        std::uint32_t count = 0;
-        count_contacts(blob, placement, count);
-        to.count = count;
-    }
-};
-struct Distance : OneByOne<Distance, PlacementQuestion, Apart> {
-    static void answer(const Blob& blob, const Placement& placement, Apart& to) { ask_distance(blob, placement, to); }
 };
 struct Open : NoQuestion {
     using Answer = Yes;
@@ -190,6 +141,21 @@ struct Open : NoQuestion {
         for (Yes& answer : answers) ask_open(bytes, answer);
     }
 };
+
+constexpr auto closest = [](const Blob& blob, const auto& rays, auto&& to) { ask_closest(blob, rays, to); };
+constexpr auto any = [](const Blob& blob, const auto& rays, auto&& to) { ask_any(blob, rays, to); };
+constexpr auto overlap = [](const Blob& blob, const auto& shape, Yes& to) { ask_overlap(blob, shape, to); };
+constexpr auto moved = [](const Blob& blob, const auto& question, Contact& to) {
+    ask_sweep(blob, question.shape, question.displacement, to);
+};
+template <auto count_all>
+constexpr auto count_of = [](const Blob& blob, const auto& question, std::uint32_t& to) {
+    std::uint32_t count = 0;
+    count_all(blob, question, count);
+    to = count;
+};
+template <class Shape>
+using Sweep = OneByOne<SweepQuestion<Shape>, Contact, moved>;
 
 template <class Kind>
 constexpr EspalierSideKind kind_named(const char* name) {
@@ -212,21 +178,22 @@ constexpr EspalierSideKind kind_named(const char* name) {
         }};
 }
 
-const EspalierSideKind kinds[] = {kind_named<ClosestHit>("closest_hit"),
-                                  kind_named<AnyHit>("any_hit"),
-                                  kind_named<ClosestHitBatch>("closest_hit_batch"),
-                                  kind_named<AnyHitBatch>("any_hit_batch"),
-                                  kind_named<ClosestPointKind>("closest_point"),
-                                  kind_named<Overlaps<SphereQuestion>>("overlaps_sphere"),
-                                  kind_named<AllOverlaps>("all_overlaps_sphere"),
-                                  kind_named<Overlaps<BoxQuestion>>("overlaps_box"),
-                                  kind_named<Sweep<SphereQuestion>>("sweep_sphere"),
-                                  kind_named<Sweep<CapsuleQuestion>>("sweep_capsule"),
-                                  kind_named<Sweep<BoxQuestion>>("sweep_box"),
-                                  kind_named<Collides>("collides"),
-                                  kind_named<AllContacts>("all_contacts"),
-                                  kind_named<Distance>("minimum_distance"),
-                                  kind_named<Open>("open")};
+const EspalierSideKind kinds[] = {
+    kind_named<OneByOne<RayQuestion, Hit, closest>>("closest_hit"),
+    kind_named<OneByOne<RayQuestion, Yes, any>>("any_hit"),
+    kind_named<Batch<RayHit, closest>>("closest_hit_batch"),
+    kind_named<Batch<BatchYes, any>>("any_hit_batch"),
+    kind_named<OneByOne<PointQuestion, Nearest, ask_nearest>>("closest_point"),
+    kind_named<OneByOne<SphereQuestion, Yes, overlap>>("overlaps_sphere"),
+    kind_named<OneByOne<SphereQuestion, std::uint32_t, count_of<count_overlaps>>>("all_overlaps_sphere"),
+    kind_named<OneByOne<BoxQuestion, Yes, overlap>>("overlaps_box"),
+    kind_named<Sweep<SphereQuestion>>("sweep_sphere"),
+    kind_named<Sweep<CapsuleQuestion>>("sweep_capsule"),
+    kind_named<Sweep<BoxQuestion>>("sweep_box"),
+    kind_named<OneByOne<PlacementQuestion, Yes, ask_collision>>("collides"),
+    kind_named<OneByOne<PlacementQuestion, std::uint32_t, count_of<count_contacts>>>("all_contacts"),
+    kind_named<OneByOne<PlacementQuestion, Apart, ask_distance>>("minimum_distance"),
+    kind_named<Open>("open")};
 
 const EspalierSideKind* find_kind(const char* name) {
     for (const EspalierSideKind& kind : kinds)
