@@ -50,9 +50,10 @@ template <class Kernel>
 void print_kernel(const SnappedMesh& snapped, const AabbTree& tree, const Blob& blob, const std::string& name,
                   const std::vector<AimedRays>& groups) {
     const Kernel kernel(tree, blob);
+    RayWalk walk(tree);
     for (const AimedRays& group : groups) {
         const auto leaks = std::ranges::count_if(
-            group.rays, [&](const EdgeRay& ray) { return is_leak(ray, closest_hit(tree, kernel, ray.ray)); });
+            group.rays, [&](const EdgeRay& ray) { return is_leak(ray, closest_hit(walk, kernel, ray.ray)); });
         print_row(snapped, name, group, static_cast<std::size_t>(leaks));
     }
 }

@@ -75,8 +75,9 @@ TEST_CASE("bench: no ray is aimed at the border of an open mesh") {
 template <class Kernel>
 void check_kernel(const Subject& subject, const std::vector<Ray>& rays) {
     const Kernel kernel(subject.built.tree, subject.blob);
+    RayWalk walk(subject.built.tree);
     for (const Ray& ray : rays) {
-        const float t = closest_hit(subject.built.tree, kernel, ray);
+        const float t = closest_hit(walk, kernel, ray);
         CHECK(t == closest_of_all(subject.built.tree, kernel, ray));
         const float expected = raycast(subject.blob, ray).t;
         CHECK((t == expected || std::abs(t - expected) <= 1e-4f));

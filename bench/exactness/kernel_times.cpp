@@ -11,16 +11,19 @@ struct Tests {
 
 Tests tests_in_leaves(const AabbTree& tree, const Blob& blob, const std::vector<Ray>& rays) {
     const Watertight kernel(tree, blob);
+    RayWalk walk(tree);
+    RayWork work;
     Tests tests;
     for (const Ray& ray : rays) {
         Watertight::Prepared prepared;
         Watertight::prepare(ray, prepared);
-        walk_leaves(tree, ray, [&](const AabbNode& leaf, float& nearest) {
+        const auto test_leaf = [&](const AabbNode& leaf, double& nearest) {
             for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
                 tests.triangles.push_back(i);
-                nearest = std::min(nearest, kernel.test(prepared, i));
+                nearest = std::min(nearest, static_cast<double>(kernel.test(prepared, i)));
             }
-        });
+        };
+        walk.walk(ray, work, test_leaf, [](std::uint32_t) {});
         tests.ends.push_back(tests.triangles.size());
     }
     return tests;
@@ -58,7 +61,7 @@ template <class Kernel>
 class TimerOf final : public KernelTimer {
 public:
     TimerOf(const AabbTree& tree, const Blob& blob, const std::vector<Ray>& rays)
-        : tree_(tree), kernel_(tree, blob), rays_(rays), prepared_(rays.size()) {}
+        : walk_(tree), kernel_(tree, blob), rays_(rays), prepared_(rays.size()) {}
 
     double prepare() override {
         const Stopwatch watch;
@@ -80,7 +83,7 @@ public:
         const Stopwatch watch;
         float sum = 0.0f;
         for (const Ray& ray : rays_) {
-            const float t = closest_hit(tree_, kernel_, ray);
+            const float t = closest_hit(walk_, kernel_, ray);
             sum += t < std::numeric_limits<float>::infinity() ? t : 0.0f;
         }
         const double time = nanoseconds(watch, rays_.size());
@@ -93,7 +96,7 @@ private:
         return 1e9 * watch.seconds() / static_cast<double>(std::max<std::size_t>(count, 1));
     }
 
-    const AabbTree& tree_;
+    RayWalk walk_;
     Kernel kernel_;
     const std::vector<Ray>& rays_;
     std::vector<typename Kernel::Prepared> prepared_;

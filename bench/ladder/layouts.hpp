@@ -3,7 +3,7 @@
 
 #include <baker/build/binary_tree.hpp>
 
-#include "../deformation/box_tree.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

@@ -37,19 +37,6 @@ Block fit_node(std::span<const Point> corners) {
     return fit_box(corners.size() == 3 ? BoxFit::flush : BoxFit::hull, corners);
 }
 
-void store_box(const Block& box, double margin, StoredObb& to) {
-    store(box.center, to.center);
-    for (std::size_t k = 0; k < 3; ++k) {
-        store(box.axes[k], to.axes[k]);
-        to.half[k] = static_cast<float>(box.half[k] + margin);
-    }
-}
-
-void store_box(const Block& box, double margin, AabbNode& to) {
-    store(box.center, to.center);
-    for (std::size_t k = 0; k < 3; ++k) to.half[k] = static_cast<float>(box.half[k] + margin);
-}
-
 class ObbBuilder {
 public:
     explicit ObbBuilder(std::span<const FloatTriangle> triangles) {
@@ -72,8 +59,8 @@ private:
         tree.height = std::max(tree.height, depth);
         corners_ = corners_in(tree, range);
         const Block box = fit_node(corners_);
-        store_box(box, margin_of(tree), built_.boxes[index].volume);
-        store_box(box_along(Block{}.axes, corners_), margin_of(tree), tree.nodes[index]);
+        store(box, margin_of(tree), built_.boxes[index]);
+        store(box_along(Block{}.axes, corners_), margin_of(tree), tree.nodes[index]);
         const bool is_leaf = range.end - range.first == 1;
         const auto first = static_cast<std::uint32_t>(is_leaf ? range.first : tree.nodes.size());
         tree.nodes[index].first = built_.boxes[index].first = first;
@@ -118,21 +105,9 @@ BoxNodes<StoredObb> fit_obbs(const AabbTree& tree) {
     BoxNodes<StoredObb> boxes(tree.nodes.size());
     const std::vector<TriangleRange> ranges = triangle_ranges(tree);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        store_box(fit_node(corners_in(tree, ranges[i])), margin_of(tree), boxes[i].volume);
+        store(fit_node(corners_in(tree, ranges[i])), margin_of(tree), boxes[i]);
         boxes[i].first = tree.nodes[i].first;
         boxes[i].count = tree.nodes[i].count;
-    }
-    return boxes;
-}
-
-BoxNodes<StoredAabb> copy_aabbs(const AabbTree& tree) {
-    BoxNodes<StoredAabb> boxes(tree.nodes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const AabbNode& node = tree.nodes[i];
-        std::copy_n(node.center, 3, boxes[i].volume.center);
-        std::copy_n(node.half, 3, boxes[i].volume.half);
-        boxes[i].first = node.first;
-        boxes[i].count = node.count;
     }
     return boxes;
 }
@@ -150,9 +125,11 @@ TreeKind kind_of(const char* topology, const char* boxes, NodesOfTree<Stored> (*
 }
 
 NodesOfTree<StoredObb> obbs_by_obbs(const MeshTrees& trees) { return {&trees.by_obbs.tree, trees.by_obbs.boxes}; }
-NodesOfTree<StoredAabb> aabbs_by_obbs(const MeshTrees& trees) { return {&trees.by_obbs.tree, trees.by_obbs_aabbs}; }
+NodesOfTree<StoredAabb> aabbs_by_obbs(const MeshTrees& trees) {
+    return {&trees.by_obbs.tree, trees.by_obbs.tree.nodes};
+}
 NodesOfTree<StoredObb> obbs_by_sah(const MeshTrees& trees) { return {trees.sah, trees.sah_obbs}; }
-NodesOfTree<StoredAabb> aabbs_by_sah(const MeshTrees& trees) { return {trees.sah, trees.sah_aabbs}; }
+NodesOfTree<StoredAabb> aabbs_by_sah(const MeshTrees& trees) { return {trees.sah, trees.sah->nodes}; }
 
 }  // namespace
 
@@ -162,8 +139,6 @@ MeshTrees::MeshTrees(const AabbTree& of, BuildSeconds& seconds) : sah(&of) {
     seconds.obb_tree = time.seconds();
     sah_obbs = fit_obbs(of);
     seconds.fit = time.seconds() - seconds.obb_tree;
-    sah_aabbs = copy_aabbs(of);
-    by_obbs_aabbs = copy_aabbs(by_obbs.tree);
 }
 
 std::span<const TreeKind> all_tree_kinds() {

@@ -25,8 +25,6 @@ struct ObbTree {
 
 /// Fits oriented boxes to the nodes of a tree, as build_obb_tree does.
 [[nodiscard]] BoxNodes<StoredObb> fit_obbs(const AabbTree& tree);
-/// Copies the boxes of a tree.
-[[nodiscard]] BoxNodes<StoredAabb> copy_aabbs(const AabbTree& tree);
 
 // The kinds of tree that are compared: two topologies, and on each the boxes and their tests.
 
@@ -46,7 +44,6 @@ struct MeshTrees {
     const AabbTree* sah;
     ObbTree by_obbs;
     BoxNodes<StoredObb> sah_obbs;
-    BoxNodes<StoredAabb> sah_aabbs, by_obbs_aabbs;
 };
 
 struct TreeKind {

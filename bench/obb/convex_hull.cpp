@@ -262,14 +262,14 @@ HullMesh flat_hull(std::span<const Point> points, const std::array<Index, 4>& co
 
 }  // namespace
 
-HullMesh convex_hull_of(std::span<const Point> points, double flat_share) {
+HullMesh convex_hull_of(std::span<const Point> points) {
     HullMesh hull;
     const Lattice lattice(points);
     if (lattice.points.empty()) {
         hull.vertices = {points.front()};
         return hull;
     }
-    Quickhull quickhull(lattice.points, flat_share * lattice_steps);
+    Quickhull quickhull(lattice.points, float_rounding_share * lattice_steps);
     hull.dimension = quickhull.run();
     if (hull.dimension == 1)
         hull.vertices = {points[quickhull.first_corners()[0]], points[quickhull.first_corners()[1]]};

@@ -53,26 +53,6 @@ std::string_view name_of(BoxFit fit) {
     return names[static_cast<std::size_t>(fit)];
 }
 
-Block box_along(const BoxAxes& axes, std::span<const Point> points) {
-    std::array<double, 3> low, high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (const Point& p : points)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double along = dot(axes[k], p);
-            low[k] = std::min(low[k], along);
-            high[k] = std::max(high[k], along);
-        }
-    Block block;
-    block.axes = axes;
-    block.center = {0.0, 0.0, 0.0};
-    for (std::size_t k = 0; k < 3; ++k) {
-        block.half[k] = 0.5 * (high[k] - low[k]);
-        block.center = block.center + (0.5 * (high[k] + low[k])) * axes[k];
-    }
-    return block;
-}
-
 BoxAxes axes_of_vertices(std::span<const Point> points) {
     const Point& origin = points.front();
     PointCovariance<double> covariance;
@@ -100,9 +80,9 @@ Block fit_box(BoxFit fit, std::span<const Point> points) {
         case BoxFit::hull:
             return box_along(axes_of_surface(convex_hull_of(points)), points);
         case BoxFit::flush:
-            return box_along(flush_axes(convex_hull_of(points), BoxMeasure::volume), points);
+            return box_along(flush_axes(convex_hull_of(points)), points);
         case BoxFit::search:
-            return box_along(search_axes(convex_hull_of(points), BoxMeasure::volume), points);
+            return box_along(search_axes(convex_hull_of(points)), points);
     }
     return box_along(Block{}.axes, points);
 }

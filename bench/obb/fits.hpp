@@ -24,9 +24,6 @@ using BoxAxes = std::array<Point, 3>;
 /// Fits a box to one point or more. It contains all of them but for what double rounds off.
 [[nodiscard]] Block fit_box(BoxFit fit, std::span<const Point> points);
 
-/// Returns the least box along these axes.
-[[nodiscard]] Block box_along(const BoxAxes& axes, std::span<const Point> points);
-
 [[nodiscard]] BoxAxes axes_of_vertices(std::span<const Point> points);
 /// Returns the axes of the surface, or of the vertices where that has no area.
 [[nodiscard]] BoxAxes axes_of_surface(const HullMesh& hull);
@@ -42,10 +39,7 @@ using BoxAxes = std::array<Point, 3>;
 //   then the least rectangle in the plane across each axis, as long as that helps. This is the local part of HYBBRID
 //   (Chang, Gorissen, Melchior 2011), with fixed first boxes in the place of a population that evolves.
 
-/// What is least.
-enum class BoxMeasure : std::uint8_t { volume, area };
-
-[[nodiscard]] BoxAxes flush_axes(const HullMesh& hull, BoxMeasure measure);
-[[nodiscard]] BoxAxes search_axes(const HullMesh& hull, BoxMeasure measure);
+[[nodiscard]] BoxAxes flush_axes(const HullMesh& hull);
+[[nodiscard]] BoxAxes search_axes(const HullMesh& hull);
 
 }  // namespace espalier::bench

@@ -48,11 +48,11 @@ struct HullMesh {
     std::vector<Triangle> triangles;
 };
 
-/// Returns the hull of some of the points: no other point is farther outside than about `flat_share` of the largest
-/// side of their box. Thus points that are in one plane but for rounding add no slivers.
+/// Returns the hull of some of the points: no other point is farther outside than about what float rounds off. Thus
+/// points that are in one plane but for rounding add no slivers.
 ///
 /// Points are rounded to a lattice of 2^40 steps along that side, on which the side of a plane that a point is on is
-/// exact. So the surface is closed and convex, whatever the points are. `flat_share` is 2^-36 or more.
-[[nodiscard]] HullMesh convex_hull_of(std::span<const Point> points, double flat_share = float_rounding_share);
+/// exact. So the surface is closed and convex, whatever the points are.
+[[nodiscard]] HullMesh convex_hull_of(std::span<const Point> points);
 
 }  // namespace espalier::bench

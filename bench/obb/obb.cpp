@@ -1,10 +1,6 @@
 // Oriented bounding boxes (OBB): how well and how fast each fit encloses triangles, and trees of them beside trees of
 // axis-aligned boxes (AABB) for two meshes. One thread; one JSON object a line.
 
-#include <baker/bake_with.hpp>
-#include <baker/build/build.hpp>
-#include <baker/optimise/reinsertion.hpp>
-
 #include "../study/study.hpp"
 #include "box_trees.hpp"
 #include "fits.hpp"
@@ -61,11 +57,6 @@ std::vector<TriangleSet> sets_of_size(const AabbTree& tree, std::size_t size, st
     std::vector<TriangleSet> sets;
     for (std::size_t i = 0; i < chosen.size(); i += step) sets.push_back(set_of(tree, chosen[i]));
     return sets;
-}
-
-double volume_of(const Block& box) { return 8.0 * box.half[0] * box.half[1] * box.half[2]; }
-double area_of(const Block& box) {
-    return 8.0 * (box.half[0] * box.half[1] + box.half[1] * box.half[2] + box.half[2] * box.half[0]);
 }
 
 /// What a fit made of all sets.
@@ -150,25 +141,6 @@ void measure_fits(const TreeSubject& subject, const Options& options) {
     }
 }
 
-/// Returns the seconds that the baker takes for the tree of build_tree_and_blob, without the blob.
-double seconds_of_sah_build(const Mesh& mesh) {
-    double seconds = 0.0;
-    const auto make = [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
-        const ProcessorTime time;
-        baker::BinaryTree binary = baker::optimise(baker::build(lattice_mesh, Builder::binned_sah, settings),
-                                                   baker::optimise_settings(Effort::normal));
-        seconds = time.seconds();
-        return binary;
-    };
-    BakeOptions options;
-    options.profile = Profile::fast;
-    options.threads = 1;
-    const MeshView view = mesh.view();
-    if (const BakeResult baked = baker::bake_with(make, {&view, 1}, options); !baked)
-        throw std::runtime_error(mesh.name + ": " + baked.message);
-    return seconds;
-}
-
 /// Shakes the second mesh by less than a quarter of the gap.
 std::vector<Transform> shaken(const Transform& pose, double gap, std::size_t count) {
     tests::Random random(seed);
@@ -216,7 +188,7 @@ void print_build(const TreeSubject& subject, const char* topology, const char* b
 /// Prints a row for each class of poses, question and kind of tree. Throws std::runtime_error if a tree has other
 /// answers than the others.
 void measure_trees(const TreeSubject& subject, const Options& options) {
-    const double sah_seconds = seconds_of_sah_build(subject.mesh);
+    const double sah_seconds = subject.built.build_seconds;
     BuildSeconds seconds;
     const MeshTrees trees(subject.tree(), seconds);
     print_build(subject, "sah", "aabb", sah_seconds);

@@ -19,7 +19,6 @@ constexpr std::array fits_of_hull = {BoxFit::vertices, BoxFit::hull, BoxFit::flu
 
 double length_of(const Point& p) { return std::sqrt(dot(p, p)); }
 double signed_unit(tests::Random& random) { return static_cast<double>(random.signed_unit()); }
-double volume_of(const Block& box) { return 8.0 * box.half[0] * box.half[1] * box.half[2]; }
 
 /// Returns perpendicular axes of length 1, at random.
 BoxAxes some_axes(tests::Random& random) {
@@ -231,7 +230,7 @@ std::size_t corners_outside(const AabbTree& tree, const BoxNodes<StoredObb>& box
     const std::vector<TriangleRange> ranges = triangle_ranges(tree);
     std::size_t outside = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const StoredObb& box = boxes[i].volume;
+        const StoredObb& box = boxes[i];
         for (std::size_t t = ranges[i].first; t < ranges[i].end; ++t)
             for (const Vec3& p : tree.triangles[t]) {
                 const float away[3] = {p.x - box.center[0], p.y - box.center[1], p.z - box.center[2]};

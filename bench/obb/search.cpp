@@ -87,24 +87,14 @@ struct Candidate {
 class Search {
 public:
     /// A flat hull has no volume, so there the area is what is least.
-    Search(const HullMesh& hull, BoxMeasure measure)
-        : vertices_(hull.vertices), measure_(hull.dimension < 3 ? BoxMeasure::area : measure) {
+    explicit Search(const HullMesh& hull) : vertices_(hull.vertices), is_flat_(hull.dimension < 3) {
         const Point origin = vertices_.front();  // so that numbers are as small as the body
         for (Point& p : vertices_) p = p - origin;
     }
 
     [[nodiscard]] Candidate with(const BoxAxes& axes) const {
-        std::array<double, 3> side{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            double low = std::numeric_limits<double>::infinity(), high = -low;
-            for (const Point& p : vertices_) {
-                const double along = dot(axes[k], p);
-                low = std::min(low, along);
-                high = std::max(high, along);
-            }
-            side[k] = high - low;
-        }
-        return {axes, size_of(side[0], side[1], side[2])};
+        const auto half = box_along(axes, vertices_).half;
+        return {axes, size_of(2.0 * half[0], 2.0 * half[1], 2.0 * half[2])};
     }
 
     /// Returns the least box that has `normal` as an axis.
@@ -150,7 +140,7 @@ public:
 
 private:
     [[nodiscard]] double size_of(double a, double b, double c) const {
-        return measure_ == BoxMeasure::volume ? a * b * c : a * b + b * c + c * a;
+        return is_flat_ ? a * b + b * c + c * a : a * b * c;
     }
     /// Turns about the three axes, one after the other.
     static BoxAxes turned_by(BoxAxes axes, const std::array<double, 3>& angles) {
@@ -178,7 +168,7 @@ private:
     }
 
     std::vector<Point> vertices_;
-    BoxMeasure measure_;
+    bool is_flat_;
     std::vector<PlanePoint> in_plane_;
     std::vector<Rectangle> rectangles_;
 };
@@ -205,13 +195,13 @@ Candidate flush(const HullMesh& hull, Search& search) {
 
 }  // namespace
 
-BoxAxes flush_axes(const HullMesh& hull, BoxMeasure measure) {
-    Search search(hull, measure);
+BoxAxes flush_axes(const HullMesh& hull) {
+    Search search(hull);
     return flush(hull, search).axes;
 }
 
-BoxAxes search_axes(const HullMesh& hull, BoxMeasure measure) {
-    Search search(hull, measure);
+BoxAxes search_axes(const HullMesh& hull) {
+    Search search(hull);
     Candidate best = flush(hull, search);
     if (hull.dimension < 3) return best.axes;
     const std::array first = {best, search.with(axes_of_surface(hull)), search.with(axes_of_vertices(hull.vertices)),

@@ -50,20 +50,12 @@ private:
         fill(children + 1, binary_.right_of(source), depth + 1);
     }
     void put_box(AabbNode& node, std::span<const FloatTriangle> triangles) const {
-        float low[3], high[3];
-        std::fill_n(low, 3, std::numeric_limits<float>::infinity());
-        std::fill_n(high, 3, -std::numeric_limits<float>::infinity());
+        Aabb box = Aabb::none();
         for (const FloatTriangle& triangle : triangles)
-            for (const Vec3& corner : triangle) {
-                const float p[3] = {corner.x, corner.y, corner.z};
-                for (int k = 0; k < 3; ++k) {
-                    low[k] = std::min(low[k], p[k]);
-                    high[k] = std::max(high[k], p[k]);
-                }
-            }
-        for (int k = 0; k < 3; ++k) {
-            node.center[k] = 0.5f * (low[k] + high[k]);
-            node.half[k] = 0.5f * (high[k] - low[k]) + margin_share * tree_.largest;
+            for (const Vec3& corner : triangle) box.add(corner);
+        for (std::size_t k = 0; k < 3; ++k) {
+            node.center[k] = 0.5f * (box.low[k] + box.high[k]);
+            node.half[k] = 0.5f * (box.high[k] - box.low[k]) + margin_share * tree_.largest;
         }
     }
 
@@ -91,6 +83,7 @@ TreeAndBlob build_tree_and_blob(const Mesh& mesh, unsigned most_leaf_triangles) 
         const ProcessorTime time;
         baker::BinaryTree binary = baker::optimise(baker::build(lattice_mesh, Builder::binned_sah, settings),
                                                    baker::optimise_settings(Effort::normal));
+        made.build_seconds = time.seconds();
         if (!binary.triangles.empty()) made.tree = Maker(mesh, lattice_mesh, binary, most_leaf_triangles).take();
         made.tree_seconds = time.seconds();
         return binary;

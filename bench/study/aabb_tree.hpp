@@ -5,15 +5,16 @@
 
 namespace espalier::bench {
 
-/// A node of 32 bytes. The two children are neighbours, so that both lie in one cache line.
-struct AabbNode {
-    float center[3];
-    float half[3];        ///< half of the sides
+/// A node with a volume of one kind. The two children are neighbours.
+template <class Stored>
+struct VolumeNode : Stored {
     std::uint32_t first;  ///< the first child; of a leaf, its first triangle
     std::uint32_t count;  ///< of a leaf, the number of its triangles; 0: the node has children
 
     [[nodiscard]] bool is_leaf() const { return count != 0; }
 };
+/// Both children lie in one cache line.
+using AabbNode = VolumeNode<StoredAabb>;
 static_assert(sizeof(AabbNode) == 32);
 
 /// The corners of a triangle.
@@ -25,9 +26,17 @@ struct AabbTree {
     unsigned height = 0;   ///< levels below the root
     float largest = 0.0f;  ///< coordinate, or a larger one
 
-    [[nodiscard]] std::span<const FloatTriangle> triangles_of(const AabbNode& leaf) const {
+    template <class Stored>
+    [[nodiscard]] std::span<const FloatTriangle> triangles_of(const VolumeNode<Stored>& leaf) const {
         return std::span(triangles).subspan(leaf.first, leaf.count);
     }
+};
+
+/// Nodes with volumes of one kind, in the order of the tree that they belong to.
+template <class Stored>
+struct NodesOfTree {
+    const AabbTree* tree;
+    std::span<const VolumeNode<Stored>> nodes;
 };
 
 /// Numbers of a tree's triangles: those of a node follow one another.
@@ -42,7 +51,8 @@ struct TriangleRange {
 struct TreeAndBlob {
     AabbTree tree;
     BakedBlob baked;
-    double tree_seconds = 0.0;  ///< processor time of building the tree
+    double build_seconds = 0.0;  ///< processor time of the baker for its binary tree
+    double tree_seconds = 0.0;   ///< the same, and of the textbook tree
 };
 
 /// Builds a tree as the baker does (binned SAH, reinsertion) and stops at leaves of `most_leaf_triangles`. The blob has

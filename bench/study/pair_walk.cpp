@@ -11,37 +11,11 @@ float area_of(const AabbNode& node) {
 
 float volume_of(const AabbNode& node) { return node.half[0] * node.half[1] * node.half[2]; }
 
-/// Tests the box of one tree against the box of the other, which the placement turns: both are oriented boxes. Edges
-/// that are almost parallel have a cross product that is almost zero; the boxes' margin covers what is left of it.
-bool boxes_touch(const AabbNode& a, const AabbNode& b, const Placement& placement) {
-    const auto& r = placement.rotation;
-    const auto& m = placement.magnitude;
+bool nodes_touch(const AabbNode& a, const AabbNode& b, const Placement& placement) {
     float t[3];
-    for (int i = 0; i < 3; ++i)
-        t[i] = r[i][0] * b.center[0] + r[i][1] * b.center[1] + r[i][2] * b.center[2] + placement.shift[i] - a.center[i];
-    for (int i = 0; i < 3; ++i)
-        if (std::abs(t[i]) > a.half[i] + m[i][0] * b.half[0] + m[i][1] * b.half[1] + m[i][2] * b.half[2]) return false;
-    for (int j = 0; j < 3; ++j)
-        if (std::abs(t[0] * r[0][j] + t[1] * r[1][j] + t[2] * r[2][j]) >
-            b.half[j] + m[0][j] * a.half[0] + m[1][j] * a.half[1] + m[2][j] * a.half[2])
-            return false;
-    for (int i = 0; i < 3; ++i) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-        for (int j = 0; j < 3; ++j) {
-            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            if (std::abs(t[i2] * r[i1][j] - t[i1] * r[i2][j]) >
-                a.half[i1] * m[i2][j] + a.half[i2] * m[i1][j] + b.half[j1] * m[i][j2] + b.half[j2] * m[i][j1])
-                return false;
-        }
-    }
-    return true;
-}
-
-/// Returns what no coordinate of both trees exceeds, where the second is placed.
-double largest_coordinate(const AabbTree& a, const AabbTree& b, const Placement& placement) {
-    const float* t = placement.shift;
-    return static_cast<double>(
-        std::max(a.largest, 2.0f * b.largest + std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2])));
+    place(placement, b.center, t);
+    for (int i = 0; i < 3; ++i) t[i] -= a.center[i];
+    return boxes_touch(a.half, b.half, placement.rotation, placement.magnitude, t);
 }
 
 /// Returns whether the first of two inner nodes is replaced by its children.
@@ -80,15 +54,15 @@ PairWalk::PairWalk(const AabbTree& a, const AabbTree& b) : a_(&a), b_(&b) {
     stack_.resize(3 * (std::size_t{a.height} + b.height) + 1);
 }
 
-void PairWalk::test_leaves(Entry at, PairQuestion question, const Placement& placement, PairWork& work) const {
-    const double largest = largest_coordinate(*a_, *b_, placement);
-    for (const FloatTriangle& of_b : b_->triangles_of(b_->nodes[at.b])) {
-        const PlacedTriangle placed(of_b, placement.exact, largest);
-        for (const FloatTriangle& of_a : a_->triangles_of(a_->nodes[at.a])) {
+void TrianglePairTest::test(std::span<const FloatTriangle> of_a, std::span<const FloatTriangle> of_b,
+                            PairWork& work) const {
+    for (const FloatTriangle& b : of_b) {
+        const PlacedTriangle placed(b, placement_->exact, largest_);
+        for (const FloatTriangle& a : of_a) {
             ++work.triangle_tests;
-            if (!placed.touches(of_a)) continue;
+            if (!placed.touches(a)) continue;
             ++work.pairs;
-            if (question == PairQuestion::any) return;
+            if (is_over(work)) return;
         }
     }
 }
@@ -100,7 +74,7 @@ std::size_t PairWalk::push_children(Entry at, const Placement& placement, std::s
     const AabbNode& b = b_->nodes[at.b];
     const auto push_if_touching = [&](std::uint32_t child_a, std::uint32_t child_b) {
         ++work.box_tests;
-        if (boxes_touch(a_->nodes[child_a], b_->nodes[child_b], placement))
+        if (nodes_touch(a_->nodes[child_a], b_->nodes[child_b], placement))
             stack_[size++] = {child_a, child_b, child_a != at.a};
     };
     // What is pushed last is visited first: the first children.
@@ -117,16 +91,17 @@ std::size_t PairWalk::push_children(Entry at, const Placement& placement, std::s
 
 template <PairRule rule>
 PairWork PairWalk::walk(PairQuestion question, const Placement& placement) {
+    const TrianglePairTest triangles(*a_, *b_, placement, question);
     PairWork work;
     ++work.box_tests;
-    if (!boxes_touch(a_->nodes[0], b_->nodes[0], placement)) return work;
+    if (!nodes_touch(a_->nodes[0], b_->nodes[0], placement)) return work;
     std::size_t size = 0;
     stack_[size++] = {0, 0, false};
     while (size > 0) {
         const Entry at = stack_[--size];
         if (a_->nodes[at.a].is_leaf() && b_->nodes[at.b].is_leaf()) {
-            test_leaves(at, question, placement, work);
-            if (question == PairQuestion::any && work.pairs > 0) break;
+            triangles.test(a_->triangles_of(a_->nodes[at.a]), b_->triangles_of(b_->nodes[at.b]), work);
+            if (triangles.is_over(work)) break;
         } else {
             size = push_children<rule>(at, placement, size, work);
         }
@@ -152,14 +127,7 @@ PairWork PairWalk::run(PairRule rule, PairQuestion question, const Placement& pl
 
 PairWork test_all_pairs(const AabbTree& a, const AabbTree& b, const Placement& placement) {
     PairWork work;
-    const double largest = largest_coordinate(a, b, placement);
-    for (const FloatTriangle& of_b : b.triangles) {
-        const PlacedTriangle placed(of_b, placement.exact, largest);
-        for (const FloatTriangle& of_a : a.triangles) {
-            ++work.triangle_tests;
-            if (placed.touches(of_a)) ++work.pairs;
-        }
-    }
+    TrianglePairTest(a, b, placement, PairQuestion::all).test(a.triangles, b.triangles, work);
     return work;
 }
 

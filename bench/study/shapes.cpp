@@ -16,6 +16,29 @@ const std::array<Point, slab_count> slab_directions = {{{1, 0, 0},
                                                         {1, -1, 1},
                                                         {1, -1, -1}}};
 
+Block box_along(const std::array<Point, 3>& axes, std::span<const Point> points) {
+    Block block;
+    block.axes = axes;
+    block.center = {0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+        double lo = std::numeric_limits<double>::max();
+        double hi = -lo;
+        for (const Point& p : points) {
+            lo = std::min(lo, dot(axes[k], p));
+            hi = std::max(hi, dot(axes[k], p));
+        }
+        block.half[k] = 0.5 * (hi - lo);
+        block.center = block.center + (0.5 * (hi + lo)) * axes[k];
+    }
+    return block;
+}
+
+double area_of(const Block& block) {
+    return 8.0 * (block.half[0] * block.half[1] + block.half[1] * block.half[2] + block.half[2] * block.half[0]);
+}
+
+double volume_of(const Block& block) { return 8.0 * block.half[0] * block.half[1] * block.half[2]; }
+
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -46,29 +69,6 @@ std::array<Point, 3> axes_of(double w, double x, double y, double z) {
              {n * 2 * (x * z + w * y), n * 2 * (y * z - w * x), n * (w * w - x * x - y * y + z * z)}}};
 }
 
-Block block_along(const std::array<Point, 3>& axes, std::span<const Point> points) {
-    Block block;
-    block.axes = axes;
-    block.center = {0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-        double lo = std::numeric_limits<double>::max();
-        double hi = -lo;
-        for (const Point& p : points) {
-            lo = std::min(lo, dot(axes[k], p));
-            hi = std::max(hi, dot(axes[k], p));
-        }
-        block.half[k] = 0.5 * (hi - lo);
-        block.center = block.center + (0.5 * (hi + lo)) * axes[k];
-    }
-    return block;
-}
-
-double area_of(const Block& block) {
-    return 8.0 * (block.half[0] * block.half[1] + block.half[1] * block.half[2] + block.half[2] * block.half[0]);
-}
-
-double volume_of(const Block& block) { return 8.0 * block.half[0] * block.half[1] * block.half[2]; }
-
 /// A pattern search over rotations from several starts, on the outermost points alone.
 Block fit_block(std::span<const Point> points, std::span<const Point> outermost, const Block& aligned) {
     Block best = aligned;
@@ -77,7 +77,7 @@ Block fit_block(std::span<const Point> points, std::span<const Point> outermost,
         if (start != 0)
             for (std::size_t k = 0; k < 3; ++k) at[k + 1] = ((start - 1) >> k & 1) != 0 ? 0.8 : -0.8;
         const auto area = [&](const std::array<double, 4>& q) {
-            return area_of(block_along(axes_of(q[0], q[1], q[2], q[3]), outermost));
+            return area_of(box_along(axes_of(q[0], q[1], q[2], q[3]), outermost));
         };
         double here = area(at);
         for (double turn = 0.3; turn > 0.004;) {
@@ -96,7 +96,7 @@ Block fit_block(std::span<const Point> points, std::span<const Point> outermost,
             if (least < here) at = next, here = least;
             else turn *= 0.5;
         }
-        const Block found = block_along(axes_of(at[0], at[1], at[2], at[3]), points);
+        const Block found = box_along(axes_of(at[0], at[1], at[2], at[3]), points);
         if (area_of(found) < area_of(best)) best = found;
     }
     return best;
@@ -127,7 +127,7 @@ Extent dop_extent(std::span<const std::size_t> slabs, const Volumes& volumes) {
 
 Volumes fit_volumes(std::span<const Point> points) {
     Volumes volumes;
-    volumes.aligned = block_along({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, points);
+    volumes.aligned = box_along({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, points);
     std::vector<Point> outermost;
     for (std::size_t k = 0; k < slab_count; ++k) {
         const Point& d = slab_directions[k];

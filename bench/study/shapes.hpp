@@ -3,7 +3,7 @@
 
 #include <baker/sections/half_spaces.hpp>
 
-#include "../deformation/box_tree.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 
@@ -22,6 +22,11 @@ struct Block {
     std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     std::array<double, 3> half{};
 };
+
+/// Returns the least box along these axes, which are perpendicular and of length 1.
+[[nodiscard]] Block box_along(const std::array<Point, 3>& axes, std::span<const Point> points);
+[[nodiscard]] double area_of(const Block& block);
+[[nodiscard]] double volume_of(const Block& block);
 
 inline constexpr std::size_t slab_count = 13;
 /// The normals of all slabs, not of length 1: 3 axes, 6 diagonals of a cube's faces, 4 of the cube.
@@ -110,18 +115,20 @@ inline void store(const Volumes& from, double margin, StoredSphere& to) {
     to.radius = static_cast<float>(from.ball.radius + margin);
 }
 
-inline void store(const Volumes& from, double margin, StoredAabb& to) {
-    store(from.aligned.center, to.center);
-    for (std::size_t i = 0; i < 3; ++i) to.half[i] = static_cast<float>(from.aligned.half[i] + margin);
+inline void store(const Block& from, double margin, StoredAabb& to) {
+    store(from.center, to.center);
+    for (std::size_t i = 0; i < 3; ++i) to.half[i] = static_cast<float>(from.half[i] + margin);
 }
+inline void store(const Volumes& from, double margin, StoredAabb& to) { store(from.aligned, margin, to); }
 
-inline void store(const Volumes& from, double margin, StoredObb& to) {
-    store(from.oriented.center, to.center);
+inline void store(const Block& from, double margin, StoredObb& to) {
+    store(from.center, to.center);
     for (std::size_t i = 0; i < 3; ++i) {
-        store(from.oriented.axes[i], to.axes[i]);
-        to.half[i] = static_cast<float>(from.oriented.half[i] + margin);
+        store(from.axes[i], to.axes[i]);
+        to.half[i] = static_cast<float>(from.half[i] + margin);
     }
 }
+inline void store(const Volumes& from, double margin, StoredObb& to) { store(from.oriented, margin, to); }
 
 template <std::size_t k>
 void store(const Volumes& from, double margin, StoredDop<k>& to) {

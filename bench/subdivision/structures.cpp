@@ -1,51 +1,9 @@
-// A query of a box in the textbook tree.
-
 #include "structures.hpp"
 
 #include "../exactness/kernels.hpp"
 #include "../study/walks.hpp"
 
 namespace espalier::bench {
-
-class TreeBoxes {
-public:
-    explicit TreeBoxes(const AabbTree& tree) : tree_(&tree) {}
-
-    /// Counts the triangles that touch the box.
-    [[nodiscard]] std::size_t count_touching(const Aabb& box, CellWork& work) {
-        float center[3], half[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            center[k] = 0.5f * (box.low[k] + box.high[k]);
-            half[k] = 0.5f * (box.high[k] - box.low[k]);
-        }
-        const auto is_near = [&](const AabbNode& node) {
-            ++work.cells;
-            for (int k = 0; k < 3; ++k)
-                if (std::abs(node.center[k] - center[k]) > node.half[k] + half[k]) return false;
-            return true;
-        };
-        const TriangleBoxTest test(box);
-        std::size_t touching = 0;
-        stack_.assign(1, 0);
-        while (!stack_.empty()) {
-            const AabbNode& node = tree_->nodes[stack_.back()];
-            stack_.pop_back();
-            if (node.is_leaf()) {
-                work.triangle_tests += node.count;
-                for (const FloatTriangle& triangle : tree_->triangles_of(node))
-                    touching += test.touches(corners_of(triangle)) ? 1u : 0u;
-                continue;
-            }
-            for (const std::uint32_t child : {node.first, node.first + 1})
-                if (is_near(tree_->nodes[child])) stack_.push_back(child);
-        }
-        return touching;
-    }
-
-private:
-    const AabbTree* tree_;
-    std::vector<std::uint32_t> stack_;
-};
 
 namespace {
 
@@ -55,7 +13,7 @@ constexpr double grid_density = 5.0;  // of Wald et al. 2006
 class Hierarchy final : public Structure {
 public:
     explicit Hierarchy(const TreeAndBlob& built, const FloatTest* float_test = nullptr)
-        : tree_(&built.tree), rays_(built.tree), boxes_(built.tree), float_test_(float_test) {
+        : tree_(&built.tree), rays_(built.tree), float_test_(float_test) {
         name = "hierarchy";
         build_seconds = built.tree_seconds;
         cells = built.tree.nodes.size();
@@ -63,19 +21,41 @@ public:
         bytes = cells * sizeof(AabbNode);
     }
     double closest(const Ray& ray, CellWork& work) override {
-        if (float_test_ != nullptr) return static_cast<double>(closest_hit(*tree_, *float_test_, ray));
+        if (float_test_ != nullptr) return static_cast<double>(closest_hit(rays_, *float_test_, ray));
         RayWork counted;
         const double t = rays_.closest(RayOrder::nearest_first, ray, counted);
-        work.cells += counted.box_tests;
-        work.triangle_tests += counted.triangle_tests;
+        add(counted, work);
         return t;
     }
-    std::size_t count_touching(const Aabb& box, CellWork& work) override { return boxes_.count_touching(box, work); }
+    std::size_t count_touching(const Aabb& box, CellWork& work) override {
+        float center[3], half[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            center[k] = 0.5f * (box.low[k] + box.high[k]);
+            half[k] = 0.5f * (box.high[k] - box.low[k]);
+        }
+        const auto is_near = [&](const StoredAabb& node) {
+            for (int k = 0; k < 3; ++k)
+                if (std::abs(node.center[k] - center[k]) > node.half[k] + half[k]) return false;
+            return true;
+        };
+        const TriangleBoxTest test(box);
+        const auto touches = [&](const Corners3& triangle) { return test.touches(triangle); };
+        RayWork counted;
+        const NodesOfTree<StoredAabb> nodes = {tree_, tree_->nodes};
+        const std::size_t touching = bench::count_touching(nodes, stack_, counted, is_near, touches);
+        add(counted, work);
+        return touching;
+    }
 
 private:
+    static void add(const RayWork& counted, CellWork& work) {
+        work.cells += counted.box_tests;
+        work.triangle_tests += counted.triangle_tests;
+    }
+
     const AabbTree* tree_;
     RayWalk rays_;
-    TreeBoxes boxes_;
+    std::vector<std::uint32_t> stack_;
     const FloatTest* float_test_;
 };
 

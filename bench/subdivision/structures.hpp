@@ -2,7 +2,6 @@
 // from testing one of them again.
 #pragma once
 
-#include "../deformation/box_tree.hpp"
 #include "../exactness/edge_rays.hpp"
 #include "../exactness/kernels.hpp"
 #include "../study/aabb_tree.hpp"

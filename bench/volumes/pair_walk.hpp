@@ -13,10 +13,6 @@ namespace espalier::bench {
 template <class Stored>
 class PreparedPose;
 
-inline void place(const Placement& placement, const float* p, float* to) {
-    for (int i = 0; i < 3; ++i) to[i] = dot3(placement.rotation[i], p) + placement.shift[i];
-}
-
 /// Tests the distance of the centers.
 template <>
 class PreparedPose<StoredSphere> {
@@ -39,28 +35,6 @@ public:
 private:
     const Placement* placement_;
 };
-
-/// Tests the 15 axes that can separate two boxes (Gottschalk, Lin, Manocha 1996): three of each, and the cross products
-/// of these. `r` turns from the axes of b to those of a, `m` has its magnitudes, and `t` leads to the center of b.
-inline bool boxes_touch(const float (&half_a)[3], const float (&half_b)[3], const float (&r)[3][3],
-                        const float (&m)[3][3], const float (&t)[3]) {
-    for (int i = 0; i < 3; ++i)
-        if (std::abs(t[i]) > half_a[i] + dot3(m[i], half_b)) return false;
-    for (int j = 0; j < 3; ++j)
-        if (std::abs(t[0] * r[0][j] + t[1] * r[1][j] + t[2] * r[2][j]) >
-            half_b[j] + m[0][j] * half_a[0] + m[1][j] * half_a[1] + m[2][j] * half_a[2])
-            return false;
-    for (int i = 0; i < 3; ++i) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-        for (int j = 0; j < 3; ++j) {
-            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            if (std::abs(t[i2] * r[i1][j] - t[i1] * r[i2][j]) >
-                half_a[i1] * m[i2][j] + half_a[i2] * m[i1][j] + half_b[j1] * m[i][j2] + half_b[j2] * m[i][j1])
-                return false;
-        }
-    }
-    return true;
-}
 
 /// A placed box is an oriented one, so all boxes of a hierarchy are turned alike.
 template <>
@@ -147,18 +121,16 @@ public:
     template <class Visit>
     [[nodiscard]] PairWork run(PairQuestion question, const Placement& placement, const Visit& visit) {
         const Pose pose(placement);
-        const float* t = placement.shift;
-        const auto largest = static_cast<double>(
-            std::max(a_.tree->largest, 2.0f * b_.tree->largest + std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2])));
+        const TrianglePairTest triangles(*a_.tree, *b_.tree, placement, question);
         PairWork work;
         std::size_t size = 0;
         const auto push_touching = [&](const Range& of_a, const Range& of_b) {
             for (std::uint32_t b = of_b.first; b < of_b.end; ++b) {
-                const typename Pose::Placed placed = pose.placed(b_.nodes[b].volume);
+                const typename Pose::Placed placed = pose.placed(b_.nodes[b]);
                 for (std::uint32_t a = of_a.first; a < of_a.end; ++a) {
                     ++work.box_tests;
                     visit(a, b);
-                    if (pose.touch(a_.nodes[a].volume, placed)) stack_[size++] = {a, b};
+                    if (pose.touch(a_.nodes[a], placed)) stack_[size++] = {a, b};
                 }
             }
         };
@@ -167,20 +139,13 @@ public:
             const Entry top = stack_[--size];
             const auto& a = a_.nodes[top.a];
             const auto& b = b_.nodes[top.b];
-            if (a.count == 0 || b.count == 0) {
-                push_touching(a.count == 0 ? Range{a.first, a.first + 2} : Range{top.a, top.a + 1},
-                              b.count == 0 ? Range{b.first, b.first + 2} : Range{top.b, top.b + 1});
+            if (!a.is_leaf() || !b.is_leaf()) {
+                push_touching(a.is_leaf() ? Range{top.a, top.a + 1} : Range{a.first, a.first + 2},
+                              b.is_leaf() ? Range{top.b, top.b + 1} : Range{b.first, b.first + 2});
                 continue;
             }
-            for (const FloatTriangle& of_b : std::span(b_.tree->triangles).subspan(b.first, b.count)) {
-                const PlacedTriangle placed(of_b, placement.exact, largest);
-                for (const FloatTriangle& of_a : std::span(a_.tree->triangles).subspan(a.first, a.count)) {
-                    ++work.triangle_tests;
-                    if (!placed.touches(of_a)) continue;
-                    ++work.pairs;
-                    if (question == PairQuestion::any) return work;
-                }
-            }
+            triangles.test(a_.tree->triangles_of(a), b_.tree->triangles_of(b), work);
+            if (triangles.is_over(work)) break;
         }
         return work;
     }

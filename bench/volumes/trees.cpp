@@ -5,95 +5,6 @@
 #include "pair_walk.hpp"
 
 namespace espalier::bench {
-namespace {
-
-/// Finds the closest hit of a ray, the nearer of two children first, as section 7 of the guide describes.
-template <class Stored>
-class VolumeRayWalk {
-public:
-    explicit VolumeRayWalk(const VolumeTree<Stored>& tree) : tree_(&tree), stack_(tree.topology->height + 1) {}
-
-    /// Returns t of the closest hit, or infinity. Calls `visit(node)` for each volume that is tested.
-    template <class Visit>
-    double closest(const Ray& ray, VolumeWork& work, const Visit& visit) {
-        const PreparedRay<Stored> prepared(ray);
-        const Line line = {point_of(ray.origin), point_of(ray.direction)};
-        double nearest = std::numeric_limits<double>::infinity();
-        const auto entry = [&](std::uint32_t node) {
-            ++work.volume_tests;
-            visit(node);
-            return prepared.entry(tree_->nodes[node].volume);
-        };
-        const auto is_ahead = [&](float at) { return at != no_entry && static_cast<double>(at) <= nearest; };
-        std::size_t size = 0;
-        stack_[size++] = {0, entry(0)};
-        while (size > 0) {
-            const Waiting top = stack_[--size];
-            if (!is_ahead(top.entry)) continue;
-            std::uint32_t index = top.node;
-            while (tree_->nodes[index].count == 0) {
-                const std::uint32_t first = tree_->nodes[index].first;
-                Waiting near = {first, entry(first)}, far = {first + 1, entry(first + 1)};
-                if (far.entry < near.entry) std::swap(near, far);
-                if (!is_ahead(near.entry)) break;
-                if (is_ahead(far.entry)) stack_[size++] = far;
-                index = near.node;
-            }
-            const auto& leaf = tree_->nodes[index];
-            work.triangle_tests += leaf.count;
-            if (leaf.count == 0) continue;
-            for (const FloatTriangle& triangle : tree_->triangles_of(leaf))
-                if (const auto at = meets(corners_of(triangle), line)) nearest = std::min(nearest, *at);
-        }
-        return nearest;
-    }
-    double closest(const Ray& ray, VolumeWork& work) {
-        return closest(ray, work, [](std::uint32_t) {});
-    }
-
-private:
-    struct Waiting {
-        std::uint32_t node;
-        float entry;
-    };
-    const VolumeTree<Stored>* tree_;
-    std::vector<Waiting> stack_;
-};
-
-/// Counts the triangles that a ball touches.
-template <class Stored>
-class VolumeBallWalk {
-public:
-    explicit VolumeBallWalk(const VolumeTree<Stored>& tree) : tree_(&tree), stack_(tree.topology->height + 2) {}
-
-    [[nodiscard]] std::uint64_t count(const Ball& ball, VolumeWork& work) {
-        const PreparedBall<Stored> prepared(ball);
-        std::uint64_t touching = 0;
-        std::size_t size = 0;
-        stack_[size++] = 0;
-        while (size > 0) {
-            const auto& node = tree_->nodes[stack_[--size]];
-            ++work.volume_tests;
-            if (!prepared.touches(node.volume)) continue;
-            if (node.count == 0) {
-                stack_[size++] = node.first + 1;
-                stack_[size++] = node.first;
-                continue;
-            }
-            work.triangle_tests += node.count;
-            for (const FloatTriangle& triangle : tree_->triangles_of(node))
-                touching += touches(corners_of(triangle), ball) ? 1u : 0u;
-        }
-        return touching;
-    }
-
-private:
-    const VolumeTree<Stored>* tree_;
-    std::vector<std::uint32_t> stack_;
-};
-
-}  // namespace
-
 std::vector<Volumes> fit_nodes(const AabbTree& topology) {
     std::vector<Volumes> volumes;
     for (const TriangleRange& range : triangle_ranges(topology))
@@ -107,25 +18,28 @@ template <class Stored>
 class TreeOf final : public KindOfTree {
 public:
     TreeOf(const AabbTree& topology, std::span<const Volumes> volumes)
-        : tree_(topology, volumes), rays_(tree_), balls_(tree_), pairs_(tree_.all_nodes(), tree_.all_nodes()) {}
+        : nodes_(stored(topology, volumes)), tree_{&topology, nodes_}, rays_(tree_), pairs_(tree_, tree_) {}
     [[nodiscard]] Kind kind() const override { return Stored::kind; }
     [[nodiscard]] std::size_t volume_bytes() const override { return sizeof(Stored); }
     [[nodiscard]] std::size_t node_bytes() const override { return sizeof(VolumeNode<Stored>); }
 
-    [[nodiscard]] double closest(const Ray& ray, VolumeWork& work) override { return rays_.closest(ray, work); }
-    [[nodiscard]] std::uint64_t touching(const Ball& ball, VolumeWork& work) override {
-        return balls_.count(ball, work);
+    [[nodiscard]] double closest(const Ray& ray, RayWork& work) override { return rays_.closest_by(ray, work); }
+    [[nodiscard]] std::uint64_t touching(const Ball& ball, RayWork& work) override {
+        const PreparedBall<Stored> prepared(ball);
+        return count_touching(
+            tree_, stack_, work, [&](const Stored& volume) { return prepared.touches(volume); },
+            [&](const Corners3& triangle) { return touches(triangle, ball); });
     }
-    [[nodiscard]] std::uint64_t touching(const Placement& placement, VolumeWork& work) override {
+    [[nodiscard]] std::uint64_t touching(const Placement& placement, RayWork& work) override {
         const PairWork pairs = pairs_.run(PairQuestion::all, placement);
-        work.volume_tests += pairs.box_tests;
+        work.box_tests += pairs.box_tests;
         work.triangle_tests += pairs.triangle_tests;
         return pairs.pairs;
     }
     [[nodiscard]] RayTests tests_of(const Ray& ray) override {
         RayTests tests{ray, {}};
-        VolumeWork work;
-        static_cast<void>(rays_.closest(ray, work, [&](std::uint32_t node) { tests.nodes.push_back(node); }));
+        RayWork work;
+        static_cast<void>(rays_.closest_by(ray, work, [&](std::uint32_t node) { tests.nodes.push_back(node); }));
         return tests;
     }
     [[nodiscard]] PairTests tests_of(const Placement& placement) override {
@@ -142,7 +56,7 @@ public:
             unsigned met = 0;
             for (std::size_t i = 0; i < tests.size(); ++i)
                 for (const std::uint32_t node : tests[i].nodes) {
-                    met += prepared[i].entry(tree_.nodes[node].volume) != no_entry ? 1u : 0u;
+                    met += prepared[i].entry(tree_.nodes[node]) != no_entry ? 1u : 0u;
                     ++count;
                 }
             return met;
@@ -157,9 +71,9 @@ public:
                 typename PreparedPose<Stored>::Placed placed;
                 auto last = std::uint32_t(-1);
                 for (const auto& [a, b] : tests[i].nodes) {
-                    if (b != last) placed = prepared[i].placed(tree_.nodes[b].volume);
+                    if (b != last) placed = prepared[i].placed(tree_.nodes[b]);
                     last = b;
-                    met += prepared[i].touch(tree_.nodes[a].volume, placed) ? 1u : 0u;
+                    met += prepared[i].touch(tree_.nodes[a], placed) ? 1u : 0u;
                     ++count;
                 }
             }
@@ -180,9 +94,21 @@ private:
         return 1e9 * time.seconds() / static_cast<double>(count);
     }
 
-    VolumeTree<Stored> tree_;
+    static std::vector<VolumeNode<Stored>> stored(const AabbTree& topology, std::span<const Volumes> volumes) {
+        const double margin = stored_margin_share * static_cast<double>(topology.largest);
+        std::vector<VolumeNode<Stored>> nodes(topology.nodes.size());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            store(volumes[i], margin, nodes[i]);
+            nodes[i].first = topology.nodes[i].first;
+            nodes[i].count = topology.nodes[i].count;
+        }
+        return nodes;
+    }
+
+    std::vector<VolumeNode<Stored>> nodes_;
+    NodesOfTree<Stored> tree_;
     VolumeRayWalk<Stored> rays_;
-    VolumeBallWalk<Stored> balls_;
+    std::vector<std::uint32_t> stack_;
     VolumePairWalk<PreparedPose<Stored>, Stored> pairs_;
 };
 

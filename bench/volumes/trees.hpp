@@ -10,48 +10,7 @@ namespace espalier::bench {
 /// Fits volumes to the triangles of each node. One entry for each node of the tree.
 [[nodiscard]] std::vector<Volumes> fit_nodes(const AabbTree& topology);
 
-template <class Stored>
-struct VolumeNode {
-    Stored volume;
-    std::uint32_t first;  ///< the first of two children; of a leaf, its first triangle
-    std::uint32_t count;  ///< of a leaf, the number of its triangles; 0: the node has children
-};
-
-/// Nodes of one kind, in the order of the tree that they belong to.
-template <class Stored>
-struct NodesOfTree {
-    const AabbTree* tree;
-    std::span<const VolumeNode<Stored>> nodes;
-};
-
-/// A tree with the nodes of `topology` in the same order, and its triangles.
-template <class Stored>
-struct VolumeTree {
-    VolumeTree(const AabbTree& of, std::span<const Volumes> volumes) : topology(&of) {
-        const double margin = stored_margin_share * static_cast<double>(of.largest);
-        nodes.resize(of.nodes.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            store(volumes[i], margin, nodes[i].volume);
-            nodes[i].first = of.nodes[i].first;
-            nodes[i].count = of.nodes[i].count;
-        }
-    }
-    [[nodiscard]] std::span<const FloatTriangle> triangles_of(const VolumeNode<Stored>& leaf) const {
-        return std::span(topology->triangles).subspan(leaf.first, leaf.count);
-    }
-    [[nodiscard]] NodesOfTree<Stored> all_nodes() const { return {topology, nodes}; }
-
-    const AabbTree* topology;
-    std::vector<VolumeNode<Stored>> nodes;
-};
-
 // The kinds of volume behind one interface, which is called once for a query.
-
-/// What walks count, added up.
-struct VolumeWork {
-    std::uint64_t volume_tests = 0;
-    std::uint64_t triangle_tests = 0;
-};
 
 /// Tests of volumes that a walk made, in its order.
 struct RayTests {
@@ -72,11 +31,11 @@ public:
     [[nodiscard]] virtual std::size_t node_bytes() const = 0;
 
     /// Returns t of the closest hit, or infinity.
-    [[nodiscard]] virtual double closest(const Ray& ray, VolumeWork& work) = 0;
+    [[nodiscard]] virtual double closest(const Ray& ray, RayWork& work) = 0;
     /// Returns how many triangles the ball touches.
-    [[nodiscard]] virtual std::uint64_t touching(const Ball& ball, VolumeWork& work) = 0;
+    [[nodiscard]] virtual std::uint64_t touching(const Ball& ball, RayWork& work) = 0;
     /// Returns how many pairs of triangles touch, of the mesh and the same mesh in a pose.
-    [[nodiscard]] virtual std::uint64_t touching(const Placement& placement, VolumeWork& work) = 0;
+    [[nodiscard]] virtual std::uint64_t touching(const Placement& placement, RayWork& work) = 0;
 
     [[nodiscard]] virtual RayTests tests_of(const Ray& ray) = 0;
     [[nodiscard]] virtual PairTests tests_of(const Placement& placement) = 0;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "../study/shapes.hpp"
-#include "../study/walks.hpp"
 
 namespace espalier::bench {
 

@@ -63,16 +63,16 @@ Subject make_subject(Mesh mesh, const VolumeOptions& options) {
 }
 
 template <class Answer>
-void add_to(JsonObject& row, const std::string& name, const Timed<Answer, VolumeWork>& timed) {
-    row.add(name + "_volume_tests", timed.mean(timed.work.volume_tests), 2);
+void add_to(JsonObject& row, const std::string& name, const Timed<Answer, RayWork>& timed) {
+    row.add(name + "_volume_tests", timed.mean(timed.work.box_tests), 2);
     row.add(name + "_triangle_tests", timed.mean(timed.work.triangle_tests), 2);
     add_spread(row, name + "_ns", timed.nanoseconds, 1);
 }
 
 struct KindRuns {
-    Timed<double, VolumeWork> rays;
-    Timed<std::uint64_t, VolumeWork> balls;
-    Timed<std::uint64_t, VolumeWork> poses;
+    Timed<double, RayWork> rays;
+    Timed<std::uint64_t, RayWork> balls;
+    Timed<std::uint64_t, RayWork> poses;
     std::vector<double> ray_test;  ///< nanoseconds of a test, in each round
     std::vector<double> pair_test;
 };
@@ -104,10 +104,10 @@ RecordedTests record(const Queries& queries, KindOfTree& tree) {
 
 void make_round(const Queries& queries, const RecordedTests& recorded, KindOfTree& tree, KindRuns& runs) {
     constexpr unsigned repetitions = 50;
-    runs.rays.make_round(queries.rays, [&](const Ray& ray, VolumeWork& work) { return tree.closest(ray, work); });
-    runs.balls.make_round(queries.balls, [&](const Ball& ball, VolumeWork& work) { return tree.touching(ball, work); });
-    runs.poses.make_round(
-        queries.poses, [&](const Transform& pose, VolumeWork& work) { return tree.touching(Placement(pose), work); });
+    runs.rays.make_round(queries.rays, [&](const Ray& ray, RayWork& work) { return tree.closest(ray, work); });
+    runs.balls.make_round(queries.balls, [&](const Ball& ball, RayWork& work) { return tree.touching(ball, work); });
+    runs.poses.make_round(queries.poses,
+                          [&](const Transform& pose, RayWork& work) { return tree.touching(Placement(pose), work); });
     runs.ray_test.push_back(tree.time_of(recorded.rays, repetitions));
     runs.pair_test.push_back(tree.time_of(recorded.poses, repetitions));
 }
@@ -115,9 +115,8 @@ void make_round(const Queries& queries, const RecordedTests& recorded, KindOfTre
 /// Espalier's own tree and tests; its exact decisions may differ from those in double where triangles just touch.
 void make_own_round(const Subject& subject, KindRuns& runs) {
     const Blob& blob = subject.baked.blob;
-    runs.rays.make_round(subject.queries.rays,
-                         [&](const Ray& ray, VolumeWork&) { return double(raycast(blob, ray).t); });
-    runs.poses.make_round(subject.queries.poses, [&](const Transform& pose, VolumeWork&) {
+    runs.rays.make_round(subject.queries.rays, [&](const Ray& ray, RayWork&) { return double(raycast(blob, ray).t); });
+    runs.poses.make_round(subject.queries.poses, [&](const Transform& pose, RayWork&) {
         std::uint64_t touching = 0;
         const QueryStatus status = for_each_contact(
             blob, {blob, pose}, [&](const PairContact&) { ++touching; }, unlimited);

@@ -27,7 +27,7 @@ struct Trees {
 /// Returns poses of which about half touch.
 std::vector<Transform> poses_of(const Mesh& mesh, KindOfTree& tree) {
     return some_poses(mesh, 20, 7, [&](const Transform& pose) {
-        VolumeWork work;
+        RayWork work;
         return tree.touching(Placement(pose), work) > 0;
     });
 }
@@ -122,9 +122,9 @@ TEST_CASE("bench: trees of every kind of volume find the closest hit that a loop
             for (const auto& tree : trees.kinds) {
                 CAPTURE(mesh.name);
                 CAPTURE(std::string(name_of(tree->kind())));
-                VolumeWork work;
+                RayWork work;
                 CHECK(tree->closest(ray, work) == expected);
-                CHECK(work.volume_tests >= 1);
+                CHECK(work.box_tests >= 1);
             }
         }
         CHECK(hits > 20);
@@ -143,7 +143,7 @@ TEST_CASE("bench: trees of every kind of volume find the triangles in a ball tha
                 expected += touches(corners_of(triangle), ball) ? 1u : 0u;
             for (const auto& tree : trees.kinds) {
                 CAPTURE(std::string(name_of(tree->kind())));
-                VolumeWork work;
+                RayWork work;
                 CHECK(tree->touching(ball, work) == expected);
             }
         }
@@ -161,7 +161,7 @@ TEST_CASE("bench: trees of every kind of volume find the pairs that a loop over 
             for (const auto& tree : trees.kinds) {
                 CAPTURE(mesh.name);
                 CAPTURE(std::string(name_of(tree->kind())));
-                VolumeWork work;
+                RayWork work;
                 CHECK(tree->touching(placement, work) == expected.pairs);
                 CHECK(work.triangle_tests <= expected.triangle_tests);
             }
