@@ -116,6 +116,13 @@ inline std::string decimal(double value, int digits) {
     return text;
 }
 
+/// Of so many digits, for numbers of any size.
+inline std::string digits_of(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
 /// A row of a file of JSON objects, one object a line. Fields appear in the order in which they were added.
 class JsonObject {
 public:

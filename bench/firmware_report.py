@@ -75,6 +75,10 @@ def thousands(number):
     return f"{number:,}"
 
 
+def mean_and_most(row, field="instructions"):
+    return f"{row[field]:,} ({row[field + '_max']:,})"
+
+
 def goals_table(rows):
     """What the project set out to reach on the M4F with profile fast and the bunny, and what is reached."""
     def query(name):
@@ -117,25 +121,13 @@ def code_table(rows):
                   for core, profile in kinds])
 
 
-def of_each_core(rows, first, names, cell):
+def of_each_core(rows, names, field="instructions"):
     """A row for each core in profile fast, a column for each query."""
     lines = []
     for core in dict.fromkeys(key[0] for key in rows.queries):
         mesh = rows.largest(core)
-        lines.append([CORES[core], mesh] + [cell(rows.queries[core, "fast", mesh, query]) for query in names])
-    return table(["core", first] + list(names.values()), lines)
-
-
-def instructions_table(rows):
-    return of_each_core(rows, "mesh", FIVE, lambda r: f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})")
-
-
-def steps_table(rows):
-    return of_each_core(rows, "mesh", IN_STEPS, lambda r: f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})")
-
-
-def blob_bytes_table(rows):
-    return of_each_core(rows, "mesh", FIVE, lambda r: f"{thousands(r['blob_bytes'])} ({thousands(r['blob_bytes_max'])})")
+        lines.append([CORES[core], mesh] + [mean_and_most(rows.queries[core, "fast", mesh, query], field) for query in names])
+    return table(["core", "mesh"] + list(names.values()), lines)
 
 
 def stack_table(rows):
@@ -176,7 +168,7 @@ def moving_table(rows):
         calls = refits["calls"] + repacks["calls"]
         mean = -(-(refits["calls"] * refits["instructions"] + repacks["calls"] * repacks["instructions"]) // calls)
         lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "moving_step"]), thousands(mean)] +
-                     [f"{thousands(row['instructions'])} ({thousands(row['instructions_max'])})" for row in (refits, repacks)] +
+                     [mean_and_most(row) for row in (refits, repacks)] +
                      [thousands(max(refits["stack"], repacks["stack"]))])
     return table(["core", "profile", "code", "instructions of a step", "with refit", "with repack", "stack"], lines)
 
@@ -189,7 +181,7 @@ def refit_table(rows):
             continue
         row = rows.queries[core, profile, mesh, "refit"]
         lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "refit_mesh"]),
-                      f"{thousands(row['instructions'])} ({thousands(row['instructions_max'])})",
+                      mean_and_most(row),
                       thousands(-(-row["instructions_max"] // CLOTH_TRIANGLES)), thousands(row["stack"])])
     return table(["core", "profile", "code", "instructions of a refit", "at most for each triangle", "stack"], lines)
 
@@ -217,7 +209,7 @@ def largest_table(rows):
         ray = rows.queries[core, profile, mesh, "raycast"]
         opening = rows.queries[core, profile, mesh, "open"]
         lines.append([CORES[core], mesh, f"`{profile}`", thousands(rows.blobs[profile, mesh]), thousands(opening["instructions"]),
-                      f"{thousands(ray['instructions'])} ({thousands(ray['instructions_max'])})"])
+                      mean_and_most(ray)])
     return table(["core", "mesh", "profile", "blob", "instructions of `open`", "closest ray"], lines)
 
 
@@ -226,8 +218,8 @@ def all_queries_table(rows):
     own = [row if row["blob_bytes_max"] else rows.queries["m4f", "fast", "torus", row["query"]]
            for key, row in rows.queries.items() if key[:3] == ("m4f", "fast", rows.largest("m4f"))]
     return table(["query", "instructions (most)", "blob bytes (most)", "stack"],
-                 [[call(r['query']) + (", torus" if r["mesh"] == "torus" else ""), f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})",
-                   f"{thousands(r['blob_bytes'])} ({thousands(r['blob_bytes_max'])})", thousands(r["stack"])] for r in own])
+                 [[call(r['query']) + (", torus" if r["mesh"] == "torus" else ""), mean_and_most(r),
+                   mean_and_most(r, "blob_bytes"), thousands(r["stack"])] for r in own])
 
 
 def outputs(files):
@@ -236,8 +228,8 @@ def outputs(files):
     elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
     conditions = (f"Rows: {links(files)}.\nGCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}.\n"
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
-    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
-                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows), "refit": refit_table(rows),
+    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": of_each_core(rows, FIVE), "steps": of_each_core(rows, IN_STEPS),
+                                      "bytes": of_each_core(rows, FIVE, "blob_bytes"), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows), "refit": refit_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 
 

@@ -24,45 +24,22 @@ template void Program::add_number(const std::string&, unsigned&, unsigned, unsig
 template void Program::add_number(const std::string&, std::size_t&, std::size_t, std::size_t, const std::string&);
 template void Program::add_number(const std::string&, double&, double, double, const std::string&);
 
-// Of an option that may be repeated, CLI11 would take all words up to the next option, meshes too, as its values.
-void Program::add_numbers(const std::string& option, std::vector<unsigned>& variable, unsigned low, unsigned high,
-                          const std::string& help) {
-    command_line_->add_option(option, variable, help)
-        ->check(CLI::Range(low, high))
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->capture_default_str();
-}
-
 void Program::add_flag(const std::string& option, bool& variable, const std::string& help) {
     command_line_->add_flag(option, variable, help);
 }
 
-void Program::add_word(const std::string& option, std::string& variable, const std::string& help) {
-    command_line_->add_option(option, variable, help);
+void Program::add_word(const std::string& option, std::string& variable, const std::string& help,
+                       const std::vector<std::string>& allowed) {
+    CLI::Option* const added = command_line_->add_option(option, variable, help);
+    if (!allowed.empty()) added->check(CLI::IsMember(allowed))->capture_default_str();
 }
 
-void Program::add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help) {
-    command_line_->add_option(option, variable, help)->take_all()->expected(1)->allow_extra_args(false);
-}
-
-void Program::add_required_word(const std::string& option, std::string& variable, const std::string& help) {
-    command_line_->add_option(option, variable, help)->required();
-}
-
-void Program::add_choice(const std::string& option, std::string& variable, const std::vector<std::string>& allowed,
-                         const std::string& help) {
-    command_line_->add_option(option, variable, help)->check(CLI::IsMember(allowed))->capture_default_str();
-}
-
-void Program::add_choices(const std::string& option, std::vector<std::string>& variable,
-                          const std::vector<std::string>& allowed, const std::string& help) {
-    command_line_->add_option(option, variable, help)
-        ->check(CLI::IsMember(allowed))
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
+// Of an option that may be repeated, CLI11 would take all words up to the next option, meshes too, as its values.
+void Program::add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help,
+                        const std::vector<std::string>& allowed) {
+    CLI::Option* const added = command_line_->add_option(option, variable, help);
+    added->take_all()->expected(1)->allow_extra_args(false);
+    if (!allowed.empty()) added->check(CLI::IsMember(allowed));
 }
 
 int Program::run(int count, char** words, const std::function<void(const std::vector<std::string>&)>& measure) {
@@ -85,6 +62,15 @@ int Program::run(int count, char** words, const std::function<void(const std::ve
         return fail(error.what(), 2);
     }
     return 0;
+}
+
+int run_subject(const char* program, std::span<const Subject> subjects, int count, char** words) {
+    for (const Subject& subject : subjects)
+        if (count > 1 && subject.name == words[1]) return subject.run(count - 1, words + 1);
+    std::fprintf(stderr, "%s SUBJECT [OPTION...] [MESH...]; a subject's --help lists its options. Subjects:\n",
+                 program);
+    for (const Subject& subject : subjects) std::fprintf(stderr, "  %s\n", subject.name.data());
+    return 1;
 }
 
 }  // namespace espalier::bench

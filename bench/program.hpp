@@ -29,29 +29,16 @@ public:
         add_number(option, variable, Number{1}, Number{1'000'000'000}, help);
     }
 
-    /// Adds numbers from `low` to `high`; the option may be repeated.
-    void add_numbers(const std::string& option, std::vector<unsigned>& variable, unsigned low, unsigned high,
-                     const std::string& help);
-
     /// Adds an option without a value.
     void add_flag(const std::string& option, bool& variable, const std::string& help);
 
-    /// Adds any word.
-    void add_word(const std::string& option, std::string& variable, const std::string& help);
+    /// Adds a word, one of `allowed` if there are some.
+    void add_word(const std::string& option, std::string& variable, const std::string& help,
+                  const std::vector<std::string>& allowed = {});
 
-    /// Adds any words; the option may be repeated.
-    void add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help);
-
-    /// Adds any word, without which the program fails.
-    void add_required_word(const std::string& option, std::string& variable, const std::string& help);
-
-    /// Adds one of the words `allowed`.
-    void add_choice(const std::string& option, std::string& variable, const std::vector<std::string>& allowed,
-                    const std::string& help);
-
-    /// Adds some of the words `allowed`; the option may be repeated.
-    void add_choices(const std::string& option, std::vector<std::string>& variable,
-                     const std::vector<std::string>& allowed, const std::string& help);
+    /// The same; the option may be repeated.
+    void add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help,
+                   const std::vector<std::string>& allowed = {});
 
     /// Returns what reads the command line, for options of other kinds.
     CLI::App& command_line() { return *command_line_; }
@@ -70,6 +57,18 @@ public:
         });
     }
 
+    /// Calls `measure` with each mesh at the common size.
+    int run_at_common_size(int count, char** words, const std::function<void(const Mesh& mesh)>& measure) {
+        return run(count, words, [&](const std::vector<std::string>& meshes) {
+            for (const std::string& file : meshes) {
+                Mesh mesh = tests::read_mesh(file);
+                bring_to_common_size(mesh);
+                measure(mesh);
+                std::fflush(stdout);
+            }
+        });
+    }
+
     /// Calls `measure` with the files. Exit status: 0, 1 where the words are wrong or `measure` throws
     /// std::invalid_argument, 2 for every other exception.
     int run(int count, char** words, const std::function<void(const std::vector<std::string>& meshes)>& measure);
@@ -78,5 +77,13 @@ private:
     std::unique_ptr<CLI::App> command_line_;
     std::vector<std::string> meshes_;
 };
+
+/// A word of a program that measures several subjects: what follows it on the command line is the subject's.
+struct Subject {
+    std::string_view name;
+    int (*run)(int count, char** words);
+};
+/// Runs the subject that the first word names. Returns 1 where there is none.
+int run_subject(const char* program, std::span<const Subject> subjects, int count, char** words);
 
 }  // namespace espalier::bench

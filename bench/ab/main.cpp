@@ -109,14 +109,14 @@ int main(int count, char** words) {
     Heading heading;
     Program program("espalier_bench_ab",
                     "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level");
-    program.add_required_word("--base", options.base_file, "Shared object of the one side");
-    program.add_required_word("--other", options.other_file, "Shared object of the other side");
+    program.add_word("--base", options.base_file, "Shared object of the one side");
+    program.add_word("--other", options.other_file, "Shared object of the other side");
     program.add_word("--base-name", heading.base, "What the report calls it");
     program.add_word("--other-name", heading.other, "What the report calls it");
-    program.add_choices("--profile", options.profiles, profile_names(), "Only this profile; may be repeated");
-    program.add_choices("--questions", options.questions, question_names(), "Only this row; may be repeated");
-    program.add_choice("--set", options.set, {"scalar", "sse42", "avx2", "avx512", "neon", "best"},
-                       "Instruction set: scalar, sse42, avx2, avx512 or the best there is");
+    program.add_words("--profile", options.profiles, "Only this profile; may be repeated", profile_names());
+    program.add_words("--questions", options.questions, "Only this row; may be repeated", question_names());
+    program.add_word("--set", options.set, "Instruction set: scalar, sse42, avx2, avx512 or the best there is",
+                     {"scalar", "sse42", "avx2", "avx512", "neon", "best"});
     program.add_number("--bits", heading.bits, 1u, 24u, "Of the lattice");
     program.add_number("--seconds", options.turns.seconds, 0.0, 1e6, "Processor time of a row");
     program.add_number("--slice", options.turns.slice_milliseconds, 0.0, 1e6, "Milliseconds of a turn");
@@ -126,6 +126,8 @@ int main(int count, char** words) {
                       "Also times so many questions one by one: the other side's median and 99th percentile");
     program.add_flag("--json", options.json, "A JSON object for each row instead of tables");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        if (options.base_file.empty() || options.other_file.empty())
+            throw std::invalid_argument("--base and --other are required");
         Extremes extremes;
         for (const std::string& word : meshes) compare(word, options, heading, extremes);
         if (!options.json)

@@ -252,7 +252,7 @@ int cost_model_part(int count, char** words) {
     program.add_flag("--pairs", pairs, "Two blobs of each mesh instead of rays: overlaps and distances");
     program.add_flag("--scene", scene, "A scene of moving cubes instead of rays; takes no meshes");
     program.add_flag("--json", options.json, "A JSON object for each row instead of text");
-    program.add_choices("--profile", options.profiles, profile_names(), "Only this profile; may be repeated");
+    program.add_words("--profile", options.profiles, "Only this profile; may be repeated", profile_names());
     program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
     program.add_number("--poses", options.poses, 128u, 1'000'000u, "Poses of the second blob");
     program.add_number("--cubes", options.cubes, 1000u, 1'000'000u, "Cubes of the scene");

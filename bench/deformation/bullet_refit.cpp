@@ -1,5 +1,4 @@
-#include <btBulletCollisionCommon.h>
-
+#include "../bullet.hpp"
 #include "subject.hpp"
 
 namespace espalier::bench {
@@ -12,19 +11,14 @@ btVector3 vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 class BulletRefit final : public RefitSystem {
 public:
     BulletRefit(const Mesh& mesh, const Box& range, bool whole_shape)
-        : positions_(mesh.positions),
-          triangles_(mesh.triangles),
-          arrays_(static_cast<int>(triangles_.size()), reinterpret_cast<int*>(triangles_.data()),
-                  sizeof(TriangleVertices), static_cast<int>(positions_.size()),
-                  reinterpret_cast<btScalar*>(positions_.data()), sizeof(Vec3)),
+        : mesh_(mesh),
+          arrays_(bullet_arrays(mesh_)),
           low_(vector(range.min)),
           high_(vector(range.max)),
           shape_(&arrays_, true, low_, high_),
-          whole_shape_(whole_shape) {
-        static_assert(sizeof(btScalar) == sizeof(float));
-    }
+          whole_shape_(whole_shape) {}
     void set_positions(const std::vector<Vec3>& positions) override {
-        std::copy(positions.begin(), positions.end(), positions_.begin());
+        std::copy(positions.begin(), positions.end(), mesh_.positions.begin());
     }
     void refit() override {
         if (whole_shape_) shape_.refitTree(low_, high_);
@@ -36,14 +30,10 @@ public:
         const btVector3 low = tree.unQuantize(root.m_quantizedAabbMin), high = tree.unQuantize(root.m_quantizedAabbMax);
         return is_within(point, {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}, rounding);
     }
-    [[nodiscard]] std::size_t bytes() const override {
-        return const_cast<btBvhTriangleMeshShape&>(shape_).getOptimizedBvh()->calculateSerializeBufferSize() +
-               positions_.size() * sizeof(Vec3) + triangles_.size() * sizeof(TriangleVertices);
-    }
+    [[nodiscard]] std::size_t bytes() const override { return bullet_bytes(shape_, mesh_); }
 
 private:
-    std::vector<Vec3> positions_;
-    std::vector<TriangleVertices> triangles_;
+    Mesh mesh_;
     btTriangleIndexVertexArray arrays_;
     btVector3 low_, high_;
     btBvhTriangleMeshShape shape_;
@@ -53,10 +43,9 @@ private:
 }  // namespace
 
 RefitMakers bullet_refit_makers() {
-    const std::string version = std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
     RefitMakers makers;
     const auto add = [&](const char* profile, bool whole_shape) {
-        makers.push_back({"bullet", profile, version, [whole_shape](const Mesh& mesh, const Box& range) {
+        makers.push_back({"bullet", profile, bullet_version(), [whole_shape](const Mesh& mesh, const Box& range) {
                               return std::make_unique<BulletRefit>(mesh, range, whole_shape);
                           }});
     };

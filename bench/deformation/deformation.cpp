@@ -260,7 +260,7 @@ int deformation_part(int count, char** words) {
     program.add_count("--rounds", options.rounds, "How often everything is measured; the median counts");
     program.add_count("--rays", options.rays, "Incoherent rays into each pose");
     program.add_number("--bits", options.bits, 1u, 24u, "Lattice bits of Espalier");
-    program.add_choices("--part", options.parts, parts, "Only this part; may be repeated");
+    program.add_words("--part", options.parts, "Only this part; may be repeated", parts);
     program.add_words("--only", options.only,
                       "Only this system beside Espalier, by how its name begins: embree, fcl aabb; may be repeated");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {

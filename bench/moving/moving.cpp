@@ -99,8 +99,9 @@ int part(int count, char** words) {
     program.add_number("--speed", scenario.speed, 0.0, 10.0, "The largest step of an object in multiples of its edge");
     program.add_number("--moving", scenario.moving, 0.001, 1.0, "The share of the objects that moves");
     program.add_flag("--turning", scenario.turning, "Objects are turned at random, and those that move also turn");
-    program.add_choice("--sizes", options.sizes, {"cubes", "mixed"},
-                       "Unit cubes in ten times their volume, or cubes of edge 1 + 99 u^10 with one pair an object");
+    program.add_word("--sizes", options.sizes,
+                     "Unit cubes in ten times their volume, or cubes of edge 1 + 99 u^10 with one pair an object",
+                     {"cubes", "mixed"});
     program.add_number("--unmeasured", scenario.unmeasured, std::size_t{0}, std::size_t{1'000'000},
                        "Steps before those that are measured");
     program.add_count("--steps", scenario.steps, "Steps that are measured; the median counts");

@@ -2,7 +2,7 @@
 
 #include <ode/ode.h>
 
-#include "pair_system.hpp"
+#include "pairs.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -19,7 +19,7 @@ struct Library {
 
 // Two dGeomTriMesh over one OPCODE tree. Its collision of meshes makes contacts of all pairs of triangles that its tree
 // finds; there is no plain yes or no, and no distance.
-class OdePairs final : public PairSystem {
+class OdePairs {
 public:
     explicit OdePairs(const Mesh& mesh) : mesh_(mesh), contacts_(1 << 16) {
         static const Library library;
@@ -29,14 +29,13 @@ public:
                                     static_cast<int>(3 * mesh_.triangles.size()), sizeof(TriangleVertices));
         for (dGeomID& geometry : geometries_) geometry = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
     }
-    ~OdePairs() override {
+    ~OdePairs() {
         for (const dGeomID geometry : geometries_) dGeomDestroy(geometry);
         dGeomTriMeshDataDestroy(data_);
     }
-    [[nodiscard]] bool has_yes_no() const override { return false; }
-    [[nodiscard]] bool has_distance() const override { return false; }
-    bool yes_no(const Transform&) override { return false; }
-    std::size_t all(const Transform& pose) override {
+    OdePairs(const OdePairs&) = delete;
+    OdePairs& operator=(const OdePairs&) = delete;
+    std::size_t all(const Transform& pose) {
         const Matrix matrix = rotation_matrix(pose);
         dMatrix3 rotation = {};
         for (int i = 0; i < 3; ++i)
@@ -48,7 +47,6 @@ public:
         return static_cast<std::size_t>(
             dCollide(geometries_[0], geometries_[1], 0xFFFF, contacts_.data(), sizeof(dContactGeom)));
     }
-    double distance(const Transform&) override { return 0.0; }
 
 private:
     const Mesh& mesh_;
@@ -59,8 +57,9 @@ private:
 
 }  // namespace
 
-std::vector<PairMaker> ode_pair_makers() {
-    return {{"ode", "opcode", [](const Mesh& mesh) { return std::make_unique<OdePairs>(mesh); }}};
+void add_ode_pairs(const Mesh& mesh, PairContests& to) {
+    const auto pairs = std::make_shared<OdePairs>(mesh);
+    to.all.push_back({"ode", "opcode", one_by_one([pairs](const Transform& pose) { return pairs->all(pose); })});
 }
 
 }  // namespace espalier::bench

@@ -1,7 +1,7 @@
-#include <btBulletCollisionCommon.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
-
+#include "../bullet.hpp"
 #include "system.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 namespace espalier::bench {
 namespace {
@@ -26,22 +26,12 @@ public:
 class BulletSystem final : public System {
 public:
     explicit BulletSystem(const Mesh& mesh)
-        : mesh_(mesh),
-          sphere_(bounding_sphere(mesh)),
-          arrays_(static_cast<int>(mesh.triangles.size()),
-                  // Bullet takes pointers to mutable data and does not write through them.
-                  reinterpret_cast<int*>(const_cast<TriangleVertices*>(mesh.triangles.data())),
-                  sizeof(TriangleVertices), static_cast<int>(mesh.positions.size()),
-                  reinterpret_cast<btScalar*>(const_cast<Vec3*>(mesh.positions.data())), sizeof(Vec3)) {
-        static_assert(sizeof(btScalar) == sizeof(float));
+        : mesh_(mesh), sphere_(bounding_sphere(mesh)), arrays_(bullet_arrays(mesh)) {
         const Stopwatch watch;
         shape_ = std::make_unique<btBvhTriangleMeshShape>(&arrays_, true);
         seconds_ = watch.seconds();
     }
-    [[nodiscard]] std::size_t bytes() const override {
-        return shape_->getOptimizedBvh()->calculateSerializeBufferSize() + mesh_.positions.size() * sizeof(Vec3) +
-               mesh_.triangles.size() * sizeof(TriangleVertices);
-    }
+    [[nodiscard]] std::size_t bytes() const override { return bullet_bytes(*shape_, mesh_); }
     [[nodiscard]] double build_seconds() const override { return seconds_; }
     [[nodiscard]] bool has_any() const override { return false; }
     void closest(const std::vector<Ray>& rays, bool, std::vector<Hit>& hits) override {
@@ -72,8 +62,8 @@ private:
 }  // namespace
 
 std::vector<Maker> bullet_makers() {
-    const std::string version = std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
-    return {{"bullet", "quantised", version, [](const Mesh& mesh) { return std::make_unique<BulletSystem>(mesh); }}};
+    return {{"bullet", "quantised", bullet_version(),
+             [](const Mesh& mesh) { return std::make_unique<BulletSystem>(mesh); }}};
 }
 
 }  // namespace espalier::bench

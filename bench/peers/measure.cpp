@@ -17,9 +17,9 @@ Agreement compare(const std::vector<Ray>& rays, const std::vector<Hit>& referenc
         // Measured across the surface: along a ray that grazes it, a small distance becomes a long one. Embree's
         // normals are not of length 1, ours and the ray's are.
         const Vec3 normal = reference[i].normal;
-        const double length = std::sqrt(static_cast<double>(dot(normal, normal)));
+        const double length = std::sqrt(static_cast<double>(tests::dot(normal, normal)));
         const double slope =
-            length > 0.0 ? std::abs(static_cast<double>(dot(normal, rays[i].direction))) / length : 1.0;
+            length > 0.0 ? std::abs(static_cast<double>(tests::dot(normal, rays[i].direction))) / length : 1.0;
         const double apart = std::abs(static_cast<double>(own[i].t) - static_cast<double>(reference[i].t));
         // Not "apart * slope > ...": a NaN disagrees.
         if (!(apart * slope <= max_error + rounding)) ++agreement.t_disagreeing;
@@ -34,17 +34,6 @@ std::size_t contradictions(const std::vector<Hit>& closest, const std::vector<st
 }
 
 namespace {
-
-Spread spread(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return {values.front(), values[values.size() / 2], values.back()};
-}
-
-Spread ratio(const std::vector<double>& reference, const std::vector<double>& own) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < own.size(); ++i) ratios.push_back(reference[i] / own[i]);
-    return spread(std::move(ratios));
-}
 
 /// One system's seconds and answers.
 struct Run {

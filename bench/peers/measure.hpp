@@ -1,7 +1,8 @@
-// The words behind espalier_bench_peers.
+// The words behind espalier_bench_peers rays.
 #pragma once
 
 #include "../program.hpp"
+#include "contest.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
@@ -15,11 +16,6 @@ struct Options {
     std::uint64_t seed = 2026;
     BakeSettings bake;
 };
-
-void add_options(Program& program, Options& options);
-
-/// Whether --system asks for this one; the reference is always measured.
-bool is_asked_for(const Maker& maker, const Options& options);
 
 // How far the answers of two systems are the same.
 
@@ -39,10 +35,6 @@ std::size_t contradictions(const std::vector<Hit>& closest, const std::vector<st
 // Measures every system on one mesh: they take turns at building and at each kind of ray, so that a change of the
 // machine's speed hits them alike. A ratio is taken between neighbours in time; a figure is the median of the
 // repetitions' ratios, with the smallest and the largest beside it.
-
-struct Spread {
-    double low = 0.0, median = 0.0, high = 0.0;
-};
 
 /// Nothing where there is no such query, or no reference to take a ratio to.
 struct Speed {

@@ -7,11 +7,8 @@
 namespace espalier::bench {
 namespace {
 
-/// Lengths: they may be of any size.
 void add_length(JsonObject& object, const char* name, std::optional<double> value) {
-    char text[64];
-    if (value) std::snprintf(text, sizeof text, "%.6g", *value);
-    object.add_raw(name, value ? text : "null");
+    object.add_raw(name, value ? digits_of(*value, 6) : "null");
 }
 
 void add_ratio(JsonObject& object, const std::string& name, const std::optional<Spread>& ratio) {

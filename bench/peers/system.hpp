@@ -1,6 +1,7 @@
 // The interface of a system that is measured: built on one mesh, then queried with many rays.
 #pragma once
 
+#include "../../tests/support/base/vectors.hpp"
 #include "../base.hpp"
 
 namespace espalier::bench {
@@ -77,8 +78,6 @@ bool is_reference(const Maker& maker);
 
 // What some peers leave to their caller.
 
-inline float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 along(const Ray& ray, float t) {
     return {ray.origin.x + t * ray.direction.x, ray.origin.y + t * ray.direction.y, ray.origin.z + t * ray.direction.z};
 }
@@ -86,9 +85,9 @@ inline Vec3 along(const Ray& ray, float t) {
 /// A finite end for rays without one, for systems that cast segments: past the far side of `sphere`, times the length
 /// of the direction. Tight, because such systems visit every box on the whole segment.
 inline float reach(const Ray& ray, const BoundingSphere& sphere) {
-    const Vec3 to_center = minus(sphere.center, ray.origin);
-    const float length = std::sqrt(dot(ray.direction, ray.direction));
-    const float distance = std::sqrt(dot(to_center, to_center)) + 1.01f * sphere.radius;
+    const Vec3 to_center = tests::difference(sphere.center, ray.origin);
+    const float length = std::sqrt(tests::dot(ray.direction, ray.direction));
+    const float distance = std::sqrt(tests::dot(to_center, to_center)) + 1.01f * sphere.radius;
     return std::min(ray.t_max, distance / length);
 }
 
@@ -97,10 +96,11 @@ inline float reach(const Ray& ray, const BoundingSphere& sphere) {
 inline void set_barycentric(const Mesh& mesh, std::uint32_t triangle, Vec3 point, Hit& hit) {
     const TriangleVertices& corners = mesh.triangles[triangle];
     const Vec3 a = mesh.positions[corners[0]];
-    const Vec3 ab = minus(mesh.positions[corners[1]], a);
-    const Vec3 ac = minus(mesh.positions[corners[2]], a);
-    const Vec3 ap = minus(point, a);
-    const float bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac), pb = dot(ap, ab), pc = dot(ap, ac);
+    const Vec3 ab = tests::difference(mesh.positions[corners[1]], a);
+    const Vec3 ac = tests::difference(mesh.positions[corners[2]], a);
+    const Vec3 ap = tests::difference(point, a);
+    const float bb = tests::dot(ab, ab), bc = tests::dot(ab, ac), cc = tests::dot(ac, ac), pb = tests::dot(ap, ab),
+                pc = tests::dot(ap, ac);
     const float inverse = 1.0f / (bb * cc - bc * bc);
     hit.u = (cc * pb - bc * pc) * inverse;
     hit.v = (bb * pc - bc * pb) * inverse;

@@ -1,28 +1,28 @@
-#include "embree_points.hpp"
+#include "points.hpp"
 
+#include "../../tests/support/base/vectors.hpp"
 #include "../embree.hpp"
 
 namespace espalier::bench {
 namespace {
 
-Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+using tests::difference, tests::dot;
 
 /// Squared distance of a point and a triangle by the regions of its plane (Ericson 2005, 5.1.5), in float32.
 float squared_distance(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 ab = minus(b, a), ac = minus(c, a), ap = minus(p, a);
+    const Vec3 ab = difference(b, a), ac = difference(c, a), ap = difference(p, a);
     const auto from = [&](float v, float w) {
         const Vec3 d = {ap.x - v * ab.x - w * ac.x, ap.y - v * ab.y - w * ac.y, ap.z - v * ab.z - w * ac.z};
         return dot(d, d);
     };
     const float d1 = dot(ab, ap), d2 = dot(ac, ap);
     if (d1 <= 0.0f && d2 <= 0.0f) return from(0.0f, 0.0f);
-    const Vec3 bp = minus(p, b);
+    const Vec3 bp = difference(p, b);
     const float d3 = dot(ab, bp), d4 = dot(ac, bp);
     if (d3 >= 0.0f && d4 <= d3) return from(1.0f, 0.0f);
     const float vc = d1 * d4 - d3 * d2;
     if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return from(d1 / (d1 - d3), 0.0f);
-    const Vec3 cp = minus(p, c);
+    const Vec3 cp = difference(p, c);
     const float d5 = dot(ab, cp), d6 = dot(ac, cp);
     if (d6 >= 0.0f && d5 <= d6) return from(0.0f, 1.0f);
     const float vb = d5 * d2 - d1 * d6;
@@ -64,36 +64,34 @@ bool keep_closest(RTCPointQueryFunctionArguments* arguments) {
     return true;
 }
 
-}  // namespace
+/// A scene of Embree that answers by a function.
+struct Scene {
+    explicit Scene(const Mesh& of) : mesh(of), scene(device.new_scene(of)) { rtcCommitScene(scene); }
+    ~Scene() { rtcReleaseScene(scene); }
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
 
-struct EmbreePoints::Scene {
-    const Mesh& mesh;
-    EmbreeDevice device = {};
-    RTCScene scene = device.new_scene(mesh);
-
-    void ask(Vec3 center, float radius, RTCPointQueryFunction function, Question& question) const {
+    [[nodiscard]] Question ask(Vec3 center, float radius, RTCPointQueryFunction function) const {
+        Question question = {&mesh, radius * radius, 0};
         RTCPointQuery query = {center.x, center.y, center.z, 0.0f, radius};
         RTCPointQueryContext context;
         rtcInitPointQueryContext(&context);
         rtcPointQuery(scene, &query, &context, function, &question);
+        return question;
     }
+
+    const Mesh& mesh;
+    EmbreeDevice device;
+    RTCScene scene;
 };
 
-EmbreePoints::EmbreePoints(const Mesh& mesh) : scene_(new Scene{mesh}) { rtcCommitScene(scene_->scene); }
+}  // namespace
 
-EmbreePoints::~EmbreePoints() { rtcReleaseScene(scene_->scene); }
-
-std::size_t EmbreePoints::count_within(Vec3 center, float radius) const {
-    Question question = {&scene_->mesh, radius * radius, 0};
-    scene_->ask(center, radius, count_triangle, question);
-    return question.count;
-}
-
-float EmbreePoints::closest_distance(Vec3 point) const {
+EmbreePoints embree_points(const Mesh& mesh) {
+    const auto scene = std::make_shared<Scene>(mesh);
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    Question question = {&scene_->mesh, infinity, 0};
-    scene_->ask(point, infinity, keep_closest, question);
-    return std::sqrt(question.squared_radius);
+    return {[scene](Vec3 center, float radius) { return scene->ask(center, radius, count_triangle).count; },
+            [scene](Vec3 point) { return std::sqrt(scene->ask(point, infinity, keep_closest).squared_radius); }};
 }
 
 }  // namespace espalier::bench

@@ -5,21 +5,12 @@
 
 namespace espalier::bench {
 
-class EmbreePoints {
-public:
-    explicit EmbreePoints(const Mesh& mesh);
-    ~EmbreePoints();
-    EmbreePoints(const EmbreePoints&) = delete;
-    EmbreePoints& operator=(const EmbreePoints&) = delete;
-
-    /// How many triangles are within the radius. Embree hands over the triangles near the sphere; their distance is
-    /// computed here, in float32, as its users do.
-    [[nodiscard]] std::size_t count_within(Vec3 center, float radius) const;
-    [[nodiscard]] float closest_distance(Vec3 point) const;
-
-private:
-    struct Scene;
-    std::unique_ptr<Scene> scene_;
+struct EmbreePoints {
+    /// Returns how many triangles are within the radius. Embree hands over the triangles near the sphere; their
+    /// distance is computed here, in float32, as its users do.
+    std::function<std::size_t(Vec3 center, float radius)> count_within;
+    std::function<float(Vec3 point)> closest_distance;
 };
+EmbreePoints embree_points(const Mesh& mesh);
 
 }  // namespace espalier::bench

@@ -1,10 +1,10 @@
 #include "../embree.hpp"
-#include "scene_system.hpp"
+#include "scenes.hpp"
 
 namespace espalier::bench {
 namespace {
 
-class EmbreeScene final : public SceneSystem {
+class EmbreeScene {
 public:
     explicit EmbreeScene(const Placed& placed) {
         for (const Mesh& mesh : placed.meshes) {
@@ -30,21 +30,23 @@ public:
         }
         rtcCommitScene(scene_);
     }
-    ~EmbreeScene() override {
+    EmbreeScene(const EmbreeScene&) = delete;
+    EmbreeScene& operator=(const EmbreeScene&) = delete;
+    ~EmbreeScene() {
         if (scene_ != nullptr) rtcReleaseScene(scene_);
         for (RTCScene mesh : meshes_) rtcReleaseScene(mesh);
     }
-    void closest(const std::vector<Ray>& rays, std::vector<float>& hits) override {
+    void closest(std::span<const Ray> rays, std::span<float> hits) const {
         const FlushToZero mode;
         RTCScene scene = scene_ != nullptr ? scene_ : meshes_.front();
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const RTCRayHit query = embree_closest_hit(scene, context, rays[i]);
-            hits[i] = is_hit(query) ? query.ray.tfar : miss;
+            hits[i] = is_hit(query) ? query.ray.tfar : std::numeric_limits<float>::infinity();
         }
     }
-    [[nodiscard]] std::size_t bytes() const override { return device_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const { return device_.bytes(); }
 
 private:
     EmbreeDevice device_;
@@ -54,8 +56,9 @@ private:
 
 }  // namespace
 
-std::vector<SceneMaker> embree_scene_makers() {
-    return {{"embree", "default", [](const Placed& placed) { return std::make_unique<EmbreeScene>(placed); }}};
+void add_embree_scene(const Placed& placed, SceneContest& to) {
+    const auto scene = std::make_shared<EmbreeScene>(placed);
+    to.push_back({"embree", "default", [scene](auto rays, auto hits) { scene->closest(rays, hits); }, scene->bytes()});
 }
 
 }  // namespace espalier::bench

@@ -1,4 +1,5 @@
-#include "scene_system.hpp"
+#include "../memory.hpp"
+#include "scenes.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -6,85 +7,59 @@ namespace {
 std::vector<std::byte> bake_placed(const Placed& placed, Profile profile) {
     std::vector<std::vector<std::byte>> blobs;
     for (const Mesh& mesh : placed.meshes) blobs.push_back(bake_blob(mesh, profile).baked.bytes);
+    if (placed.instances.empty()) return blobs.front();
     SceneBakeResult baked =
         bake_scene(std::vector<std::span<const std::byte>>(blobs.begin(), blobs.end()), placed.instances);
     if (!baked) throw std::runtime_error(baked.message);
     return std::move(baked.bytes);
 }
 
-class EspalierScene final : public SceneSystem {
-public:
-    EspalierScene(const std::vector<std::byte>& baked, Pages pages) : memory_(baked.size(), pages) {
-        std::memcpy(memory_.data(), baked.data(), baked.size());
-        const std::span<const std::byte> bytes(memory_.data(), baked.size());
-        meshes_.resize(mesh_count_of_scene(bytes));
-        scene_ = open_scene(bytes, meshes_);
-        if (!scene_) throw std::runtime_error(describe(scene_.status()));
+/// Bytes in memory of their own.
+struct Copied {
+    Copied(const std::vector<std::byte>& from, Pages pages) : memory(from.size(), pages), size(from.size()) {
+        std::memcpy(memory.data(), from.data(), size);
     }
-    void closest(const std::vector<Ray>& rays, std::vector<float>& hits) override {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const InScene<RayHit> hit = raycast(scene_, rays[i]);
-            hits[i] = hit ? hit->t : miss;
-        }
-    }
-    [[nodiscard]] std::size_t bytes() const override { return scene_.size(); }
-
-private:
-    Memory memory_;
-    std::vector<Blob> meshes_;
-    BakedScene scene_;
+    [[nodiscard]] std::span<const std::byte> bytes() const { return {memory.data(), size}; }
+    Memory memory;
+    std::size_t size;
 };
 
-/// The first mesh alone, without a scene around it.
-class EspalierMesh final : public SceneSystem {
-public:
-    EspalierMesh(const Placed& placed, Profile profile, Pages pages) {
-        const std::vector<std::byte> bytes = bake_blob(placed.meshes.front(), profile).baked.bytes;
-        memory_.emplace(bytes.size(), pages);
-        std::memcpy(memory_->data(), bytes.data(), bytes.size());
-        blob_ = open({memory_->data(), bytes.size()});
+struct OpenedScene : Copied {
+    OpenedScene(const std::vector<std::byte>& from, Pages pages) : Copied(from, pages) {
+        meshes.resize(mesh_count_of_scene(bytes()));
+        scene = open_scene(bytes(), meshes);
+        if (!scene) throw std::runtime_error(describe(scene.status()));
     }
-    void closest(const std::vector<Ray>& rays, std::vector<float>& hits) override {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const RayHit hit = raycast(blob_, rays[i]);
-            hits[i] = hit ? hit.t : miss;
+    std::vector<Blob> meshes;
+    BakedScene scene;
+};
+
+/// With small pages and with huge ones.
+void add(const std::string& name, const std::vector<std::byte>& bytes, bool is_scene, SceneContest& to) {
+    for (const auto& [suffix, pages] : {std::pair{"", Pages::small}, std::pair{", huge pages", Pages::huge}}) {
+        if (is_scene) {
+            const auto opened = std::make_shared<OpenedScene>(bytes, pages);
+            to.push_back({"espalier", name + suffix, one_by_one([opened](const Ray& ray) {
+                              const InScene<RayHit> hit = raycast(opened->scene, ray);
+                              return hit ? hit->t : std::numeric_limits<float>::infinity();
+                          }),
+                          opened->scene.size()});
+        } else {  // the mesh alone, without a scene around it
+            const auto copied = std::make_shared<Copied>(bytes, pages);
+            const Blob blob = open(copied->bytes());
+            to.push_back({"espalier", name + suffix,
+                          one_by_one([copied, blob](const Ray& ray) { return raycast(blob, ray).t; }), blob.size()});
         }
     }
-    [[nodiscard]] std::size_t bytes() const override { return blob_.size(); }
-
-private:
-    std::optional<Memory> memory_;
-    Blob blob_;
-};
+}
 
 }  // namespace
 
-std::vector<SceneMaker> espalier_scene_makers() {
-    struct Kind {
-        const char* name;
-        Profile profile;
-        Pages pages;
-    };
-    std::vector<SceneMaker> makers;
-    for (const Kind& kind :
-         {Kind{"fast", Profile::fast, Pages::small}, Kind{"fast, huge pages", Profile::fast, Pages::huge},
-          Kind{"balanced", Profile::balanced, Pages::small},
-          Kind{"balanced, huge pages", Profile::balanced, Pages::huge}}) {
-        makers.push_back({"espalier", kind.name, [kind](const Placed& placed) -> std::unique_ptr<SceneSystem> {
-                              if (placed.instances.empty())
-                                  return std::make_unique<EspalierMesh>(placed, kind.profile, kind.pages);
-                              return std::make_unique<EspalierScene>(bake_placed(placed, kind.profile), kind.pages);
-                          }});
-    }
-    return makers;
+void add_espalier_scenes(const Placed& placed, SceneContest& to) {
+    add("fast", bake_placed(placed, Profile::fast), !placed.instances.empty(), to);
+    add("balanced", bake_placed(placed, Profile::balanced), !placed.instances.empty(), to);
 }
 
-std::vector<SceneMaker> baked_scene_makers(const std::vector<std::byte>& scene) {
-    const auto maker = [&](const char* name, Pages pages) {
-        return SceneMaker{"espalier", name,
-                          [scene, pages](const Placed&) { return std::make_unique<EspalierScene>(scene, pages); }};
-    };
-    return {maker("as baked", Pages::small), maker("as baked, huge pages", Pages::huge)};
-}
+void add_baked_scene(const std::vector<std::byte>& scene, SceneContest& to) { add("as baked", scene, true, to); }
 
 }  // namespace espalier::bench

@@ -1,4 +1,4 @@
-#include "scene_system.hpp"
+#include "scenes.hpp"
 
 #include <fstream>
 #include <iterator>

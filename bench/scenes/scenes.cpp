@@ -2,12 +2,10 @@
 // Interleaved; one JSON object a line.
 
 #include "../program.hpp"
-#include "scene_system.hpp"
+#include "scenes.hpp"
 
+namespace espalier::bench {
 namespace {
-
-using namespace espalier;
-using namespace espalier::bench;
 
 struct Options {
     std::size_t instances = 10'000;
@@ -53,61 +51,58 @@ Mesh corners_of(const Placed& placed) {
     return mesh;
 }
 
-struct Run {
-    std::string name;
-    std::unique_ptr<SceneSystem> system;
-    std::vector<double> seconds;
-    std::vector<float> hits;
-};
-
-/// Returns the given makers, and those of peers.
-std::vector<SceneMaker> with_peers(std::vector<SceneMaker> makers) {
+/// Adds those of peers.
+SceneContest with_peers(SceneContest contest, const Placed& placed) {
+    static_cast<void>(placed);
 #ifdef ESPALIER_BENCH_EMBREE
-    for (SceneMaker& maker : embree_scene_makers()) makers.push_back(std::move(maker));
+    add_embree_scene(placed, contest);
 #endif
-    return makers;
+    return contest;
 }
-
-std::vector<Run> make_runs(const std::vector<SceneMaker>& makers, const Placed& placed, std::size_t rays) {
-    std::vector<Run> runs;
-    for (const SceneMaker& maker : with_peers(makers))
-        runs.push_back({maker.system + " " + maker.profile, maker.make(placed), {}, std::vector<float>(rays)});
-    return runs;
-}
-
-void ask(std::vector<Run>& runs, const std::vector<Ray>& rays) {
-    for (Run& run : runs) {
-        const Stopwatch watch;
-        run.system->closest(rays, run.hits);
-        run.seconds.push_back(watch.seconds());
-    }
+SceneContest contest_in(const Placed& placed) {
+    SceneContest contest;
+    add_espalier_scenes(placed, contest);
+    return with_peers(std::move(contest), placed);
 }
 
 /// Returns how many rays have another hit than in the reference.
-std::size_t differing(const Run& run, const Run& reference) {
+std::size_t differing(const std::vector<float>& hits, const std::vector<float>& reference) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < run.hits.size(); ++i) {
-        const float a = run.hits[i], b = reference.hits[i];
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const float a = hits[i], b = reference[i];
         if (a != b && !(std::abs(a - b) <= 1e-3f * std::abs(b))) ++count;
     }
     return count;
 }
 
-void print(const std::string& name, std::size_t triangles, const char* what, const Options& options,
-           const std::vector<Run>& runs) {
-    const Run& reference = runs.back();
-    for (const Run& run : runs) {
-        std::vector<double> ratios;
-        for (std::size_t i = 0; i < run.seconds.size(); ++i) ratios.push_back(reference.seconds[i] / run.seconds[i]);
-        std::sort(ratios.begin(), ratios.end());
-        std::printf(
-            "{\"mesh\":\"%s\",\"triangles\":%zu,\"scene\":\"%s\",\"instances\":%zu,\"copies\":%zu,\"system\":\"%s\","
-            "\"us_per_ray\":%.4f,\"ratio_to_last\":[%.3f,%.3f,%.3f],\"bytes\":%zu,\"rays_that_differ\":%zu}\n",
-            name.c_str(), triangles, what, options.instances, options.copies, run.name.c_str(),
-            1e6 * median_of(run.seconds) / static_cast<double>(options.rays), ratios.front(), ratios[ratios.size() / 2],
-            ratios.back(), run.system->bytes(), differing(run, reference));
-    }
-    std::fflush(stdout);
+/// Two scenes, each with its rays.
+struct Side {
+    const char* name;
+    SceneContest contest;
+    const std::vector<Ray>& rays;
+};
+
+void measure(const std::string& name, std::size_t triangles, std::array<Side, 2> sides, const Options& options) {
+    for (std::size_t repetition = 0; repetition < options.repetitions; ++repetition)
+        for (Side& side : sides) take_turns(side.contest, std::span<const Ray>(side.rays), 1);
+    for (const Side& side : sides)
+        for (const auto& own : side.contest) {
+            const auto& reference = side.contest.back();
+            const Spread ratios = ratio(reference.seconds, own.seconds);
+            JsonObject row;
+            row.add("mesh", name);
+            row.add("triangles", triangles);
+            row.add("scene", side.name);
+            row.add("instances", options.instances);
+            row.add("copies", options.copies);
+            row.add("system", own.system + ' ' + own.profile);
+            row.add("us_per_ray", 1e6 * median_of(own.seconds) / static_cast<double>(options.rays), 4);
+            row.add_raw("ratio_to_last", '[' + decimal(ratios.low, 3) + ',' + decimal(ratios.median, 3) + ',' +
+                                             decimal(ratios.high, 3) + ']');
+            row.add("bytes", own.bytes);
+            row.add("rays_that_differ", differing(own.answers, reference.answers));
+            row.print();
+        }
 }
 
 void run_mesh(const std::string& file, const Options& options) {
@@ -116,39 +111,31 @@ void run_mesh(const std::string& file, const Options& options) {
     const Placed placed = place(mesh, options);
     const std::vector<Ray> into_scene = incoherent_rays(corners_of(placed), options.rays, seed);
     const std::vector<Ray> into_mesh = incoherent_rays(mesh, options.rays, seed);
-    const std::vector<SceneMaker> makers = espalier_scene_makers();
-    std::vector<Run> scenes = make_runs(makers, placed, options.rays);
-    std::vector<Run> alone = make_runs(makers, {{mesh}, {}}, options.rays);
-    for (std::size_t repetition = 0; repetition < options.repetitions; ++repetition) {
-        ask(scenes, into_scene);
-        ask(alone, into_mesh);
-    }
-    print(mesh.name, mesh.triangles.size(), "instances", options, scenes);
-    print(mesh.name, mesh.triangles.size(), "alone", options, alone);
+    measure(mesh.name, mesh.triangles.size(),
+            {Side{"instances", contest_in(placed), into_scene}, Side{"alone", contest_in({{mesh}, {}}), into_mesh}},
+            options);
 }
 
 void run_scene(const std::string& path, Options options) {
     const SceneFile file(path);
     const Mesh flattened = file.flattened();
     const std::vector<Ray> rays = incoherent_rays(flattened, options.rays, seed);
-    std::vector<Run> scenes = make_runs(baked_scene_makers(file.bytes), file.placed, options.rays);
-    std::vector<Run> merged = make_runs(espalier_scene_makers(), {{flattened}, {}}, options.rays);
-    for (std::size_t repetition = 0; repetition < options.repetitions; ++repetition) {
-        ask(scenes, rays);
-        ask(merged, rays);
-    }
     options.instances = file.placed.instances.size();
     options.copies = file.placed.meshes.size();
-    print(path, flattened.triangles.size(), "instances", options, scenes);
-    print(path, flattened.triangles.size(), "flattened", options, merged);
+    SceneContest baked;
+    add_baked_scene(file.bytes, baked);
+    measure(path, flattened.triangles.size(),
+            {Side{"instances", with_peers(std::move(baked), file.placed), rays},
+             Side{"flattened", contest_in({{flattened}, {}}), rays}},
+            options);
 }
 
 }  // namespace
 
-int main(int count, char** words) {
+int scenes_subject(int count, char** words) {
     Options options;
     Program program(
-        "espalier_bench_scenes",
+        "espalier_bench_peers scenes",
         "Rays into many instances of a mesh, and into the mesh alone; or into a baked scene, SCENE.esps, and "
         "into its triangles in one mesh; JSON");
     program.add_count("--instances", options.instances, "Instances in the scene");
@@ -160,3 +147,5 @@ int main(int count, char** words) {
             file.ends_with(".esps") ? run_scene(file, options) : run_mesh(file, options);
     });
 }
+
+}  // namespace espalier::bench

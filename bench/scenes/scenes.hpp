@@ -1,37 +1,23 @@
-// The interface of a system that casts rays at many instances of a few meshes.
+// Systems that cast rays at many instances of a few meshes.
 #pragma once
 
-#include "../memory.hpp"
+#include "../peers/contest.hpp"
 
 namespace espalier::bench {
 
 /// Meshes and their places in the world.
 struct Placed {
     std::vector<Mesh> meshes;
-    std::vector<Instance> instances;
+    std::vector<Instance> instances;  ///< none: the first mesh alone
 };
 
-class SceneSystem {
-public:
-    virtual ~SceneSystem() = default;
-    /// Writes t of the closest hit of each ray; infinity for none.
-    virtual void closest(const std::vector<Ray>& rays, std::vector<float>& hits) = 0;
-    /// Returns the bytes of geometry and trees.
-    [[nodiscard]] virtual std::size_t bytes() const = 0;
+/// A ray's answer is t of the closest hit, infinity for none. Bytes are those of geometry and trees.
+using SceneContest = Contest<Ray, float>;
 
-    static constexpr float miss = std::numeric_limits<float>::infinity();
-};
-
-struct SceneMaker {
-    std::string system;
-    std::string profile;
-    std::function<std::unique_ptr<SceneSystem>(const Placed&)> make;
-};
-
-std::vector<SceneMaker> espalier_scene_makers();
-/// Returns the makers of a scene that is baked already, whatever they are given.
-std::vector<SceneMaker> baked_scene_makers(const std::vector<std::byte>& scene);
-std::vector<SceneMaker> embree_scene_makers();
+void add_espalier_scenes(const Placed& placed, SceneContest& to);
+/// Adds a scene that is baked already.
+void add_baked_scene(const std::vector<std::byte>& scene, SceneContest& to);
+void add_embree_scene(const Placed& placed, SceneContest& to);  ///< where Embree is installed
 
 // Scenes that are read from files, for systems that place meshes themselves.
 

@@ -1,7 +1,6 @@
 // The study behind docs/guide.md and docs/trade.md. Each part is a word: espalier_bench_study PART [OPTION...]
 // [MESH...]
-#include <cstdio>
-#include <string_view>
+#include "../program.hpp"
 
 namespace espalier::bench {
 
@@ -25,11 +24,7 @@ int volumes_part(int count, char** words);
 
 int main(int count, char** words) {
     using namespace espalier::bench;
-    struct Part {
-        std::string_view name;
-        int (*run)(int count, char** words);
-    };
-    constexpr Part parts[] = {
+    constexpr Subject subjects[] = {
         {"builders", builders_part},
         {"cost_model", cost_model_part},
         {"deformation", deformation_part},
@@ -46,10 +41,5 @@ int main(int count, char** words) {
         {"load", load_part},
 #endif
     };
-    for (const Part& part : parts)
-        if (count > 1 && part.name == words[1]) return part.run(count - 1, words + 1);
-    std::fprintf(stderr,
-                 "espalier_bench_study PART [OPTION...] [MESH...]; a part's --help lists its options. Parts:\n");
-    for (const Part& part : parts) std::fprintf(stderr, "  %s\n", part.name.data());
-    return 1;
+    return run_subject("espalier_bench_study", subjects, count, words);
 }

@@ -1,28 +1,21 @@
-// Bullet's convex sweep over its triangle mesh. Compiled where Bullet is installed.
+// Shapes that move through a mesh, as Espalier and Bullet take them.
 #pragma once
 
 #include "../base.hpp"
 
 namespace espalier::bench {
 
-class BulletSweeps {
-public:
-    explicit BulletSweeps(const Mesh& mesh);
-    ~BulletSweeps();
-    BulletSweeps(const BulletSweeps&) = delete;
-    BulletSweeps& operator=(const BulletSweeps&) = delete;
-
-    // Prepare the next shape. None has a margin.
-    /// The half axes are perpendicular.
-    void add_box(const OrientedBox& box);
-    /// The vertices are relative to the start.
-    void add_hull(std::span<const Vec3> vertices);
-    /// Returns the share of the way up to the first contact, 1 if there is none.
-    [[nodiscard]] float first_contact(std::size_t shape, Vec3 start, Vec3 way) const;
-
-private:
-    struct World;
-    std::unique_ptr<World> world_;
+/// A shape that moves from anywhere in or near the mesh's box to anywhere there.
+struct Moving {
+    Vec3 start, way;
+    OrientedBox box;             ///< the hull of the vertices, if there are eight; its half axes are perpendicular
+    std::vector<Vec3> local;     ///< vertices, relative to the start
+    std::vector<Vec3> vertices;  ///< in the world
 };
+
+/// Bullet's convex sweep over its triangle mesh, where Bullet is installed: returns for each shape the share of the way
+/// up to the first contact, 1 if there is none. No shape has a margin. The mesh outlives it.
+std::function<void(std::span<const Moving> shapes, std::span<float> contacts)> bullet_sweeps(
+    const Mesh& mesh, std::span<const Moving> shapes);
 
 }  // namespace espalier::bench

@@ -6,7 +6,7 @@ function normalised(direction) {
     return direction.map((x) => x / length);
 }
 
-/// As bench/rays.cpp has them: from a sphere around the asset towards random points in its box.
+/// As bench/base.cpp has them: from a sphere around the asset towards random points in its box.
 export function incoherentRays(bounds, count, seed = 1) {
     const random = randomNumbers(seed), origins = [], directions = [];
     const radius = 0.6 * Math.hypot(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);

@@ -1,4 +1,4 @@
-# Espalier and its peers, measured beside each other.
+# Espalier and its peers, measured beside each other: rays. The program measures other queries too (docs/benchmarks.md).
 bench() {
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev >&2
     check_cmake
@@ -7,7 +7,7 @@ bench() {
         [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME is the date and the machine, as in 2026-11-20_epyc_avx2"
         publish_bench "${@:2}"
     else
-        build/bench/bench/espalier_bench_peers "$@"
+        build/bench/bench/espalier_bench_peers rays "$@"
     fi
 }
 
@@ -19,7 +19,7 @@ publish_bench() {
     : >"$rows"
     for run in 1 2 3; do
         echo "run $run of 3" >&2
-        build/bench/bench/espalier_bench_peers --json "$@" >>"$rows"
+        build/bench/bench/espalier_bench_peers rays --json "$@" >>"$rows"
     done
     mv "$rows" "bench/results/$name.jsonl"
     python3 bench/report.py --add "bench/results/$name.jsonl"

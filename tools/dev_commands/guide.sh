@@ -50,7 +50,7 @@ guide() {
         esac
         shift 2
     done
-    install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev python3 >&2
+    install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev nlohmann-json3-dev doctest-dev python3 >&2
     check_cmake
     if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(guide_meshes); fi
     [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
