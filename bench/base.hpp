@@ -89,6 +89,23 @@ inline BakedBlob bake_blob(const Mesh& mesh, Profile profile) {
     return bake_blob(mesh, options);
 }
 
+/// Returns how many pairs of triangles touch, of a mesh and the same mesh in a pose. Throws std::runtime_error if the
+/// query is refused.
+inline std::uint64_t count_contacts(const Blob& blob, const Transform& pose) {
+    std::uint64_t count = 0;
+    const QueryStatus status = for_each_contact(
+        blob, {blob, pose}, [&](const PairContact&) { ++count; }, unlimited);
+    if (is_refused(status)) throw std::runtime_error(std::string("a pose is refused: ") + describe(status));
+    return count;
+}
+
+/// Returns the largest magnitude of a coordinate.
+inline float largest_coordinate(std::span<const Vec3> positions) {
+    float largest = 0.0f;
+    for (const Vec3& p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return largest;
+}
+
 /// 512 x 512 pinhole views from three sides, row by row. Rays have length 1 and no end.
 std::vector<Ray> coherent_rays(const Mesh& mesh);
 

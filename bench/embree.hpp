@@ -25,14 +25,21 @@ public:
 
     /// Returns a scene with a copy of the mesh, to be committed and released by the caller.
     [[nodiscard]] RTCScene new_scene(const Mesh& mesh) const {
+        const auto copy = [&](void* vertices, void* corners) {
+            std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
+            std::memcpy(corners, mesh.triangles.data(), 12 * mesh.triangles.size());
+        };
+        return new_scene(mesh.positions.size(), mesh.triangles.size(), RTC_BUILD_QUALITY_MEDIUM, copy);
+    }
+    /// The same with what `fill(vertices, corners)` writes straight into Embree's own buffers.
+    template <class Fill>
+    [[nodiscard]] RTCScene new_scene(std::size_t vertices, std::size_t triangles, RTCBuildQuality quality,
+                                     const Fill& fill) const {
         RTCScene scene = rtcNewScene(device_);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* vertices =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
-        std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
-        void* indices =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
-        std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
+        fill(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices),
+             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles));
+        rtcSetGeometryBuildQuality(geometry, quality);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);

@@ -78,6 +78,14 @@ private:
     std::vector<std::string> meshes_;
 };
 
+/// Returns the words of choices (tools/base/choices.hpp).
+template <class Choices>
+std::vector<std::string> names_of(const Choices& choices) {
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    return names;
+}
+
 /// A word of a program that measures several subjects: what follows it on the command line is the subject's.
 struct Subject {
     std::string_view name;

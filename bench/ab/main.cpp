@@ -94,17 +94,11 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
     }
 }
 
-std::vector<std::string> profile_names() {
-    std::vector<std::string> names;
-    for (const auto& choice : tools::profile_choices) names.push_back(choice.first);
-    return names;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
     Options options;
-    options.profiles = profile_names();
+    options.profiles = names_of(tools::profile_choices);
     options.questions = question_names();
     Heading heading;
     Program program("espalier_bench_ab",
@@ -113,7 +107,8 @@ int main(int count, char** words) {
     program.add_word("--other", options.other_file, "Shared object of the other side");
     program.add_word("--base-name", heading.base, "What the report calls it");
     program.add_word("--other-name", heading.other, "What the report calls it");
-    program.add_words("--profile", options.profiles, "Only this profile; may be repeated", profile_names());
+    program.add_words("--profile", options.profiles, "Only this profile; may be repeated",
+                      names_of(tools::profile_choices));
     program.add_words("--questions", options.questions, "Only this row; may be repeated", question_names());
     program.add_word("--set", options.set, "Instruction set: scalar, sse42, avx2, avx512 or the best there is",
                      {"scalar", "sse42", "avx2", "avx512", "neon", "best"});

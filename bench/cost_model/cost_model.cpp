@@ -6,60 +6,25 @@
 // placed beside another where their pair is visited. Of a step of a moving scene, Nv are the tests of a box against a
 // node, Np the pairs that are found and Nu the boxes of instances and nodes that are renewed.
 
+#include "../../tools/base/choices.hpp"
 #include "../program.hpp"
 #include "model.hpp"
 
 namespace espalier::bench {
 namespace {
 
-struct ProfileRun {
-    const char* name;
-    Profile profile;
-    unsigned largest_leaf;
-};
-inline constexpr ProfileRun profiles[] = {{"fast", Profile::fast, format::plain_leaf::max_triangles},
-                                          {"balanced", Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
-                                          {"small", Profile::small, format::strip_leaf::max_small_entries - 2},
-                                          {"tiny", Profile::tiny, format::predicted_strip::max_entries - 2}};
-
-/// Blobs of one mesh and profile with leaves of several sizes, which go into one fit: else nodes and triangles grow
-/// together, and their costs cannot be told apart.
-class BlobsOfMesh {
-public:
-    /// Throws std::runtime_error with the mesh's name.
-    BlobsOfMesh(const Mesh& mesh, const ProfileRun& profile, unsigned bits);
-    [[nodiscard]] const std::vector<Blob>& blobs() const { return blobs_; }
-
-private:
-    std::vector<BakedBlob> baked_;
-    std::vector<Blob> blobs_;
-};
-
-/// Returns the names of all profiles.
-std::vector<std::string> profile_names() {
-    std::vector<std::string> names;
-    for (const ProfileRun& profile : profiles) names.emplace_back(profile.name);
-    return names;
-}
-
-/// Returns the profiles with these names, or all where there are none.
-std::vector<ProfileRun> chosen_profiles(const std::vector<std::string>& names) {
-    std::vector<ProfileRun> chosen;
-    for (const ProfileRun& profile : profiles)
-        if (names.empty() || std::find(names.begin(), names.end(), profile.name) != names.end())
-            chosen.push_back(profile);
-    return chosen;
-}
-
-BlobsOfMesh::BlobsOfMesh(const Mesh& mesh, const ProfileRun& profile, unsigned bits) {
+/// Returns blobs of one mesh and profile with leaves of several sizes, which go into one fit: else nodes and triangles
+/// grow together, and their costs cannot be told apart. Throws std::runtime_error with the mesh's name.
+std::vector<BakedBlob> blobs_of(const Mesh& mesh, Profile profile, unsigned bits) {
+    std::vector<BakedBlob> baked;
     for (const unsigned divisor : {4u, 2u, 1u}) {
         BakeOptions options;
         options.resolution = Resolution::bits(bits);
-        options.profile = profile.profile;
-        options.build.max_leaf_triangles = profile.largest_leaf / divisor;
-        baked_.push_back(bake_blob(mesh, options));
-        blobs_.push_back(baked_.back().blob);
+        options.profile = profile;
+        options.build.max_leaf_triangles = tools::most_leaf_triangles(profile) / divisor;
+        baked.push_back(bake_blob(mesh, options));
     }
+    return baked;
 }
 
 using Counts = std::vector<std::uint64_t>;
@@ -161,10 +126,10 @@ void append_groups(const Query<Call>& query, const Blob& blob, const std::vector
 }
 
 template <class Call>
-std::vector<Model> measure(const Query<Call>& query, const std::string& mesh, const std::vector<Blob>& blobs,
+std::vector<Model> measure(const Query<Call>& query, const std::string& mesh, const std::vector<BakedBlob>& blobs,
                            const std::vector<Call>& calls, unsigned repetitions) {
     std::vector<Group<Call>> groups;
-    for (const Blob& blob : blobs) append_groups(query, blob, calls, groups);
+    for (const BakedBlob& baked : blobs) append_groups(query, baked.blob, calls, groups);
     std::vector<std::size_t> sizes;
     for (const Group<Call>& group : groups) sizes.push_back(group.calls.size());
     const std::vector<double> times = time_in_turns(sizes, repetitions, false, [&](std::size_t i) {
@@ -195,7 +160,7 @@ void print_ray_costs(const std::vector<Model>& models) {
 }
 
 template <class Call>
-void model(const Query<Call>& query, const Mesh& mesh, const ProfileRun& profile, const std::vector<Blob>& blobs,
+void model(const Query<Call>& query, const Mesh& mesh, const std::string& profile, const std::vector<BakedBlob>& blobs,
            const std::vector<Call>& calls, const CostOptions& options) {
     constexpr bool is_ray = std::is_same_v<Call, Ray>;
     const std::vector<Model> models = measure(query, mesh.name, blobs, calls, options.repetitions);
@@ -203,11 +168,11 @@ void model(const Query<Call>& query, const Mesh& mesh, const ProfileRun& profile
         print_json(models, [&](const std::string& measures) {
             JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
             row.add("query", query.name);
-            row.add("profile", profile.name);
+            row.add("profile", profile);
             return row;
         });
     } else {
-        std::printf("%s, %s%s%s:\n", mesh.name.c_str(), profile.name, is_ray ? "" : ", ", is_ray ? "" : query.name);
+        std::printf("%s, %s%s%s:\n", mesh.name.c_str(), profile.c_str(), is_ray ? "" : ", ", is_ray ? "" : query.name);
         for (const Model& each : models) print_text(each, query.call);
         if (is_ray) print_ray_costs(models);
     }
@@ -225,19 +190,21 @@ void model_meshes(const std::vector<std::string>& meshes, bool pairs, const Cost
     for (const std::string& path : meshes) {
         const Mesh mesh = tests::read_mesh(path);
         std::vector<Transform> poses;
-        for (const ProfileRun& profile : chosen_profiles(options.profiles)) {
-            const BlobsOfMesh baked(mesh, profile, options.bits);
-            const Blob& blob = baked.blobs().front();
+        for (const auto& [name, profile] : tools::profile_choices) {
+            if (!options.profiles.empty() &&
+                std::find(options.profiles.begin(), options.profiles.end(), name) == options.profiles.end())
+                continue;
+            const std::vector<BakedBlob> baked = blobs_of(mesh, profile, options.bits);
+            const Blob& blob = baked.front().blob;
             if (!pairs) {
-                model(ray_query, mesh, profile, baked.blobs(), incoherent_rays(mesh, options.rays, seed), options);
+                model(ray_query, mesh, name, baked, incoherent_rays(mesh, options.rays, seed), options);
                 continue;
             }
             if (poses.empty())
                 poses = some_poses(mesh, options.poses, seed, [&](const Transform& pose) {
                     return overlaps(blob, {blob, pose}, unlimited).yes();
                 });
-            for (const Query<Transform>& query : pair_queries)
-                model(query, mesh, profile, baked.blobs(), poses, options);
+            for (const Query<Transform>& query : pair_queries) model(query, mesh, name, baked, poses, options);
         }
     }
 }
@@ -252,7 +219,8 @@ int cost_model_part(int count, char** words) {
     program.add_flag("--pairs", pairs, "Two blobs of each mesh instead of rays: overlaps and distances");
     program.add_flag("--scene", scene, "A scene of moving cubes instead of rays; takes no meshes");
     program.add_flag("--json", options.json, "A JSON object for each row instead of text");
-    program.add_words("--profile", options.profiles, "Only this profile; may be repeated", profile_names());
+    program.add_words("--profile", options.profiles, "Only this profile; may be repeated",
+                      names_of(tools::profile_choices));
     program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
     program.add_number("--poses", options.poses, 128u, 1'000'000u, "Poses of the second blob");
     program.add_number("--cubes", options.cubes, 1000u, 1'000'000u, "Cubes of the scene");

@@ -2,6 +2,7 @@
 
 #include <espalier/scenes/statistics.hpp>
 
+#include "../../tests/runtime/moving_scenes/made_scene.hpp"
 #include "model.hpp"
 
 namespace espalier::bench {
@@ -30,8 +31,7 @@ Blob open_cube() {
 class CubeScene {
 public:
     CubeScene(const Blob& cube, unsigned count, double pairs_of_each, float drift, std::uint64_t number)
-        : memory_(static_cast<std::size_t>(moving_scene_bytes(count)) / sizeof(Unit) + 1), random_(number) {
-        scene = create_moving_scene(bytes(), count, -10, {&cube, 1});
+        : made_(count, -10, {&cube, 1}), random_(number), scene(made_.scene) {
         // Boxes of turned cubes are 1.5 wide, so that two touch if their middles are within a cube of side 3.
         const double volume = count * 27.0 / (2.0 * pairs_of_each);
         const auto half_side = static_cast<float>(0.5 * std::cbrt(volume));
@@ -67,10 +67,6 @@ public:
     }
 
 private:
-    struct alignas(32) Unit {
-        std::byte bytes[32];
-    };
-    std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(memory_)); }
     [[nodiscard]] Movement moved(InstanceHandle handle, Vec3 by) const {
         Transform transform = instance_at(scene, handle)->transform;
         transform.translation.x += by.x;
@@ -79,12 +75,12 @@ private:
         return {handle, transform};
     }
 
-    std::vector<Unit> memory_;
+    tests::MadeScene made_;
     std::vector<InstanceHandle> handles_;
     Random random_;
 
 public:
-    MovingScene scene;
+    MovingScene& scene;
 };
 
 /// Two steps of a scene, of which the second undoes the first, and means of one of them.

@@ -11,15 +11,12 @@ btVector3 vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 class BulletRefit final : public RefitSystem {
 public:
     BulletRefit(const Mesh& mesh, const Box& range, bool whole_shape)
-        : mesh_(mesh),
+        : RefitSystem(mesh),
           arrays_(bullet_arrays(mesh_)),
           low_(vector(range.min)),
           high_(vector(range.max)),
           shape_(&arrays_, true, low_, high_),
           whole_shape_(whole_shape) {}
-    void set_positions(const std::vector<Vec3>& positions) override {
-        std::copy(positions.begin(), positions.end(), mesh_.positions.begin());
-    }
     void refit() override {
         if (whole_shape_) shape_.refitTree(low_, high_);
         else shape_.getOptimizedBvh()->refit(&arrays_, low_, high_);
@@ -33,7 +30,6 @@ public:
     [[nodiscard]] std::size_t bytes() const override { return bullet_bytes(shape_, mesh_); }
 
 private:
-    Mesh mesh_;
     btTriangleIndexVertexArray arrays_;
     btVector3 low_, high_;
     btBvhTriangleMeshShape shape_;

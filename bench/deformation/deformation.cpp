@@ -2,7 +2,7 @@
 // oriented ones. One thread; one JSON object a line.
 
 #include "../../tools/base/choices.hpp"
-#include "../program.hpp"
+#include "../study/study.hpp"
 #include "box_tree.hpp"
 #include "subject.hpp"
 
@@ -126,59 +126,38 @@ struct RayRun {
     std::optional<float> quality = std::nullopt;    ///< of the refit
     std::optional<Transform> place = std::nullopt;  ///< rays are moved to local space
     QueryCounters counters = {};
-    std::vector<float> hits = {};
-    std::vector<double> nanoseconds = {};
+    std::size_t hits = 0;
+    Timed<float, RayWork> timed = {};
 
-    [[nodiscard]] std::size_t hit_count() const {
-        return static_cast<std::size_t>(
-            std::count_if(hits.begin(), hits.end(), [](float hit) { return hit != INFINITY; }));
-    }
     [[nodiscard]] Ray local(const Ray& ray) const { return place ? to_local(*place, ray) : ray; }
+    void count() {
+        for (const Ray& ray : rays) hits += raycast(*blob, local(ray), counters) ? 1u : 0u;
+    }
+    void measure() {
+        timed.make_round(rays, [this](const Ray& ray, RayWork&) { return raycast(*blob, local(ray)).t; });
+        const auto missed = static_cast<std::size_t>(std::ranges::count(timed.answers, INFINITY));
+        if (hits + missed != rays.size()) throw std::runtime_error(tree + ": the counted rays have other hits");
+    }
 };
 
-void count(RayRun& run) {
-    for (const Ray& ray : run.rays) {
-        const RayHit hit = raycast(*run.blob, run.local(ray), run.counters);
-        run.hits.push_back(hit ? hit.t : INFINITY);
-    }
-}
-
-void measure_time(RayRun& run) {
-    std::size_t found = 0;
-    const ProcessorTime time;
-    for (const Ray& ray : run.rays)
-        if (raycast(*run.blob, run.local(ray))) ++found;
-    run.nanoseconds.push_back(1e9 * time.seconds() / static_cast<double>(run.rays.size()));
-    if (found != run.hit_count()) throw std::runtime_error(run.tree + ": the counted rays have other hits");
-}
-
-std::size_t differing(const RayRun& run, const RayRun& reference) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < run.hits.size(); ++i)
-        if (run.hits[i] != reference.hits[i]) ++count;
-    return count;
-}
-
 void print(const MotionSubject& subject, Motion motion, const RayRun& run, const RayRun& reference) {
-    const auto per_ray = [&](std::uint64_t total) {
-        return static_cast<double>(total) / static_cast<double>(run.rays.size());
-    };
+    const auto per_ray = [&](std::uint64_t total) { return run.timed.mean(total); };
     JsonObject row = subject.row("rays");
     row.add("motion", name_of(motion));
     row.add("tree", run.tree);
     row.add("rays", run.rays.size());
-    row.add("hit_fraction", per_ray(run.hit_count()), 4);
+    row.add("hit_fraction", per_ray(run.hits), 4);
     row.add("quality", run.quality ? std::optional(static_cast<double>(*run.quality)) : std::nullopt, 3);
     row.add("nodes_per_ray", per_ray(run.counters.nodes), 3);
     row.add("leaves_per_ray", per_ray(run.counters.leaves), 3);
     row.add("triangles_per_ray", per_ray(run.counters.triangles), 3);
-    add_spread(row, "ns_per_ray", run.nanoseconds, 2);
+    add_spread(row, "ns_per_ray", run.timed.nanoseconds, 2);
     row.add("times_bake_nodes",
             reference.counters.nodes == 0 ? std::nullopt
                                           : std::optional(static_cast<double>(run.counters.nodes) /
                                                           static_cast<double>(reference.counters.nodes)),
             3);
-    row.add("rays_that_differ", differing(run, reference));
+    row.add("rays_that_differ", run.timed.differing(reference.timed));
     row.print();
 }
 
@@ -212,9 +191,9 @@ void measure(const MotionSubject& subject, StandingTrees& trees, Motion motion) 
     runs.push_back({"all poses", &trees.all_poses->blob(), rays, trees.all_poses->move(posed.positions)});
     if (motion == Motion::turn)
         runs.push_back({"moved rays", &unmoved.blob(), rays, std::nullopt, subject.moving().turned(1.0)});
-    for (RayRun& run : runs) count(run);
+    for (RayRun& run : runs) run.count();
     for (std::size_t round = 0; round < subject.options().rounds; ++round)
-        for (RayRun& run : runs) measure_time(run);
+        for (RayRun& run : runs) run.measure();
     for (const RayRun& run : runs) print(subject, motion, run, runs.front());
 }
 

@@ -9,17 +9,17 @@ namespace {
 /// alone; those of others hold vertices.
 class EmbreeRefit final : public RefitSystem {
 public:
-    EmbreeRefit(const Mesh& mesh, int flags) : positions_(mesh.positions), triangles_(mesh.triangles) {
-        positions_.emplace_back();  // Embree reads 16 bytes at the last vertex
+    EmbreeRefit(const Mesh& mesh, int flags) : RefitSystem(mesh) {
+        mesh_.positions.emplace_back();  // Embree reads 16 bytes at the last vertex
         scene_ = rtcNewScene(device_.get());
         rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | flags));
         rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
         geometry_ = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-        rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions_.data(), 0,
+        rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh_.positions.data(), 0,
                                    sizeof(Vec3), mesh.positions.size());
-        rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles_.data(), 0,
-                                   sizeof(TriangleVertices), triangles_.size());
+        rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh_.triangles.data(), 0,
+                                   sizeof(TriangleVertices), mesh_.triangles.size());
         rtcCommitGeometry(geometry_);
         rtcAttachGeometry(scene_, geometry_);
         rtcCommitScene(scene_);
@@ -27,11 +27,6 @@ public:
     ~EmbreeRefit() override {
         rtcReleaseGeometry(geometry_);
         rtcReleaseScene(scene_);
-    }
-    EmbreeRefit(const EmbreeRefit&) = delete;
-    EmbreeRefit& operator=(const EmbreeRefit&) = delete;
-    void set_positions(const std::vector<Vec3>& positions) override {
-        std::copy(positions.begin(), positions.end(), positions_.begin());
     }
     void refit() override {
         rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
@@ -46,13 +41,12 @@ public:
             rounding);
     }
     [[nodiscard]] std::size_t bytes() const override {
-        return device_.bytes() + positions_.size() * sizeof(Vec3) + triangles_.size() * sizeof(TriangleVertices);
+        return device_.bytes() + mesh_.positions.size() * sizeof(Vec3) +
+               mesh_.triangles.size() * sizeof(TriangleVertices);
     }
 
 private:
     EmbreeDevice device_;
-    std::vector<Vec3> positions_;
-    std::vector<TriangleVertices> triangles_;
     RTCScene scene_;
     RTCGeometry geometry_;
 };

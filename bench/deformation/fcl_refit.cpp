@@ -14,8 +14,7 @@ enum class Boxes {
 template <class Volume, Boxes boxes>
 class FclRefit final : public RefitSystem {
 public:
-    explicit FclRefit(const Mesh& mesh) {
-        set_positions(mesh.positions);
+    explicit FclRefit(const Mesh& mesh) : RefitSystem(mesh), positions_(fcl_positions<Scalar>(mesh.positions)) {
         FclArrays<Volume>(mesh).build(model_);
     }
     void set_positions(const std::vector<Vec3>& positions) override { positions_ = fcl_positions<Scalar>(positions); }

@@ -129,23 +129,19 @@ namespace {
 class EspalierRefit final : public RefitSystem {
 public:
     EspalierRefit(const Mesh& mesh, const Box& range, unsigned bits)
-        : mesh_(mesh, {.range = range, .bits = bits}), positions_(mesh.positions) {}
-    void set_positions(const std::vector<Vec3>& positions) override {
-        std::copy(positions.begin(), positions.end(), positions_.begin());
-    }
-    void refit() override { mesh_.move(positions_); }
+        : RefitSystem(mesh), deformable_(mesh, {.range = range, .bits = bits}) {}
+    void refit() override { deformable_.move(mesh_.positions); }
     [[nodiscard]] bool contains(const Vec3& point, float rounding) const override {
-        return is_within(point, mesh_.blob().bounds(), rounding);
+        return is_within(point, deformable_.blob().bounds(), rounding);
     }
     /// The positions are the caller's: queries read the blob alone.
     [[nodiscard]] std::size_t bytes() const override {
-        return mesh_.work().moving_bytes + mesh_.work().source_bytes + mesh_.work().still_bytes;
+        return deformable_.work().moving_bytes + deformable_.work().source_bytes + deformable_.work().still_bytes;
     }
-    [[nodiscard]] std::optional<RefitWork> work() const override { return mesh_.work(); }
+    [[nodiscard]] std::optional<RefitWork> work() const override { return deformable_.work(); }
 
 private:
-    DeformableMesh mesh_;
-    std::vector<Vec3> positions_;
+    DeformableMesh deformable_;
 };
 
 }  // namespace
@@ -163,24 +159,20 @@ class TextbookRefit final : public RefitSystem {
 public:
     using Renew = void (*)(const BoxTreeShape&, std::span<const Vec3>, std::span<BoxKind>);
     TextbookRefit(const Mesh& mesh, Renew renew)
-        : positions_(mesh.positions),
+        : RefitSystem(mesh),
           shape_(build_box_tree(mesh.triangles, mesh.positions)),
           boxes_(shape_.nodes.size()),
           renew_(renew) {}
-    void set_positions(const std::vector<Vec3>& positions) override {
-        std::copy(positions.begin(), positions.end(), positions_.begin());
-    }
-    void refit() override { renew_(shape_, positions_, boxes_); }
+    void refit() override { renew_(shape_, mesh_.positions, boxes_); }
     [[nodiscard]] bool contains(const Vec3& point, float rounding) const override {
         return boxes_.front().contains(point, rounding);
     }
     [[nodiscard]] std::size_t bytes() const override {
-        return boxes_.size() * (sizeof(BoxKind) + sizeof(BoxTreeShape::Node)) + positions_.size() * sizeof(Vec3) +
+        return boxes_.size() * (sizeof(BoxKind) + sizeof(BoxTreeShape::Node)) + mesh_.positions.size() * sizeof(Vec3) +
                shape_.triangles.size() * sizeof(TriangleVertices);
     }
 
 private:
-    std::vector<Vec3> positions_;
     BoxTreeShape shape_;
     std::vector<BoxKind> boxes_;
     Renew renew_;

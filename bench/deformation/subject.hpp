@@ -82,18 +82,26 @@ struct RefitWork {
     double step = 0.0;              ///< of the lattice
 };
 
-/// A tree, and a copy of the positions that belongs to the system.
+/// A tree, and a copy of the mesh that belongs to the system.
 class RefitSystem {
 public:
+    explicit RefitSystem(const Mesh& mesh) : mesh_(mesh) {}
+    RefitSystem(const RefitSystem&) = delete;
+    RefitSystem& operator=(const RefitSystem&) = delete;
     virtual ~RefitSystem() = default;
     /// Copies positions to where refit() reads them. No part of a measurement.
-    virtual void set_positions(const std::vector<Vec3>& positions) = 0;
+    virtual void set_positions(const std::vector<Vec3>& positions) {
+        std::copy(positions.begin(), positions.end(), mesh_.positions.begin());
+    }
     virtual void refit() = 0;
     /// Tests whether the outermost box contains a point, up to `rounding`.
     [[nodiscard]] virtual bool contains(const Vec3& point, float rounding) const = 0;
     /// Returns the bytes of the tree and of everything else that its queries read.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
     [[nodiscard]] virtual std::optional<RefitWork> work() const { return std::nullopt; }
+
+protected:
+    Mesh mesh_;
 };
 
 struct RefitMaker {

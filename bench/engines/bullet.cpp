@@ -3,6 +3,7 @@
 
 #include <engines/bullet_shape.hpp>
 
+#include "../bullet.hpp"
 #include "bullet_world.hpp"
 #include "drop.hpp"
 #include "support/meshes/mesh.hpp"
@@ -12,19 +13,6 @@ namespace espalier::bench {
 Drop drop_in_bullet(const tests::Mesh& mesh, const Blob& blob);
 
 namespace {
-
-/// Arrays of Bullet's own shape, which it does not copy.
-struct Arrays {
-    std::vector<float> vertices;
-    std::vector<int> indices;
-
-    explicit Arrays(const tests::Mesh& mesh) {
-        for (const Vec3& p : mesh.positions) vertices.insert(vertices.end(), {p.x, p.y, p.z});
-        for (const auto& t : mesh.triangles)
-            for (const std::uint32_t index : t) indices.push_back(static_cast<int>(index));
-    }
-    [[nodiscard]] std::size_t bytes() const { return vertices.size() * sizeof(float) + indices.size() * sizeof(int); }
-};
 
 std::unique_ptr<btCollisionShape> shape_of(const Body& body) {
     switch (body.kind) {
@@ -45,17 +33,14 @@ Drop drop_in_bullet(const tests::Mesh& mesh, const Blob& blob) {
     BulletWorld bullet;
     btDiscreteDynamicsWorld& world = bullet.world;
 
-    Arrays arrays(mesh);
-    btTriangleIndexVertexArray triangles(static_cast<int>(arrays.indices.size() / 3), arrays.indices.data(),
-                                         3 * sizeof(int), static_cast<int>(arrays.vertices.size() / 3),
-                                         arrays.vertices.data(), 3 * sizeof(float));
+    btTriangleIndexVertexArray triangles = bullet_arrays(mesh);
     std::unique_ptr<btConcaveShape> level;
     if (blob) {
         level = std::make_unique<EspalierShape>(blob);
         result.bytes = blob.size();
     } else {
         auto own = std::make_unique<btBvhTriangleMeshShape>(&triangles, true);
-        result.bytes = arrays.bytes() + own->getOptimizedBvh()->calculateSerializeBufferSize();
+        result.bytes = bullet_bytes(*own, mesh);
         level = std::move(own);
     }
     btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, level.get()));

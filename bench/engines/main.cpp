@@ -19,8 +19,7 @@ std::vector<std::byte> baked(const tests::Mesh& mesh, Profile profile) {
     BakeOptions options;
     options.profile = profile;
     options.flat_angle = 3.0;
-    const MeshView view = mesh.view();
-    return bake(std::span(&view, 1), options).bytes;
+    return bake_blob(mesh, options).baked.bytes;
 }
 
 /// What bodies did on all levels.

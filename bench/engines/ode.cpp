@@ -2,6 +2,7 @@
 
 #include <engines/ode_geom.hpp>
 
+#include "../ode.hpp"
 #include "drop.hpp"
 #include "support/meshes/mesh.hpp"
 
@@ -63,26 +64,18 @@ dGeomID geom_of(const Body& body, dSpaceID space, dMass& mass) {
 }  // namespace
 
 Drop drop_in_ode(const tests::Mesh& mesh, const Blob& blob) {
-    static const bool is_ready = dInitODE2(0) != 0;
+    start_ode();
     Drop result;
-    if (!is_ready) return result;
     World world;
-    std::vector<float> vertices;
-    std::vector<dTriIndex> indices;
-    for (const Vec3& p : mesh.positions) vertices.insert(vertices.end(), {p.x, p.y, p.z});
-    for (const auto& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
     dTriMeshDataID data = nullptr;
     if (blob) {
         create_espalier_geom(world.space, blob);
         result.bytes = blob.size();
     } else {
-        data = dGeomTriMeshDataCreate();
-        dGeomTriMeshDataBuildSingle(data, vertices.data(), 3 * sizeof(float), static_cast<int>(vertices.size() / 3),
-                                    indices.data(), static_cast<int>(indices.size()), 3 * sizeof(dTriIndex));
+        data = ode_data(mesh);
         dCreateTriMesh(world.space, data, nullptr, nullptr, nullptr);
         // Its tree is OPCODE's: a node of 20 bytes a triangle, besides the arrays.
-        result.bytes =
-            vertices.size() * sizeof(float) + indices.size() * sizeof(dTriIndex) + mesh.triangles.size() * 20;
+        result.bytes = mesh.positions.size() * sizeof(Vec3) + mesh.triangles.size() * (sizeof(TriangleVertices) + 20);
     }
     std::vector<dBodyID> bodies;
     for (const Body& body : make_bodies(mesh)) {

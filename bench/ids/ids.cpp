@@ -1,6 +1,7 @@
 // What original ids take in a blob, by the order of the source's triangles: as in the file, shuffled, and as the baker
 // put them. Counted in bytes, the same on every machine.
 
+#include "../../tools/base/choices.hpp"
 #include "../program.hpp"
 
 namespace espalier::bench {
@@ -49,9 +50,7 @@ double share_in_scan_order(const Mesh& mesh) {
 }
 
 void measure(const Mesh& mesh) {
-    constexpr std::array<std::pair<const char*, Profile>, 4> profiles = {
-        {{"fast", Profile::fast}, {"balanced", Profile::balanced}, {"small", Profile::small}, {"tiny", Profile::tiny}}};
-    for (const auto& [profile_name, profile] : profiles) {
+    for (const auto& [profile_name, profile] : tools::profile_choices) {
         const BakeResult plain = bake_with(mesh, profile, false);
         const std::array<std::pair<const char*, Mesh>, 3> orders = {
             {{"file", mesh}, {"random", shuffled(mesh)}, {"reordered", reordered(mesh, plain.remap)}}};
@@ -65,7 +64,7 @@ void measure(const Mesh& mesh) {
                                  8.0;
             const double section = static_cast<double>(with.bytes.size() - without.bytes.size()) / triangles;
             std::printf("| %s | `%s` | %s | %.0f %% | %.2f | %.2f | %.2f | %.0f %% |\n", mesh.name.c_str(),
-                        profile_name, order, 100.0 * share_in_scan_order(source),
+                        profile_name.c_str(), order, 100.0 * share_in_scan_order(source),
                         static_cast<double>(without.bytes.size()) / triangles, fixed, section, 100.0 * section / fixed);
             std::fflush(stdout);
         }

@@ -267,12 +267,6 @@ Mesh mesh_of_tree(const std::string& name, const baker::LatticeMesh& lattice_mes
     return mesh;
 }
 
-float largest_coordinate(const Mesh& mesh) {
-    float largest = 0.0f;
-    for (const Vec3& p : mesh.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return largest;
-}
-
 }  // namespace
 
 BoxedShape LadderSubject::boxed(const TreeShape& shape) const {
@@ -304,7 +298,7 @@ LadderSubject make_subject(Mesh mesh) {
     made.small_blob = bake_blob(mesh, options_for(Profile::small));
     if (made.mesh.triangles.size() <= Link::most_triangles || made.mesh.triangles.size() > Link::most_first)
         throw std::runtime_error(mesh.name + ": too few triangles for a tree, or too many");
-    made.margin = margin_share * largest_coordinate(made.mesh);
+    made.margin = margin_share * largest_coordinate(made.mesh.positions);
     return made;
 }
 

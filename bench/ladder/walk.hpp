@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../study/aabb_tree.hpp"
-#include "../study/shapes.hpp"
+#include "../volumes/volume_tests.hpp"
 #include "layouts.hpp"
 
 namespace espalier::bench {
@@ -40,21 +40,12 @@ struct NoWork {
 
 inline constexpr float no_hit = std::numeric_limits<float>::infinity();
 
-/// Returns the corners of a triangle as the tests of triangles take them.
-inline Corners3 corners_of(const Mesh& mesh, const TriangleVertices& triangle) {
-    return {point_of(mesh.positions[triangle[0]]), point_of(mesh.positions[triangle[1]]),
-            point_of(mesh.positions[triangle[2]])};
-}
-
 /// The slabs of boxes (Kay, Kajiya 1986) along one ray.
 class RaySlabs {
 public:
-    explicit RaySlabs(const Ray& ray) : origin_{ray.origin.x, ray.origin.y, ray.origin.z} {
-        const float along[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-        // A direction of 0 along an axis becomes a very small one: 1 / 0 would lead to 0 times infinity.
-        for (std::size_t k = 0; k < 3; ++k)
-            inverse_[k] = 1.0f / std::copysign(std::max(std::abs(along[k]), 1e-18f), along[k]);
-    }
+    explicit RaySlabs(const Ray& ray)
+        : origin_{ray.origin.x, ray.origin.y, ray.origin.z},
+          inverse_{inverse_of(ray.direction.x), inverse_of(ray.direction.y), inverse_of(ray.direction.z)} {}
     /// Returns t where the ray enters the box, or infinity if it misses the box or enters it behind `nearest`.
     [[nodiscard]] float entry(const Aabb& box, float nearest) const {
         float begin = 0.0f, end = nearest;

@@ -27,20 +27,12 @@ const EmbreeDevice& device() {
 
 class EmbreeLoaded final : public Loaded {
 public:
-    EmbreeLoaded(std::span<const std::byte> file, Read read, const Build& build)
-        : bytes_before_(device().bytes()), scene_(rtcNewScene(device().get())) {
+    EmbreeLoaded(std::span<const std::byte> file, Read read, const Build& build) : bytes_before_(device().bytes()) {
         const MeshCounts counts = read_counts(file);
-        RTCGeometry geometry = rtcNewGeometry(device().get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        // Decoded straight into Embree's own buffers, so that nothing is copied.
-        const MeshArrays arrays = {static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                                               RTC_FORMAT_FLOAT3, 12, counts.vertices)),
-                                   static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-                                       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, counts.triangles))};
-        read(file, arrays);
-        rtcSetGeometryBuildQuality(geometry, build.quality);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
+        scene_ =
+            device().new_scene(counts.vertices, counts.triangles, build.quality, [&](void* vertices, void* corners) {
+                read(file, {static_cast<float*>(vertices), static_cast<std::uint32_t*>(corners)});
+            });
         rtcSetSceneBuildQuality(scene_, build.quality);
         rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(build.flags));
         rtcCommitScene(scene_);

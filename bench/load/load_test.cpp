@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "../study/aabb_tree.hpp"
 #include "ways.hpp"
 
 namespace espalier::bench {
@@ -67,26 +68,10 @@ TEST_CASE("bench: damaged streams of meshoptimizer are refused") {
 
 /// Returns t of the closest hit by a test of all triangles, or infinity.
 double closest_of_all(const Mesh& mesh, const Ray& ray) {
-    using Point = std::array<double, 3>;
-    const auto point = [](const Vec3& p) { return Point{double(p.x), double(p.y), double(p.z)}; };
-    const auto minus = [](const Point& a, const Point& b) { return Point{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
-    const auto volume = [](const Point& a, const Point& b, const Point& c) {
-        return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]);
-    };
-    const Point origin = point(ray.origin), direction = point(ray.direction);
+    const Line line = {point_of(ray.origin), point_of(ray.direction)};
     double nearest = std::numeric_limits<double>::infinity();
-    for (const TriangleVertices& t : mesh.triangles) {
-        std::array<Point, 3> p;
-        for (std::size_t i = 0; i < 3; ++i) p[i] = minus(point(mesh.positions[t[i]]), origin);
-        const double u = volume(direction, p[1], p[2]), v = volume(direction, p[2], p[0]),
-                     w = volume(direction, p[0], p[1]);
-        const double whole = u + v + w;
-        const bool is_inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
-        if (!is_inside || whole == 0.0) continue;
-        const double at = volume(p[0], p[1], p[2]) / whole;
-        if (at >= 0.0) nearest = std::min(nearest, at);
-    }
+    for (const TriangleVertices& triangle : mesh.triangles)
+        if (const auto at = meets(corners_of(mesh, triangle), line)) nearest = std::min(nearest, *at);
     return nearest;
 }
 

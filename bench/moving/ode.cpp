@@ -1,5 +1,4 @@
-#include <ode/ode.h>
-
+#include "../ode.hpp"
 #include "broad_phase.hpp"
 
 namespace espalier::bench::moving {
@@ -17,24 +16,17 @@ void read_box(dGeomID geometry, dReal box[6]) {
 }
 dColliderFn* no_collider(int) { return nullptr; }
 
-/// Returns the class of such geometries. The library is started with the first of them and ended with the process.
+/// Returns the class of such geometries.
 int handed_class() {
-    struct Library {
-        Library() {
-            dInitODE2(0);
-            dGeomClass described{};
-            described.bytes = sizeof(Handed);
-            described.collider = no_collider;
-            described.aabb = read_box;
-            number = dCreateGeomClass(&described);
-        }
-        ~Library() { dCloseODE(); }
-        Library(const Library&) = delete;
-        Library& operator=(const Library&) = delete;
-        int number = 0;
-    };
-    static const Library library;
-    return library.number;
+    static const int number = [] {
+        start_ode();
+        dGeomClass described{};
+        described.bytes = sizeof(Handed);
+        described.collider = no_collider;
+        described.aabb = read_box;
+        return dCreateGeomClass(&described);
+    }();
+    return number;
 }
 
 enum class Space { sweep_and_prune, quadtree, hash };

@@ -8,10 +8,10 @@
 namespace espalier::bench {
 
 /// Encloses a placed AABB in one along the axes of the first tree, and tests three intervals (van den Bergen 1997).
-class ReboxingPose {
+class ReboxingPose : ByPlacement {
 public:
     using Placed = StoredAabb;
-    explicit ReboxingPose(const Placement& placement) : placement_(&placement) {}
+    using ByPlacement::ByPlacement;
     [[nodiscard]] Placed placed(const StoredAabb& b) const {
         Placed moved;
         place(*placement_, b.center, moved.center);
@@ -23,9 +23,6 @@ public:
             if (std::abs(b.center[i] - a.center[i]) > a.half[i] + b.half[i]) return false;
         return true;
     }
-
-private:
-    const Placement* placement_;
 };
 
 namespace {

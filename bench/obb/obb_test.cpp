@@ -32,19 +32,13 @@ BoxAxes some_axes(tests::Random& random) {
     }
 }
 
-struct TurnedBox {
-    BoxAxes axes;
-    Point center;
-    std::array<double, 3> half;
+Point point_in(const Block& box, double x, double y, double z) {
+    return box.center + (x * box.half[0]) * box.axes[0] + (y * box.half[1]) * box.axes[1] +
+           (z * box.half[2]) * box.axes[2];
+}
 
-    [[nodiscard]] Point at(double x, double y, double z) const {
-        return center + (x * half[0]) * axes[0] + (y * half[1]) * axes[1] + (z * half[2]) * axes[2];
-    }
-    [[nodiscard]] double volume() const { return 8.0 * half[0] * half[1] * half[2]; }
-};
-
-TurnedBox some_box(tests::Random& random) {
-    TurnedBox box;
+Block some_box(tests::Random& random) {
+    Block box;
     box.axes = some_axes(random);
     box.center = {10.0 * signed_unit(random), 10.0 * signed_unit(random), 10.0 * signed_unit(random)};
     for (double& half : box.half) half = std::exp(2.0 * signed_unit(random));
@@ -52,14 +46,14 @@ TurnedBox some_box(tests::Random& random) {
 }
 
 /// Returns the corners, and points of the surface.
-std::vector<Point> points_of(const TurnedBox& box, std::size_t count, tests::Random& random) {
+std::vector<Point> points_of(const Block& box, std::size_t count, tests::Random& random) {
     std::vector<Point> points;
     for (int corner = 0; corner < 8; ++corner)
-        points.push_back(box.at(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+        points.push_back(point_in(box, corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
     for (std::size_t i = 0; i < count; ++i) {
         std::array<double, 3> at = {signed_unit(random), signed_unit(random), signed_unit(random)};
         at[random.below(3)] = random.coin() ? 1.0 : -1.0;
-        points.push_back(box.at(at[0], at[1], at[2]));
+        points.push_back(point_in(box, at[0], at[1], at[2]));
     }
     return points;
 }
@@ -139,7 +133,7 @@ TEST_CASE("bench: the convex hull of a grid of points in a cube has its volume")
 TEST_CASE("bench: the convex hull of points in a plane or on a line or at one place has fewer dimensions") {
     tests::Random random(2);
     for (int i = 0; i < 100; ++i) {
-        TurnedBox box = some_box(random);
+        Block box = some_box(random);
         for (unsigned dimension = 3; dimension-- > 0;) {
             box.half[dimension] = 0.0;
             const std::vector<Point> points = points_of(box, 50, random);
@@ -169,7 +163,7 @@ TEST_CASE(
     tests::Random random(3);
     double worst_of_vertices = 1.0;
     for (int i = 0; i < 200; ++i) {
-        const TurnedBox box = some_box(random);
+        const Block box = some_box(random);
         const std::vector<Point> points = points_of(box, 400, random);
         for (const BoxFit fit : all_box_fits) {
             CAPTURE(std::string(name_of(fit)));
@@ -177,7 +171,7 @@ TEST_CASE(
             std::size_t outside = 0;
             for (const Point& p : points) outside += does_contain(fitted, p, 1e-12 * size_of(points)) ? 0u : 1u;
             CHECK(outside == 0);
-            const double share = volume_of(fitted) / box.volume();
+            const double share = volume_of(fitted) / volume_of(box);
             CHECK(share > 1.0 - 1e-12);
             if (fit == BoxFit::flush || fit == BoxFit::search) CHECK(share < 1.0 + 1e-9);
             if (fit == BoxFit::vertices) worst_of_vertices = std::max(worst_of_vertices, share);
@@ -193,9 +187,10 @@ TEST_CASE(
 TEST_CASE("bench: the search finds the cube around a regular tetrahedron although no side is on a face") {
     tests::Random random(4);
     for (int i = 0; i < 50; ++i) {
-        TurnedBox box = some_box(random);
+        Block box = some_box(random);
         box.half = {1.0, 1.0, 1.0};
-        const std::vector<Point> points = {box.at(1, 1, 1), box.at(1, -1, -1), box.at(-1, 1, -1), box.at(-1, -1, 1)};
+        const std::vector<Point> points = {point_in(box, 1, 1, 1), point_in(box, 1, -1, -1), point_in(box, -1, 1, -1),
+                                           point_in(box, -1, -1, 1)};
         CHECK(volume_of(fit_box(BoxFit::search, points)) == doctest::Approx(8.0).epsilon(1e-3));
         CHECK(volume_of(fit_box(BoxFit::flush, points)) == doctest::Approx(16.0).epsilon(1e-9));
     }
@@ -296,13 +291,8 @@ TEST_CASE("bench: trees of oriented and of axis-aligned boxes find the pairs tha
         CAPTURE(mesh.name);
         const AabbTree sah = tree_of(mesh);
         const MeshTrees trees(sah, seconds);
-        PairWalk walk(sah, sah);
-        const auto touches = [&](const Transform& pose) {
-            return walk.run(PairRule::all_children, PairQuestion::any, Placement(pose)).pairs > 0;
-        };
         std::size_t touching = 0;
-        for (const Transform& pose : some_poses(mesh, 20, 7, touches))
-            touching += check_answers(trees, trees, pose) > 0 ? 1u : 0u;
+        for (const Transform& pose : poses_of(mesh, sah)) touching += check_answers(trees, trees, pose) > 0 ? 1u : 0u;
         CHECK(touching > 5);
         CHECK(touching < 15);
     }

@@ -1,32 +1,16 @@
-#include <cstdarg>
-
-#include <ode/ode.h>
-
+#include "../ode.hpp"
 #include "pairs.hpp"
 
 namespace espalier::bench {
 namespace {
 
-/// Started with the first mesh, ended with the process.
-struct Library {
-    Library() {
-        dInitODE2(0);
-        // It has a line to say for each contact that its table has no place for: not while it is measured.
-        dSetMessageHandler([](int, const char*, va_list) {});
-    }
-    ~Library() { dCloseODE(); }
-};
-
 // Two dGeomTriMesh over one OPCODE tree. Its collision of meshes makes contacts of all pairs of triangles that its tree
 // finds; there is no plain yes or no, and no distance.
 class OdePairs {
 public:
-    explicit OdePairs(const Mesh& mesh) : mesh_(mesh), contacts_(1 << 16) {
-        static const Library library;
-        data_ = dGeomTriMeshDataCreate();
-        dGeomTriMeshDataBuildSingle(data_, mesh_.positions.data(), sizeof(Vec3),
-                                    static_cast<int>(mesh_.positions.size()), mesh_.triangles.data(),
-                                    static_cast<int>(3 * mesh_.triangles.size()), sizeof(TriangleVertices));
+    explicit OdePairs(const Mesh& mesh) : contacts_(1 << 16) {
+        start_ode();
+        data_ = ode_data(mesh);
         for (dGeomID& geometry : geometries_) geometry = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
     }
     ~OdePairs() {
@@ -49,7 +33,6 @@ public:
     }
 
 private:
-    const Mesh& mesh_;
     std::vector<dContactGeom> contacts_;
     dTriMeshDataID data_ = nullptr;
     dGeomID geometries_[2] = {};

@@ -28,12 +28,8 @@ void add_espalier_pairs(const Mesh& mesh, PairContests& to) {
                                  check(answer.status());
                                  return answer.yes();
                              })});
-        to.all.push_back({"espalier", name, one_by_one([made](const Transform& pose) {
-                              std::size_t count = 0;
-                              check(for_each_contact(
-                                  made->blob, {made->blob, pose}, [&](const PairContact&) { ++count; }, unlimited));
-                              return count;
-                          })});
+        to.all.push_back(
+            {"espalier", name, one_by_one([made](const Transform& pose) { return count_contacts(made->blob, pose); })});
         to.distance.push_back({"espalier", name, one_by_one([made](const Transform& pose) {
                                    const BlobDistance nearest = distance(made->blob, {made->blob, pose}, unlimited);
                                    check(nearest.status);

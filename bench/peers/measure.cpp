@@ -6,6 +6,16 @@
 
 namespace espalier::bench {
 
+namespace {
+
+/// How far the answers of two systems are the same.
+struct Agreement {
+    std::size_t disagreeing = 0;    ///< one says hit, the other miss
+    std::size_t t_disagreeing = 0;  ///< both hit, but further apart than rounding explains
+};
+
+/// `max_error` is how far the surface of `own` may be from that of `reference`. `size` is the largest coordinate that
+/// took part in the computation, which sets the unit of its rounding.
 Agreement compare(const std::vector<Ray>& rays, const std::vector<Hit>& reference, const std::vector<Hit>& own,
                   double max_error, double size) {
     // 32 half units in the last place of a coordinate: what a few float32 operations lose.
@@ -27,13 +37,12 @@ Agreement compare(const std::vector<Ray>& rays, const std::vector<Hit>& referenc
     return agreement;
 }
 
+/// Counts rays to which a system's any-hit query says something else than its closest-hit query.
 std::size_t contradictions(const std::vector<Hit>& closest, const std::vector<std::uint8_t>& any) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < closest.size(); ++i) count += closest[i].found != (any[i] != 0);
     return count;
 }
-
-namespace {
 
 /// One system's seconds and answers.
 struct Run {

@@ -1,6 +1,6 @@
 #include <malloc.h>
-#include <ode/ode.h>
 
+#include "../ode.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
@@ -12,25 +12,16 @@ std::size_t live_bytes() {
     return heap.uordblks + heap.hblkhd;
 }
 
-/// Started with the first mesh, ended with the process.
-struct Library {
-    Library() { dInitODE2(0); }
-    ~Library() { dCloseODE(); }
-};
-
 // A dGeomTriMesh: an OPCODE tree over float32 vertices, asked by a dRay. ODE does not tell the size of a tree, so bytes
 // are what malloc gave it during the build and did not get back, and the caller's vertices and indices, which it reads
 // in place. Its contact holds t, normal and index; u and v come from the ray callback.
 class OdeSystem final : public System {
 public:
     explicit OdeSystem(const Mesh& mesh) : sphere_(bounding_sphere(mesh)) {
-        static const Library library;
+        start_ode();
         const std::size_t before = live_bytes();
         const Stopwatch watch;
-        data_ = dGeomTriMeshDataCreate();
-        dGeomTriMeshDataBuildSingle(data_, mesh.positions.data(), sizeof(Vec3), static_cast<int>(mesh.positions.size()),
-                                    mesh.triangles.data(), static_cast<int>(3 * mesh.triangles.size()),
-                                    sizeof(TriangleVertices));
+        data_ = ode_data(mesh);
         geometry_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
         seconds_ = watch.seconds();
         bytes_ = live_bytes() - before + mesh.positions.size() * sizeof(Vec3) +

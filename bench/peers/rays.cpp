@@ -30,13 +30,11 @@ void check_systems(const Options& options, const std::vector<Maker>& makers) {
 template <class Value>
 void add_named(CLI::App& words, const char* option, Value& variable, const tools::Choices<Value>& choices,
                const char* help) {
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
     const auto choose = [&variable, &choices](const std::string& word) {
         for (const auto& [name, value] : choices)
             if (name == word) variable = value;
     };
-    words.add_option_function<std::string>(option, choose, help)->check(CLI::IsMember(names));
+    words.add_option_function<std::string>(option, choose, help)->check(CLI::IsMember(names_of(choices)));
 }
 
 void add_options(Program& program, Options& options) {

@@ -10,17 +10,11 @@ namespace {
 /// The share of the largest coordinate by which a box is larger than its triangles.
 constexpr float margin_share = 0x1p-19f;
 
-float largest_coordinate(const Mesh& mesh) {
-    float largest = 0.0f;
-    for (const Vec3& p : mesh.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return largest;
-}
-
 class Maker {
 public:
     Maker(const Mesh& mesh, const baker::LatticeMesh& lattice_mesh, const baker::BinaryTree& binary, unsigned most)
         : binary_(binary), most_(most) {
-        tree_.largest = largest_coordinate(mesh);
+        tree_.largest = largest_coordinate(mesh.positions);
         tree_.triangles.reserve(binary.triangles.size());
         for (const std::uint32_t number : binary.triangles) {
             const TriangleVertices& corners = mesh.triangles[lattice_mesh.triangles[number].original_id];

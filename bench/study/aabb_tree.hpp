@@ -91,6 +91,10 @@ inline Point point_of(const Vec3& p) {
 inline Corners3 corners_of(const FloatTriangle& triangle) {
     return {point_of(triangle[0]), point_of(triangle[1]), point_of(triangle[2])};
 }
+inline Corners3 corners_of(const Mesh& mesh, const TriangleVertices& triangle) {
+    return corners_of(
+        FloatTriangle{mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]});
+}
 
 // A triangle of the second tree, placed beside the first: which triangles touch it.
 

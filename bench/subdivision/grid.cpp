@@ -4,12 +4,7 @@ namespace espalier::bench {
 
 UniformGrid::UniformGrid(std::span<const FloatTriangle> triangles, double density, float margin,
                          const FloatTest* float_test)
-    : triangles_(triangles),
-      margin_(margin),
-      float_test_(float_test),
-      box_(box_of(triangles)),
-      mailboxes_(triangles.size()) {
-    box_ = grown(box_, largest_coordinate(box_) * cell_margin_share);
+    : CellStructure("grid", triangles, margin, float_test) {
     std::array<double, 3> side{};
     for (std::size_t k = 0; k < 3; ++k) side[k] = static_cast<double>(box_.high[k]) - static_cast<double>(box_.low[k]);
     // A flat box has no volume: no side counts as less than a hundredth of the longest.
@@ -21,15 +16,16 @@ UniformGrid::UniformGrid(std::span<const FloatTriangle> triangles, double densit
         count_[k] = std::max(1, static_cast<int>(std::lround(side[k] * per_unit)));
         size_[k] = static_cast<float>(side[k] / count_[k]);
     }
-    const std::size_t cells = number_of(count_[0] - 1, count_[1] - 1, count_[2] - 1) + 1;
-    first_.assign(cells + 1, 0);
+    const std::size_t cells_made = number_of(count_[0] - 1, count_[1] - 1, count_[2] - 1) + 1;
+    first_.assign(cells_made + 1, 0);
     for (const FloatTriangle& triangle : triangles_)
         for_each_cell(triangle, [&](std::size_t cell) { ++first_[cell + 1]; });
-    for (std::size_t cell = 0; cell < cells; ++cell) first_[cell + 1] += first_[cell];
+    for (std::size_t cell = 0; cell < cells_made; ++cell) first_[cell + 1] += first_[cell];
     references_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
         for_each_cell(triangles_[i], [&](std::size_t cell) { references_[next[cell]++] = i; });
+    finish(cells_made, first_.size() * sizeof(std::uint32_t));
 }
 
 int UniformGrid::cell_of(float coordinate, std::size_t axis) const {
@@ -60,7 +56,7 @@ void UniformGrid::for_each_cell(const FloatTriangle& triangle, Function function
                     function(number_of(x, y, z));
 }
 
-double UniformGrid::closest(const Ray& ray, CellWork& work) {
+double UniformGrid::closest(const Ray& ray, RayWork& work) {
     const FloatRay from(ray);
     double nearest = std::numeric_limits<double>::infinity();
     float enter = 0.0f, leave = 0.0f;
@@ -81,7 +77,7 @@ double UniformGrid::closest(const Ray& ray, CellWork& work) {
         next[k] = border(k);
     }
     for (;;) {
-        ++work.cells;
+        ++work.box_tests;
         for (const std::uint32_t i : triangles_of(number_of(at[0], at[1], at[2]))) {
             if (!mailboxes_.take(i)) continue;
             ++work.triangle_tests;
@@ -96,7 +92,7 @@ double UniformGrid::closest(const Ray& ray, CellWork& work) {
     }
 }
 
-std::size_t UniformGrid::count_touching(const Aabb& box, CellWork& work) {
+std::size_t UniformGrid::count_touching(const Aabb& box, RayWork& work) {
     std::array<int, 3> low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
         if (box.high[k] < box_.low[k] || box.low[k] > box_.high[k]) return 0;
@@ -108,7 +104,7 @@ std::size_t UniformGrid::count_touching(const Aabb& box, CellWork& work) {
     for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
             for (int x = low[0]; x <= high[0]; ++x) {
-                ++work.cells;
+                ++work.box_tests;
                 for (const std::uint32_t i : triangles_of(number_of(x, y, z))) {
                     if (!mailboxes_.take(i)) continue;
                     ++work.triangle_tests;

@@ -11,17 +11,13 @@ constexpr double node_cost = 20.0, triangle_cost = 15.0, empty_bonus = 0.8;
 }  // namespace
 
 KdTree::KdTree(std::span<const FloatTriangle> triangles, float margin, const FloatTest* float_test)
-    : triangles_(triangles),
-      margin_(margin),
-      float_test_(float_test),
-      box_(box_of(triangles)),
-      mailboxes_(triangles.size()) {
-    box_ = grown(box_, largest_coordinate(box_) * cell_margin_share);
+    : CellStructure("k-d tree", triangles, margin, float_test) {
     most_depth_ = 8 + static_cast<unsigned>(1.3 * std::log2(static_cast<double>(triangles.size())));
     std::vector<std::uint32_t> all(triangles.size());
     std::iota(all.begin(), all.end(), std::uint32_t{0});
     build(box_, std::move(all), 0);
     stack_.resize(most_depth_ + 1);
+    finish(nodes_.size(), nodes_.size() * sizeof(KdNode));
 }
 
 /// The best plane of a node so far, by expected cost.
@@ -134,7 +130,7 @@ void KdTree::build(const Aabb& box, std::vector<std::uint32_t> triangles, unsign
     build(high_box, std::move(high), depth + 1);
 }
 
-double KdTree::closest(const Ray& ray, CellWork& work) {
+double KdTree::closest(const Ray& ray, RayWork& work) {
     const FloatRay from(ray);
     double nearest = std::numeric_limits<double>::infinity();
     float enter = 0.0f, leave = 0.0f;
@@ -143,7 +139,7 @@ double KdTree::closest(const Ray& ray, CellWork& work) {
     std::uint32_t index = 0;
     for (;;) {
         const KdNode& node = nodes_[index];
-        ++work.cells;
+        ++work.box_tests;
         if (!node.is_leaf()) {
             const std::size_t axis = node.axis();
             const float at = (node.split - from.origin[axis]) * from.inverse[axis];
@@ -172,7 +168,7 @@ double KdTree::closest(const Ray& ray, CellWork& work) {
     }
 }
 
-std::size_t KdTree::count_touching(const Aabb& box, CellWork& work) {
+std::size_t KdTree::count_touching(const Aabb& box, RayWork& work) {
     const TriangleBoxTest test(box);
     std::size_t touching = 0;
     mailboxes_.begin_query();
@@ -181,7 +177,7 @@ std::size_t KdTree::count_touching(const Aabb& box, CellWork& work) {
         const std::uint32_t index = boxes_stack_.back();
         boxes_stack_.pop_back();
         const KdNode& node = nodes_[index];
-        ++work.cells;
+        ++work.box_tests;
         if (!node.is_leaf()) {
             if (box.high[node.axis()] >= node.split) boxes_stack_.push_back(node.rest());
             if (box.low[node.axis()] <= node.split) boxes_stack_.push_back(index + 1);

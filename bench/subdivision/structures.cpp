@@ -20,14 +20,11 @@ public:
         references = built.tree.triangles.size();
         bytes = cells * sizeof(AabbNode);
     }
-    double closest(const Ray& ray, CellWork& work) override {
+    double closest(const Ray& ray, RayWork& work) override {
         if (float_test_ != nullptr) return static_cast<double>(closest_hit(rays_, *float_test_, ray));
-        RayWork counted;
-        const double t = rays_.closest(RayOrder::nearest_first, ray, counted);
-        add(counted, work);
-        return t;
+        return rays_.closest(RayOrder::nearest_first, ray, work);
     }
-    std::size_t count_touching(const Aabb& box, CellWork& work) override {
+    std::size_t count_touching(const Aabb& box, RayWork& work) override {
         float center[3], half[3];
         for (std::size_t k = 0; k < 3; ++k) {
             center[k] = 0.5f * (box.low[k] + box.high[k]);
@@ -40,44 +37,17 @@ public:
         };
         const TriangleBoxTest test(box);
         const auto touches = [&](const Corners3& triangle) { return test.touches(triangle); };
-        RayWork counted;
         const NodesOfTree<StoredAabb> nodes = {tree_, tree_->nodes};
-        const std::size_t touching = bench::count_touching(nodes, stack_, counted, is_near, touches);
-        add(counted, work);
+        const std::size_t touching = bench::count_touching(nodes, stack_, work, is_near, touches);
+        --work.box_tests;  // of the root, which all boxes reach
         return touching;
     }
 
 private:
-    static void add(const RayWork& counted, CellWork& work) {
-        work.cells += counted.box_tests;
-        work.triangle_tests += counted.triangle_tests;
-    }
-
     const AabbTree* tree_;
     RayWalk rays_;
     std::vector<std::uint32_t> stack_;
     const FloatTest* float_test_;
-};
-
-/// A grid or a k-d tree.
-template <class Cells>
-class Subdivision final : public Structure {
-public:
-    template <class... Arguments>
-    explicit Subdivision(const char* called, const Arguments&... arguments) : cells_(arguments...) {
-        build_seconds = time_.seconds();
-        name = called;
-        if constexpr (requires { cells_.nodes(); }) cells = cells_.nodes();
-        else cells = cells_.cells();
-        references = cells_.references();
-        bytes = cells_.bytes();
-    }
-    double closest(const Ray& ray, CellWork& work) override { return cells_.closest(ray, work); }
-    std::size_t count_touching(const Aabb& box, CellWork& work) override { return cells_.count_touching(box, work); }
-
-private:
-    ProcessorTime time_;  // begins before the cells
-    Cells cells_;
 };
 
 class BlobStructure final : public Structure {
@@ -90,8 +60,8 @@ public:
         has_work = false;
         is_reference = false;
     }
-    double closest(const Ray& ray, CellWork&) override { return static_cast<double>(raycast(blob_, ray).t); }
-    std::size_t count_touching(const Aabb& box, CellWork&) override {
+    double closest(const Ray& ray, RayWork&) override { return static_cast<double>(raycast(blob_, ray).t); }
+    std::size_t count_touching(const Aabb& box, RayWork&) override {
         std::size_t touching = 0;
         const QueryStatus status =
             for_each_overlap(blob_, Box{{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}},
@@ -108,8 +78,8 @@ std::vector<std::unique_ptr<Structure>> subdivisions(const SubdivisionSubject& s
     const std::span<const FloatTriangle> triangles = subject.built.tree.triangles;
     const float margin = subject.built.tree.largest * cell_margin_share;
     std::vector<std::unique_ptr<Structure>> made;
-    made.push_back(std::make_unique<Subdivision<KdTree>>("k-d tree", triangles, margin, float_test));
-    made.push_back(std::make_unique<Subdivision<UniformGrid>>("grid", triangles, grid_density, margin, float_test));
+    made.push_back(std::make_unique<KdTree>(triangles, margin, float_test));
+    made.push_back(std::make_unique<UniformGrid>(triangles, grid_density, margin, float_test));
     return made;
 }
 

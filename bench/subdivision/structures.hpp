@@ -4,16 +4,10 @@
 
 #include "../exactness/edge_rays.hpp"
 #include "../exactness/kernels.hpp"
-#include "../study/aabb_tree.hpp"
+#include "../study/walks.hpp"
 #include "../study/shapes.hpp"
 
 namespace espalier::bench {
-
-/// What queries count, added up.
-struct CellWork {
-    std::uint64_t cells = 0;  ///< visited, or nodes
-    std::uint64_t triangle_tests = 0;
-};
 
 /// A number for each triangle: the last query that tested it (Arnaldi, Priol, Bouatouch 1987).
 class Mailboxes {
@@ -70,8 +64,7 @@ struct FloatRay {
         : line{point_of(ray.origin), point_of(ray.direction)},
           origin{ray.origin.x, ray.origin.y, ray.origin.z},
           direction{ray.direction.x, ray.direction.y, ray.direction.z} {
-        for (std::size_t k = 0; k < 3; ++k)
-            inverse[k] = 1.0f / std::copysign(std::max(std::abs(direction[k]), 1e-18f), direction[k]);
+        for (std::size_t k = 0; k < 3; ++k) inverse[k] = inverse_of(direction[k]);
         FloatTest::prepare(ray, prepared);
     }
     /// Returns t of the hit of triangle `index`, or infinity.
@@ -95,28 +88,70 @@ struct FloatRay {
     std::array<float, 3> origin, direction, inverse{};
 };
 
+/// A structure over the triangles of a mesh.
+class Structure {
+public:
+    Structure() = default;
+    Structure(const Structure&) = delete;
+    Structure& operator=(const Structure&) = delete;
+    virtual ~Structure() = default;
+
+    /// Returns t of the closest hit, or infinity. The box tests that it counts are visits of cells or nodes.
+    [[nodiscard]] virtual double closest(const Ray& ray, RayWork& work) = 0;
+    /// Counts the triangles that touch the box.
+    [[nodiscard]] virtual std::size_t count_touching(const Aabb& box, RayWork& work) = 0;
+
+    std::string name;
+    double build_seconds = 0.0;  ///< processor time
+    std::size_t cells = 0;       ///< or nodes
+    std::size_t references = 0;  ///< to triangles
+    std::size_t bytes = 0;
+    bool has_triangles = false;  ///< in these bytes
+    bool has_work = true;        ///< queries count it
+    bool is_reference = true;    ///< all such structures have the same answers
+};
+
+/// A structure whose cells have references to the triangles that touch them. The triangles outlive it.
+class CellStructure : public Structure {
+protected:
+    /// `margin`: of cells, when triangles are put into them. Rays test triangles in double, or by `float_test`.
+    CellStructure(const char* called, std::span<const FloatTriangle> triangles, float margin,
+                  const FloatTest* float_test)
+        : triangles_(triangles),
+          margin_(margin),
+          float_test_(float_test),
+          box_(box_of(triangles)),
+          mailboxes_(triangles.size()) {
+        name = called;
+        box_ = grown(box_, largest_coordinate(box_) * cell_margin_share);
+    }
+    /// Notes what was built: so many cells, and their bytes beside the references.
+    void finish(std::size_t cell_count, std::size_t cell_bytes) {
+        build_seconds = time_.seconds();
+        cells = cell_count;
+        references = references_.size();
+        bytes = cell_bytes + references * sizeof(std::uint32_t) + mailboxes_.bytes();
+    }
+
+    ProcessorTime time_;  // begins before the rest
+    std::span<const FloatTriangle> triangles_;
+    float margin_;
+    const FloatTest* float_test_;
+    Aabb box_;
+    std::vector<std::uint32_t> references_;
+    Mailboxes mailboxes_;
+};
+
 // A uniform grid: equal cells, each with the triangles that touch it.
 
 /// Rays walk from cell to cell by "A fast voxel traversal algorithm for ray tracing" (Amanatides, Woo 1987).
-class UniformGrid {
+class UniformGrid final : public CellStructure {
 public:
-    /// Makes about `density` cells for each triangle (Cleary, Wyvill 1988), as cubes as the box allows. `margin`: of
-    /// cells, when triangles are put into them. The triangles outlive the grid. Rays test triangles in double, or by
-    /// `float_test`.
-    UniformGrid(std::span<const FloatTriangle> triangles, double density, float margin,
-                const FloatTest* float_test = nullptr);
+    /// Makes about `density` cells for each triangle (Cleary, Wyvill 1988), as cubes as the box allows.
+    UniformGrid(std::span<const FloatTriangle> triangles, double density, float margin, const FloatTest* float_test);
 
-    /// Returns t of the closest hit, or infinity.
-    [[nodiscard]] double closest(const Ray& ray, CellWork& work);
-    /// Counts the triangles that touch the box.
-    [[nodiscard]] std::size_t count_touching(const Aabb& box, CellWork& work);
-
-    [[nodiscard]] std::size_t cells() const { return first_.size() - 1; }
-    [[nodiscard]] std::size_t references() const { return references_.size(); }
-    /// Returns the bytes beside the triangles.
-    [[nodiscard]] std::size_t bytes() const {
-        return (first_.size() + references_.size()) * sizeof(std::uint32_t) + mailboxes_.bytes();
-    }
+    [[nodiscard]] double closest(const Ray& ray, RayWork& work) override;
+    [[nodiscard]] std::size_t count_touching(const Aabb& box, RayWork& work) override;
 
 private:
     [[nodiscard]] int cell_of(float coordinate, std::size_t axis) const;
@@ -133,15 +168,9 @@ private:
     template <class Function>
     void for_each_cell(const FloatTriangle& triangle, Function function) const;
 
-    std::span<const FloatTriangle> triangles_;
-    float margin_;
-    const FloatTest* float_test_;
-    Aabb box_;
     std::array<int, 3> count_{};
     std::array<float, 3> size_{};
-    std::vector<std::uint32_t> first_;  ///< of each cell, in `references_`; one more at the end
-    std::vector<std::uint32_t> references_;
-    Mailboxes mailboxes_;
+    std::vector<std::uint32_t> first_;  ///< of each cell, in the references; one more at the end
 };
 
 // A k-d tree: space is split by planes across the axes, and each leaf has the triangles that touch its box.
@@ -163,23 +192,12 @@ static_assert(sizeof(KdNode) == 8);
 /// Splits have the least expected cost (MacDonald, Booth 1990), of planes beside the ends of all triangles where there
 /// are few, and of 32 planes along each axis where there are many; with the costs and the bonus for empty space of "On
 /// building fast kd-trees for ray tracing" (Wald, Havran 2006).
-class KdTree {
+class KdTree final : public CellStructure {
 public:
-    /// `margin`: of boxes, when triangles are put into them. The triangles outlive the tree. Rays
-    /// test triangles in double, or by `float_test`.
-    KdTree(std::span<const FloatTriangle> triangles, float margin, const FloatTest* float_test = nullptr);
+    KdTree(std::span<const FloatTriangle> triangles, float margin, const FloatTest* float_test);
 
-    /// Returns t of the closest hit, or infinity.
-    [[nodiscard]] double closest(const Ray& ray, CellWork& work);
-    /// Counts the triangles that touch the box.
-    [[nodiscard]] std::size_t count_touching(const Aabb& box, CellWork& work);
-
-    [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
-    [[nodiscard]] std::size_t references() const { return references_.size(); }
-    /// Returns the bytes beside the triangles.
-    [[nodiscard]] std::size_t bytes() const {
-        return nodes_.size() * sizeof(KdNode) + references_.size() * sizeof(std::uint32_t) + mailboxes_.bytes();
-    }
+    [[nodiscard]] double closest(const Ray& ray, RayWork& work) override;
+    [[nodiscard]] std::size_t count_touching(const Aabb& box, RayWork& work) override;
 
 private:
     struct Split {
@@ -200,42 +218,13 @@ private:
         return std::span(references_).subspan(leaf.first, leaf.rest());
     }
 
-    std::span<const FloatTriangle> triangles_;
-    float margin_;
-    const FloatTest* float_test_;
-    Aabb box_;
     unsigned most_depth_ = 0;
     std::vector<KdNode> nodes_;
-    std::vector<std::uint32_t> references_;
     std::vector<Waiting> stack_;
     std::vector<std::uint32_t> boxes_stack_;
-    Mailboxes mailboxes_;
 };
 
-// The structures that are compared, each with the same queries.
-
-/// A structure over the triangles of a mesh.
-class Structure {
-public:
-    Structure() = default;
-    Structure(const Structure&) = delete;
-    Structure& operator=(const Structure&) = delete;
-    virtual ~Structure() = default;
-
-    /// Returns t of the closest hit, or infinity.
-    [[nodiscard]] virtual double closest(const Ray& ray, CellWork& work) = 0;
-    /// Counts the triangles that touch the box.
-    [[nodiscard]] virtual std::size_t count_touching(const Aabb& box, CellWork& work) = 0;
-
-    std::string name;
-    double build_seconds = 0.0;  ///< processor time
-    std::size_t cells = 0;       ///< or nodes
-    std::size_t references = 0;  ///< to triangles
-    std::size_t bytes = 0;
-    bool has_triangles = false;  ///< in these bytes
-    bool has_work = true;        ///< queries count it
-    bool is_reference = true;    ///< all such structures have the same answers
-};
+// The structures that are compared.
 
 /// A mesh on a lattice, whose floats represent it exactly, and its textbook tree.
 struct SubdivisionSubject {

@@ -34,14 +34,14 @@ std::vector<Aabb> boxes_on_surface(const AabbTree& tree, std::size_t count) {
 /// What a structure answered and took.
 struct StructureRun {
     Structure* structure;
-    Timed<double, CellWork> rays = {};
-    Timed<std::size_t, CellWork> boxes = {};
+    Timed<double, RayWork> rays = {};
+    Timed<std::size_t, RayWork> boxes = {};
 };
 
 void measure_round(StructureRun& run, const std::vector<Ray>& rays, const std::vector<Aabb>& boxes) {
-    run.rays.make_round(rays, [&](const Ray& ray, CellWork& work) { return run.structure->closest(ray, work); });
+    run.rays.make_round(rays, [&](const Ray& ray, RayWork& work) { return run.structure->closest(ray, work); });
     run.boxes.make_round(boxes,
-                         [&](const Aabb& box, CellWork& work) { return run.structure->count_touching(box, work); });
+                         [&](const Aabb& box, RayWork& work) { return run.structure->count_touching(box, work); });
 }
 
 /// Throws std::runtime_error if a structure has another answer than the loop over all triangles, or than the first.
@@ -64,7 +64,7 @@ void check_answers(const AabbTree& tree, const std::vector<StructureRun>& runs, 
 }
 
 std::size_t count_leaks(Structure& structure, const std::vector<EdgeRay>& rays) {
-    CellWork work;
+    RayWork work;
     std::size_t leaks = 0;
     for (const EdgeRay& aimed : rays)
         leaks += is_leak(aimed, static_cast<float>(structure.closest(aimed.ray, work))) ? 1u : 0u;
@@ -105,11 +105,11 @@ void measure(Mesh mesh, const Options& options) {
         row.add("bytes_per_triangle", static_cast<double>(structure.bytes) / triangles, 2);
         row.add("has_triangles", std::size_t{structure.has_triangles ? 1u : 0u});
         row.add("rays", rays.size());
-        row.add("cells_per_ray", mean(run.rays.work.cells, rays.size()), 2);
+        row.add("cells_per_ray", mean(run.rays.work.box_tests, rays.size()), 2);
         row.add("triangles_per_ray", mean(run.rays.work.triangle_tests, rays.size()), 2);
         add_spread(row, "ray_ns", run.rays.nanoseconds, 1);
         row.add("boxes", boxes.size());
-        row.add("cells_per_box", mean(run.boxes.work.cells, boxes.size()), 2);
+        row.add("cells_per_box", mean(run.boxes.work.box_tests, boxes.size()), 2);
         row.add("triangles_per_box", mean(run.boxes.work.triangle_tests, boxes.size()), 2);
         add_spread(row, "box_ns", run.boxes.nanoseconds, 1);
         row.add("edge_rays", aimed.size());

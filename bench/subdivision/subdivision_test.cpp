@@ -1,7 +1,7 @@
 // Claims about subdivisions: they have the answers of a loop over all triangles, and cells hold what touches them.
 #include <doctest/doctest.h>
 
-#include "../study/walks.hpp"
+#include "../study/some_meshes.hpp"
 #include "structures.hpp"
 
 using namespace espalier;
@@ -9,13 +9,10 @@ using namespace espalier::bench;
 
 namespace {
 
-std::vector<Mesh> some_meshes() {
-    return {tests::make_torus(24, 10, 2.0, 0.6),
-            tests::make_icosphere(2, 1.5, {4.0f, 0.0f, 0.0f}),
-            tests::make_terrain(14, 1),
-            tests::make_plane_grid(12),
-            tests::make_soup(300, 2),
-            tests::make_needle_fan(40)};
+std::vector<Mesh> all_meshes() {
+    std::vector<Mesh> meshes = some_meshes();
+    meshes.push_back(tests::make_needle_fan(40));
+    return meshes;
 }
 
 /// Along axes and through corners, too: there rays run along the borders of cells.
@@ -47,31 +44,31 @@ std::vector<Aabb> some_boxes(const SubdivisionSubject& subject) {
 }  // namespace
 
 TEST_CASE("bench: a k-d tree and a grid have the hits of a loop over all triangles") {
-    for (const Mesh& mesh : some_meshes()) {
+    for (const Mesh& mesh : all_meshes()) {
         const SubdivisionSubject subject = make_subdivision_subject(mesh);
         for (const auto& structure : all_structures(subject)) {
             if (!structure->is_reference) continue;
             CAPTURE(mesh.name);
             CAPTURE(structure->name);
             std::size_t differing = 0;
-            CellWork work;
+            RayWork work;
             for (const Ray& ray : some_rays(subject))
                 differing += structure->closest(ray, work) != closest_of_all(subject.built.tree, ray) ? 1u : 0u;
             CHECK(differing == 0);
-            CHECK(work.cells > 0);
+            CHECK(work.box_tests > 0);
         }
     }
 }
 
 TEST_CASE("bench: a k-d tree and a grid find each triangle that touches a box once") {
-    for (const Mesh& mesh : some_meshes()) {
+    for (const Mesh& mesh : all_meshes()) {
         const SubdivisionSubject subject = make_subdivision_subject(mesh);
         for (const auto& structure : all_structures(subject)) {
             if (!structure->is_reference) continue;
             CAPTURE(mesh.name);
             CAPTURE(structure->name);
             std::size_t differing = 0;
-            CellWork work;
+            RayWork work;
             for (const Aabb& box : some_boxes(subject)) {
                 const TriangleBoxTest test(box);
                 std::size_t touching = 0;
@@ -90,7 +87,7 @@ TEST_CASE("bench: cells with a margin lose no ray at edges and vertices") {
         for (const AimedAt aim : all_aims) {
             CAPTURE(structure->name);
             std::size_t lost = 0;
-            CellWork work;
+            RayWork work;
             for (const EdgeRay& aimed : edge_rays(subject.snapped, aim, 5'000, 7))
                 lost += is_leak(aimed, static_cast<float>(structure->closest(aimed.ray, work))) ? 1u : 0u;
             CHECK(lost == 0);

@@ -27,19 +27,12 @@ Transform deeper(Transform pose, const Vec3& middle) {
 }
 
 PairWork run_espalier(const Blob& blob, PairQuestion question, const Transform& pose) {
-    PairWork work;
+    if (question == PairQuestion::all) return {0, 0, count_contacts(blob, pose)};
     PairCounters counters;
-    QueryStatus status = QueryStatus::ok;
-    if (question == PairQuestion::any) {
-        const PairContact contact = first_contact(blob, {blob, pose}, unlimited, counters);
-        status = contact.status;
-        work = {counters.box_pairs, counters.triangle_pairs, contact ? 1u : 0u};
-    } else {
-        status = for_each_contact(
-            blob, {blob, pose}, [&](const PairContact&) { ++work.pairs; }, unlimited);
-    }
-    if (is_refused(status)) throw std::runtime_error(std::string("a pose is refused: ") + describe(status));
-    return work;
+    const PairContact contact = first_contact(blob, {blob, pose}, unlimited, counters);
+    if (is_refused(contact.status))
+        throw std::runtime_error(std::string("a pose is refused: ") + describe(contact.status));
+    return {counters.box_pairs, counters.triangle_pairs, contact ? 1u : 0u};
 }
 
 std::vector<PairRun> pair_runs(const TreeSubject& subject, PairQuestion question, PairWalk& walk) {

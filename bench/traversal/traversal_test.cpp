@@ -14,14 +14,6 @@ constexpr unsigned leaf_triangles = 3;
 
 AabbTree tree_of(const Mesh& mesh) { return build_tree_and_blob(mesh, leaf_triangles).tree; }
 
-/// Returns poses of which about half touch.
-std::vector<Transform> poses_of(const Mesh& mesh, const AabbTree& tree) {
-    PairWalk walk(tree, tree);
-    return some_poses(mesh, 20, 7, [&](const Transform& pose) {
-        return walk.run(PairRule::all_children, PairQuestion::any, Placement(pose)).pairs > 0;
-    });
-}
-
 }  // namespace
 
 TEST_CASE("bench: boxes of a textbook tree are larger than even flat triangles") {

@@ -13,12 +13,21 @@ namespace espalier::bench {
 template <class Stored>
 class PreparedPose;
 
+/// For volumes whose tests need the placement as it is.
+class ByPlacement {
+public:
+    explicit ByPlacement(const Placement& placement) : placement_(&placement) {}
+
+protected:
+    const Placement* placement_;
+};
+
 /// Tests the distance of the centers.
 template <>
-class PreparedPose<StoredSphere> {
+class PreparedPose<StoredSphere> : ByPlacement {
 public:
     using Placed = StoredSphere;
-    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    using ByPlacement::ByPlacement;
     [[nodiscard]] Placed placed(const StoredSphere& b) const {
         Placed moved;
         place(*placement_, b.center, moved.center);
@@ -31,17 +40,14 @@ public:
         const float reach = a.radius + b.radius;
         return dot3(out, out) <= reach * reach;
     }
-
-private:
-    const Placement* placement_;
 };
 
 /// A placed box is an oriented one, so all boxes of a hierarchy are turned alike.
 template <>
-class PreparedPose<StoredAabb> {
+class PreparedPose<StoredAabb> : ByPlacement {
 public:
     using Placed = StoredAabb;
-    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    using ByPlacement::ByPlacement;
     [[nodiscard]] Placed placed(const StoredAabb& b) const {
         Placed moved = b;
         place(*placement_, b.center, moved.center);
@@ -52,17 +58,14 @@ public:
         for (int i = 0; i < 3; ++i) t[i] = b.center[i] - a.center[i];
         return boxes_touch(a.half, b.half, placement_->rotation, placement_->magnitude, t);
     }
-
-private:
-    const Placement* placement_;
 };
 
 /// Each pair of boxes has a rotation of its own.
 template <>
-class PreparedPose<StoredObb> {
+class PreparedPose<StoredObb> : ByPlacement {
 public:
     using Placed = StoredObb;
-    explicit PreparedPose(const Placement& placement) : placement_(&placement) {}
+    using ByPlacement::ByPlacement;
     [[nodiscard]] Placed placed(const StoredObb& b) const {
         Placed moved = b;
         place(*placement_, b.center, moved.center);
@@ -85,7 +88,6 @@ public:
 
 private:
     static constexpr float nearly_parallel = 1e-6f;  ///< for edges whose cross product is almost zero
-    const Placement* placement_;
 };
 
 /// Encloses the second k-DOP in one with the normals of the first, and tests k / 2 intervals.

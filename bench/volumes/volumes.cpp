@@ -116,13 +116,8 @@ void make_round(const Queries& queries, const RecordedTests& recorded, KindOfTre
 void make_own_round(const Subject& subject, KindRuns& runs) {
     const Blob& blob = subject.baked.blob;
     runs.rays.make_round(subject.queries.rays, [&](const Ray& ray, RayWork&) { return double(raycast(blob, ray).t); });
-    runs.poses.make_round(subject.queries.poses, [&](const Transform& pose, RayWork&) {
-        std::uint64_t touching = 0;
-        const QueryStatus status = for_each_contact(
-            blob, {blob, pose}, [&](const PairContact&) { ++touching; }, unlimited);
-        if (is_refused(status)) throw std::runtime_error(std::string("a pose is refused: ") + describe(status));
-        return touching;
-    });
+    runs.poses.make_round(subject.queries.poses,
+                          [&](const Transform& pose, RayWork&) { return count_contacts(blob, pose); });
 }
 
 /// Adds up the areas and volumes of all nodes, for each kind.

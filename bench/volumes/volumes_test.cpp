@@ -24,14 +24,6 @@ struct Trees {
     std::vector<std::unique_ptr<KindOfTree>> kinds;
 };
 
-/// Returns poses of which about half touch.
-std::vector<Transform> poses_of(const Mesh& mesh, KindOfTree& tree) {
-    return some_poses(mesh, 20, 7, [&](const Transform& pose) {
-        RayWork work;
-        return tree.touching(Placement(pose), work) > 0;
-    });
-}
-
 /// What was found of points that lie in k-DOPs, and of the same points, placed, in the k-DOPs that enclose these.
 struct Containment {
     std::size_t inside = 0;
@@ -95,7 +87,7 @@ TEST_CASE("bench: a placed k-DOP lies in the one that encloses it") {
     for (const Mesh& mesh : {tests::make_torus(24, 10, 2.0, 0.6), tests::make_soup(60, 3)}) {
         const Trees trees(mesh);
         const double margin = stored_margin_share * static_cast<double>(trees.topology.largest);
-        for (const Transform& pose : poses_of(mesh, *trees.kinds.front())) {
+        for (const Transform& pose : poses_of(mesh, trees.topology)) {
             const Placement placement(pose);
             for (const Volumes& volumes : trees.volumes) {
                 count_points<14>(volumes, placement, margin, random, counts);
@@ -154,7 +146,7 @@ TEST_CASE("bench: trees of every kind of volume find the pairs that a loop over 
     for (const Mesh& mesh : some_meshes()) {
         const Trees trees(mesh);
         std::size_t touching = 0;
-        for (const Transform& pose : poses_of(mesh, *trees.kinds.front())) {
+        for (const Transform& pose : poses_of(mesh, trees.topology)) {
             const Placement placement(pose);
             const PairWork expected = test_all_pairs(trees.topology, trees.topology, placement);
             touching += expected.pairs > 0 ? 1u : 0u;
