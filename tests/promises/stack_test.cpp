@@ -1,30 +1,17 @@
 // How much stack each query needs on each instruction set, measured over queries that fill the traversal's stack. The
 // budgets are in tests/support/machine/stack_budgets.hpp.
-#include <doctest/doctest.h>
+#include "support/testing.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
-#include <espalier/espalier.hpp>
-
-#include "support/base/random.hpp"
 #include "support/base/sanitized.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/blobs/test_blobs.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/machine/instruction_paths.hpp"
 #include "support/machine/stack_budgets.hpp"
 #include "support/machine/stack_use.hpp"
-#include "support/meshes/makers.hpp"
 #include "support/meshes/motions.hpp"
 #include "support/queries/placement_maker.hpp"
-#include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 #include "support/queries/test_pair_frame.hpp"
@@ -44,16 +31,68 @@ std::vector<std::reference_wrapper<const TestBlob>> test_blobs(bool are_predicte
     return blobs;
 }
 
-/// The most that `call` took for any blob and query.
-template <class Call>
-std::size_t most_stack(const std::vector<std::reference_wrapper<const TestBlob>>& measured, Call call) {
-    std::size_t most = 0;
-    for (const TestBlob& blob : measured) {
-        QueryMaker maker(blob.decoded, 5);
-        const std::uint64_t queries = std::max<std::uint64_t>(4, scaled(40));
-        for (std::uint64_t i = 0; i < queries; ++i) most = std::max(most, call(blob, maker));
+/// Arguments of every query of a blob.
+struct Asked {
+    const TestBlob& test;
+    const Blob& blob = test.opened.blob;
+    Ray ray = {};
+    std::array<Ray, 64> rays = {};  ///< a group, and then strangers
+    Sphere sphere = {};
+    std::optional<detail::RoundedPoint> point = std::nullopt;
+    Capsule capsule = {};
+    Box box = {};
+    OrientedBox oriented_box = {};
+    Triangle triangle = {};
+    std::vector<Plane> planes = {};
+    SweepOptions options = {};
+    Moving<Sphere> moving_sphere = {};
+    Moving<Capsule> moving_capsule = {};
+    Moving<Box> moving_box = {};
+    Moving<OrientedBox> moving_oriented_box = {};
+    Moving<OwnedHull> moving_hull = {};
+    std::optional<TestPairFrame> frame = std::nullopt;  ///< of a and b, in some of them
+    PlacedBlob a = PlacedBlob(blob), b = a;
+};
+
+/// Some for each blob.
+std::vector<Asked> arguments_for(const std::vector<std::reference_wrapper<const TestBlob>>& blobs) {
+    std::vector<Asked> all;
+    for (const TestBlob& blob : blobs) {
+        QueryMaker queries(blob.decoded, 5);
+        ShapeMaker shapes(blob.decoded, 6);
+        SweepMaker sweeps(blob.decoded, 7);
+        PlacementMaker placements(blob.decoded, blob.decoded, 8);
+        const detail::BlobData& data = detail::data_of(blob.opened.blob);
+        for (int i = 0; i < 60; ++i) {
+            Asked& asked = all.emplace_back(Asked{blob});
+            asked.ray = queries.any_ray();
+            asked.rays.fill(queries.any_ray());
+            for (std::size_t k = 32; k < asked.rays.size(); ++k) asked.rays[k] = queries.any_ray();
+            asked.sphere = queries.sphere();
+            detail::RoundedPoint point;
+            if (detail::round_point(data, asked.sphere.center, asked.sphere.radius, point) == QueryStatus::ok)
+                asked.point = point;
+            asked.capsule = shapes.capsule(true);
+            asked.box = shapes.box(true);
+            asked.oriented_box = shapes.oriented_box(true);
+            asked.triangle = shapes.corners(true);
+            const ConvexVolume planes = shapes.planes(true);
+            asked.planes.assign(planes.planes.begin(), planes.planes.end());
+            asked.options = {.culling = FaceCulling::back, .ignore_leaving = i % 2 == 0, .skin = 0.125f};
+            asked.moving_sphere = sweeps.sphere(true);
+            asked.moving_capsule = sweeps.capsule(true);
+            asked.moving_box = sweeps.box(true);
+            asked.moving_oriented_box = sweeps.oriented_box(true);
+            asked.moving_hull = sweeps.hull(true);
+            if (i % 10 != 0) continue;
+            const Transform placement = i % 20 == 0 ? placements.random() : placements.adversarial();
+            TestPairFrame frame;
+            if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
+            asked.frame = frame;
+            asked.b = PlacedBlob(asked.blob, placement);
+        }
     }
-    return most;
+    return all;
 }
 
 /// What each query is measured on.
@@ -93,270 +132,153 @@ TEST_CASE("promise: every query stays within its stack budget") {
         MESSAGE("SKIPPED: the sanitizers give frames other sizes");
         return;
     }
+    std::vector<Asked> of_others = arguments_for(test_blobs(false)), of_predicted = arguments_for(test_blobs(true));
     for (const Condition& condition : conditions()) {
         const ChosenInstructionSet chosen(condition.set);
-        const bool are_predicted = condition.are_predicted;
-        const auto measured = test_blobs(are_predicted);
-        REQUIRE(!measured.empty());
-        struct Row {
-            const char* query;
-            std::size_t most;
+        const std::vector<InstructionPath> paths = chosen_paths();
+        const std::vector<Asked>& all = condition.are_predicted ? of_predicted : of_others;
+        REQUIRE(!all.empty());
+        const auto check = [&](const char* query, auto ask) {
+            std::size_t most = 0;
+            for (const Asked& asked : all) most = std::max(most, stack_use([&] { ask(asked); }));
+            check_stack(query + std::string(condition.are_predicted ? ", predicted" : ""), most);
         };
+        const auto check_volume = [&](const char* query, auto shape_of) {
+            std::array<TriangleId, 8> page;
+            check(query, [&](const Asked& q) { (void)overlaps(q.blob, shape_of(q)); });
+            check(query, [&](const Asked& q) { (void)collect_overlaps(q.blob, shape_of(q), page); });
+        };
+        SweepHit sweep_hit;
+        const auto check_sweep = [&](const char* query, auto moving) {
+            check(query, [&](const Asked& q) {
+                sweep_hit = sweep(q.blob, (q.*moving).shape, (q.*moving).displacement, q.options);
+            });
+        };
+        const auto check_pair = [&](const char* query, auto ask) {
+            check(query, [&](const Asked& q) {
+                if (q.frame) ask(q.a, q.b);
+            });
+        };
+        std::array<RayHit, 64> hits;
+        std::array<YesNo, 64> answers;
         ClosestPoint nearest;
         std::array<ClosestPoint, 16> few;
         bool inside = false;
-        const auto ray_row = [&](auto query) {
-            return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                const Ray ray = maker.any_ray();
-                return stack_use([&] { query(blob.opened.blob, ray); });
-            });
-        };
-        using Rays = std::array<Ray, 64>;
-        std::array<RayHit, 64> hits;
-        std::array<YesNo, 64> answers;
-        const auto batch_row = [&](auto query) {
-            return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                Rays rays;
-                rays.fill(maker.any_ray());  // a group, and then strangers
-                for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
-                return stack_use([&] { query(blob.opened.blob, rays); });
-            });
-        };
-        const auto ray_path_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const InstructionPath& path : chosen_paths())
-                most = std::max(most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                                    const Ray ray = maker.any_ray();
-                                    return stack_use([&] { query(path, blob.opened.blob, ray); });
-                                }));
-            return most;
-        };
-        const auto sphere_row = [&](auto query) {
-            return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                const Sphere sphere = maker.sphere();
-                return stack_use([&] { query(blob.opened.blob, sphere); });
-            });
-        };
-        const auto volume_row = [&](auto make) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : measured) {
-                ShapeMaker maker(blob.decoded, 6);
-                for (int i = 0; i < 30; ++i) {
-                    const auto shape = make(maker);
-                    std::array<TriangleId, 8> page;
-                    most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
-                    most = std::max(most, stack_use([&] { (void)collect_overlaps(blob.opened.blob, shape, page); }));
-                }
-            }
-            return most;
-        };
-        const auto point_path_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const InstructionPath& path : chosen_paths())
-                most =
-                    std::max(most, most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
-                                 const Sphere sphere = maker.sphere();
-                                 const detail::BlobData& data = detail::data_of(blob.opened.blob);
-                                 detail::RoundedPoint point;
-                                 if (detail::round_point(data, sphere.center, sphere.radius, point) != QueryStatus::ok)
-                                     return std::size_t{0};
-                                 return stack_use([&] { query(path, data, point); });
-                             }));
-            return most;
-        };
         detail::FoundNearest found;
-        const auto sweep_row = [&](auto make) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : measured) {
-                SweepMaker maker(blob.decoded, 7);
-                for (int i = 0; i < 60; ++i) {
-                    const auto moving = make(maker);
-                    SweepHit sweep_hit;
-                    most = std::max(most, stack_use([&] {
-                                        sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement,
-                                                          SweepOptions{.culling = FaceCulling::back,
-                                                                       .ignore_leaving = i % 2 == 0,
-                                                                       .skin = 0.125f});
-                                    }));
-                }
+        check("open", [](const Asked& q) { (void)open(q.test.opened.bytes); });
+        check("raycast", [](const Asked& q) { (void)raycast(q.blob, q.ray); });
+        check("raycast, the inner query", [&](const Asked& q) {
+            for (const InstructionPath& path : paths) (void)path.closest_hit(detail::data_of(q.blob), q.ray, nullptr);
+        });
+        check("closest_point, the inner query", [&](const Asked& q) {
+            for (const InstructionPath& path : paths)
+                if (q.point) path.closest_triangle(detail::data_of(q.blob), *q.point, found);
+        });
+        check("raycast, a rounded ray",
+              [](const Asked& q) { (void)raycast(q.blob, round_ray(q.blob.lattice(), q.ray)); });
+        check("occluded", [](const Asked& q) { (void)occluded(q.blob, q.ray); });
+        check("raycast, a batch", [&](const Asked& q) { (void)raycast(q.blob, q.rays, hits); });
+        check("occluded, a batch", [&](const Asked& q) { (void)occluded(q.blob, q.rays, answers); });
+        check("raycast, arrays", [&](const Asked& q) {
+            const RayArrays arrays = {{&q.rays[0].origin, sizeof(Ray)}, {&q.rays[0].direction, sizeof(Ray)}};
+            (void)raycast(q.blob, arrays, hits);
+        });
+        check("for_each_hit",
+              [](const Asked& q) { (void)for_each_hit(q.blob, q.ray, [](const RayHit&) { return Visit::next; }); });
+        check("for_each_crossing", [](const Asked& q) {
+            (void)for_each_crossing(q.blob, q.ray, [](const RayHit&) { return Visit::next; });
+        });
+        check("closest_hits", [&](const Asked& q) { (void)closest_hits(q.blob, q.ray, hits); });
+        check("find_contacts, a capsule", [](const Asked& q) {
+            std::array<Contact, 8> contacts;
+            (void)find_contacts(q.blob, q.capsule, q.capsule.radius, contacts);
+        });
+        check("find_contacts, a box", [](const Asked& q) {
+            std::array<Contact, 8> contacts;
+            const float half = q.capsule.radius;
+            const OrientedBox box = {q.capsule.from, {{half, half, 0}, {-half, half, 0}, {0, 0, half}}};
+            (void)find_contacts(q.blob, box, half, contacts);
+        });
+        check("find_contacts, a hull", [](const Asked& q) {
+            std::array<Contact, 8> contacts;
+            std::array<Vec3, max_hull_vertices> vertices;
+            Random random(3);
+            for (Vec3& vertex : vertices) vertex = sum(q.capsule.from, random.in_cube(q.capsule.radius));
+            (void)find_contacts(q.blob, ConvexHull{vertices}, q.capsule.radius, contacts);
+        });
+        check_pair("overlaps, two blobs",
+                   [](const PlacedBlob& a, const PlacedBlob& b) { (void)overlaps(a, b, WorkLimit::unlimited()); });
+        check_pair("collect_contacts, resumed", [](const PlacedBlob& a, const PlacedBlob& b) {
+            PairContact contacts[1];
+            const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
+            (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
+        });
+        check_pair("collect_touches", [](const PlacedBlob& a, const PlacedBlob& b) {
+            PairTouch touches[2];
+            (void)collect_touches(a, b, touches, WorkLimit(20'000));
+        });
+        check_pair("pair_touch", [](const PlacedBlob& a, const PlacedBlob& b) {
+            (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
+        });
+        check_pair("distance, two blobs",
+                   [](const PlacedBlob& a, const PlacedBlob& b) { (void)distance(a, b, WorkLimit(20'000), 1e30f); });
+        check("pairs of triangles, the inner query", [&](const Asked& q) {
+            if (!q.frame) return;
+            for (const InstructionPath& path : paths) {
+                std::uint64_t work = 20'000;
+                const auto go_on = [](const detail::TrianglePair&) { return Visit::next; };
+                (void)path.touching_pairs(*q.frame, go_on, work);
+                detail::FoundTriangles closest;
+                bool is_found = false;
+                (void)path.nearest_pair(*q.frame, infinity, false, closest, is_found, work);
             }
-            return most;
-        };
-        const auto placed_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : measured) {
-                PlacementMaker maker(blob.decoded, blob.decoded, 8);
-                for (int i = 0; i < 6; ++i) {
-                    const Transform placement = i % 2 == 0 ? maker.random() : maker.adversarial();
-                    TestPairFrame frame;
-                    const auto& data = detail::data_of(blob.opened.blob);
-                    if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
-                    const PlacedBlob a(blob.opened.blob), b(blob.opened.blob, placement);
-                    for (const InstructionPath& path : chosen_paths())
-                        most = std::max(most, stack_use([&] { query(path, a, b, frame); }));
-                }
-            }
-            return most;
-        };
-        const auto pair_row = [&](auto ask) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : measured) {
-                ShapeMaker maker(blob.decoded, 7);
-                for (int i = 0; i < 30; ++i) {
-                    const Capsule capsule = maker.capsule(true);
-                    ClosestPoint pair;
-                    most = std::max(most, stack_use([&] { pair = ask(blob.opened.blob, capsule); }));
-                }
-            }
-            return most;
-        };
-        const Row rows[] = {
-            {"open",
-             most_stack(measured, [](const TestBlob& blob,
-                                     QueryMaker&) { return stack_use([&] { (void)open(blob.opened.bytes); }); })},
-            {"raycast", ray_row([](const Blob& blob, const Ray& ray) { (void)raycast(blob, ray); })},
-            {"raycast, the inner query",
-             ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
-                 (void)path.closest_hit(detail::data_of(blob), ray, nullptr);
-             })},
-            {"closest_point, the inner query",
-             point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
-                                const detail::RoundedPoint& point) { path.closest_triangle(blob, point, found); })},
-            {"raycast, a rounded ray",
-             ray_row([&](const Blob& blob, const Ray& ray) { (void)raycast(blob, round_ray(blob.lattice(), ray)); })},
-            {"occluded", ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
-            {"raycast, a batch",
-             batch_row([&](const Blob& blob, const Rays& rays) { (void)raycast(blob, rays, hits); })},
-            {"occluded, a batch",
-             batch_row([&](const Blob& blob, const Rays& rays) { (void)occluded(blob, rays, answers); })},
-            {"raycast, arrays", batch_row([&](const Blob& blob, const Rays& rays) {
-                 const RayArrays arrays = {{&rays[0].origin, sizeof(Ray)}, {&rays[0].direction, sizeof(Ray)}};
-                 (void)raycast(blob, arrays, hits);
-             })},
-            {"for_each_hit", ray_row([](const Blob& blob, const Ray& ray) {
-                 (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
-             })},
-            {"for_each_crossing", ray_row([](const Blob& blob, const Ray& ray) {
-                 (void)for_each_crossing(blob, ray, [](const RayHit&) { return Visit::next; });
-             })},
-            {"closest_hits", ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
-            {"find_contacts, a capsule", pair_row([](const Blob& blob, const Capsule& capsule) {
-                 std::array<Contact, 8> contacts;
-                 (void)find_contacts(blob, capsule, capsule.radius, contacts);
-                 return ClosestPoint();
-             })},
-            {"find_contacts, a box", pair_row([](const Blob& blob, const Capsule& capsule) {
-                 std::array<Contact, 8> contacts;
-                 const float half = capsule.radius;
-                 (void)find_contacts(blob, OrientedBox{capsule.from, {{half, half, 0}, {-half, half, 0}, {0, 0, half}}},
-                                     half, contacts);
-                 return ClosestPoint();
-             })},
-            {"find_contacts, a hull", pair_row([](const Blob& blob, const Capsule& capsule) {
-                 std::array<Contact, 8> contacts;
-                 std::array<Vec3, max_hull_vertices> vertices;
-                 Random random(3);
-                 for (Vec3& vertex : vertices) {
-                     const Vec3 off = random.in_cube(capsule.radius);
-                     vertex = {capsule.from.x + off.x, capsule.from.y + off.y, capsule.from.z + off.z};
-                 }
-                 (void)find_contacts(blob, ConvexHull{vertices}, capsule.radius, contacts);
-                 return ClosestPoint();
-             })},
-            {"overlaps, two blobs",
-             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                 (void)overlaps(a, b, WorkLimit::unlimited());
-             })},
-            {"collect_contacts, resumed",
-             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                 PairContact contacts[1];
-                 const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
-                 (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
-             })},
-            {"collect_touches",
-             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                 PairTouch touches[2];
-                 (void)collect_touches(a, b, touches, WorkLimit(20'000));
-             })},
-            {"pair_touch",
-             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                 (void)pair_touch(a, b, {{0}, {0}, QueryStatus::ok});
-             })},
-            {"distance, two blobs",
-             placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
-                 (void)distance(a, b, WorkLimit(20'000), 1e30f);
-             })},
-            {"pairs of triangles, the inner query", placed_row([](const InstructionPath& path, const PlacedBlob&,
-                                                                  const PlacedBlob&, const detail::PairFrame& frame) {
-                 std::uint64_t work = 20'000;
-                 const auto go_on = [](const detail::TrianglePair&) { return Visit::next; };
-                 (void)path.touching_pairs(frame, go_on, work);
-                 detail::FoundTriangles closest;
-                 bool is_found = false;
-                 (void)path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
-             })},
-            {"sweep, a sphere", sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
-            {"sweep, a capsule", sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
-            {"sweep, a box", sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
-            {"sweep, an oriented box", sweep_row([](SweepMaker& maker) { return maker.awkward_oriented_box(); })},
-            {"sweep, a hull", sweep_row([](SweepMaker& maker) { return maker.awkward_hull(); })},
-            {"overlaps", sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
-            {"for_each_overlap", sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 (void)for_each_overlap(blob, sphere, [](TriangleId) {});
-             })},
-            {"may_overlap and distance_bounds", sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 (void)overlaps(blob, sphere, Accuracy{sphere.radius});
-                 (void)distance_bounds(blob, sphere.center, sphere.radius, Accuracy{sphere.radius}).status;
-             })},
-            {"occluded with an accuracy", ray_row([](const Blob& blob, const Ray& ray) {
-                 (void)occluded(blob, ray, Accuracy{0.01f * (blob.bounds().max.x - blob.bounds().min.x)});
-             })},
-            {"overlaps and pages, a capsule", volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-            {"overlaps and pages, a box", volume_row([](ShapeMaker& maker) { return maker.box(true); })},
-            {"overlaps and pages, an oriented box",
-             volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
-            {"overlaps and pages, a cone", volume_row([](ShapeMaker& maker) {
-                 const Capsule c = maker.capsule(true);
-                 const Vec3 axis = {c.to.x - c.from.x, c.to.y - c.from.y, c.to.z - c.from.z};
-                 return Cone{c.from, axis, c.radius};
-             })},
-            {"overlaps and pages, a triangle", volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
-            {"overlaps and pages, planes", volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
-            {"closest_point", sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 nearest = closest_point(blob, sphere.center, sphere.radius);
-             })},
-            {"closest_triangles", sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 (void)closest_triangles(blob, sphere.center, few, sphere.radius).status;
-             })},
-            {"closest_point, a segment", pair_row([](const Blob& blob, const Capsule& capsule) {
-                 return closest_point(blob, Segment{capsule.from, capsule.to}, capsule.radius);
-             })},
-            {"closest_point, a box", pair_row([](const Blob& blob, const Capsule& capsule) {
-                 const Vec3& a = capsule.from;
-                 const Vec3& b = capsule.to;
-                 const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-                 const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-                 return closest_point(blob, Box{min, max}, capsule.radius);
-             })},
-            {"contains",
-             sphere_row([&](const Blob& blob, const Sphere& sphere) { inside = contains(blob, sphere.center).yes(); })},
-            {"winding_number", sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 (void)winding_number(blob, sphere.center, 8).status;
-             })},
-            {"signed_distance", sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 nearest = signed_distance(blob, sphere.center, sphere.radius);
-             })},
-            {"for_each_node", sphere_row([](const Blob& blob, const Sphere&) {
-                 (void)for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
-             })},
-            {"fix_internal_edge_normal", sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 (void)fix_internal_edge_normal(blob, {blob.triangle_count() / 2}, Feature::edge_ca, sphere.center);
-             })},
-            {"triangle_at",
-             sphere_row([](const Blob& blob, const Sphere&) { (void)triangle_at(blob, {blob.triangle_count() / 2}); })},
-            {"oriented_bounds", sphere_row([](const Blob& blob, const Sphere&) { (void)oriented_bounds(blob); })},
-        };
-        for (const Row& row : rows) check_stack(row.query + std::string(are_predicted ? ", predicted" : ""), row.most);
+        });
+        check_sweep("sweep, a sphere", &Asked::moving_sphere);
+        check_sweep("sweep, a capsule", &Asked::moving_capsule);
+        check_sweep("sweep, a box", &Asked::moving_box);
+        check_sweep("sweep, an oriented box", &Asked::moving_oriented_box);
+        check_sweep("sweep, a hull", &Asked::moving_hull);
+        check("overlaps", [](const Asked& q) { (void)overlaps(q.blob, q.sphere); });
+        check("for_each_overlap", [](const Asked& q) { (void)for_each_overlap(q.blob, q.sphere, [](TriangleId) {}); });
+        check("may_overlap and distance_bounds", [](const Asked& q) {
+            (void)overlaps(q.blob, q.sphere, Accuracy{q.sphere.radius});
+            (void)distance_bounds(q.blob, q.sphere.center, q.sphere.radius, Accuracy{q.sphere.radius}).status;
+        });
+        check("occluded with an accuracy", [](const Asked& q) {
+            (void)occluded(q.blob, q.ray, Accuracy{0.01f * (q.blob.bounds().max.x - q.blob.bounds().min.x)});
+        });
+        check_volume("overlaps and pages, a capsule", [](const Asked& q) { return q.capsule; });
+        check_volume("overlaps and pages, a box", [](const Asked& q) { return q.box; });
+        check_volume("overlaps and pages, an oriented box", [](const Asked& q) { return q.oriented_box; });
+        check_volume("overlaps and pages, a cone", [](const Asked& q) {
+            return Cone{q.capsule.from, difference(q.capsule.to, q.capsule.from), q.capsule.radius};
+        });
+        check_volume("overlaps and pages, a triangle", [](const Asked& q) { return q.triangle; });
+        check_volume("overlaps and pages, planes", [](const Asked& q) { return ConvexVolume{q.planes}; });
+        check("closest_point",
+              [&](const Asked& q) { nearest = closest_point(q.blob, q.sphere.center, q.sphere.radius); });
+        check("closest_triangles",
+              [&](const Asked& q) { (void)closest_triangles(q.blob, q.sphere.center, few, q.sphere.radius).status; });
+        check("closest_point, a segment", [&](const Asked& q) {
+            nearest = closest_point(q.blob, Segment{q.capsule.from, q.capsule.to}, q.capsule.radius);
+        });
+        check("closest_point, a box", [&](const Asked& q) {
+            const Vec3 &a = q.capsule.from, &b = q.capsule.to;
+            const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+            const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+            nearest = closest_point(q.blob, Box{min, max}, q.capsule.radius);
+        });
+        check("contains", [&](const Asked& q) { inside = contains(q.blob, q.sphere.center).yes(); });
+        check("winding_number", [](const Asked& q) { (void)winding_number(q.blob, q.sphere.center, 8).status; });
+        check("signed_distance",
+              [&](const Asked& q) { nearest = signed_distance(q.blob, q.sphere.center, q.sphere.radius); });
+        check("for_each_node",
+              [](const Asked& q) { (void)for_each_node(q.blob, [](const TreeNode&) { return NodeVisit::descend; }); });
+        check("fix_internal_edge_normal", [](const Asked& q) {
+            (void)fix_internal_edge_normal(q.blob, {q.blob.triangle_count() / 2}, Feature::edge_ca, q.sphere.center);
+        });
+        check("triangle_at", [](const Asked& q) { (void)triangle_at(q.blob, {q.blob.triangle_count() / 2}); });
+        check("oriented_bounds", [](const Asked& q) { (void)oriented_bounds(q.blob); });
     }
 }
 

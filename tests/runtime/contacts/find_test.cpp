@@ -157,7 +157,7 @@ TEST_CASE("contact: the contacts of a body are those of the loop over all triang
             check(sphere);
             check(capsule);
             check(box);
-            OwnedHull hull = awkward ? hull_maker.awkward_hull().shape : hull_maker.random_hull().shape;
+            OwnedHull hull = hull_maker.hull(awkward).shape;
             if (hull.vertices.size() > 10) hull.vertices.resize(10);  // the reference takes the cube of them
             check(hull);
         }

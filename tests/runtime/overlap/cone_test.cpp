@@ -41,14 +41,6 @@ oracle::Cone rounded_in_truth(const DecodedBlob& blob, const Cone& cone) {
     return exact;
 }
 
-std::string describe(const Cone& cone) {
-    char text[200];
-    std::snprintf(text, sizeof text, "apex %a %a %a axis %a %a %a radius %a", static_cast<double>(cone.apex.x),
-                  static_cast<double>(cone.apex.y), static_cast<double>(cone.apex.z), static_cast<double>(cone.axis.x),
-                  static_cast<double>(cone.axis.y), static_cast<double>(cone.axis.z), static_cast<double>(cone.radius));
-    return text;
-}
-
 struct Tally {
     std::uint64_t yes = 0, no = 0;
 };
@@ -135,7 +127,7 @@ Cone touching_cone(const DecodedBlob& decoded, Random& random) {
     constexpr std::int32_t sides[][3] = {{0, 1, 1}, {1, 0, 1},   {0, 2, 2}, {3, 4, 5},
                                          {4, 3, 5}, {5, 12, 13}, {8, 6, 10}};
     const auto& [across, upward, radius] = sides[random.below(std::size(sides))];
-    const GridPoint& corner = decoded.triangles[random.below(static_cast<std::uint32_t>(decoded.triangles.size()))].a;
+    const GridPoint& corner = some_triangle(decoded, random).a;
     const std::size_t along = random.below(3);
     const std::int32_t height = random.between(1, 6) * (random.coin() ? 1 : -1);
     const auto stretch = static_cast<float>(1 << random.below(3));
@@ -150,8 +142,7 @@ Cone touching_cone(const DecodedBlob& decoded, Random& random) {
 
 /// Toward some triangle, from any distance, of any length and width; often its slope leads to a corner.
 Cone large_cone(const DecodedBlob& decoded, Random& random) {
-    const GridTriangle& triangle =
-        decoded.triangles[random.below(static_cast<std::uint32_t>(decoded.triangles.size()))];
+    const GridTriangle& triangle = some_triangle(decoded, random);
     const double step = std::ldexp(1.0, decoded.step_exponent);
     const double away = std::ldexp(1.0 + static_cast<double>(random.unit()), random.between(-2, 34));
     double apex[3], way[3], axis[3], length = 0.0, along = 0.0, squared = 0.0;
@@ -173,11 +164,8 @@ Cone large_cone(const DecodedBlob& decoded, Random& random) {
     if (random.below(4) == 0) radius *= std::ldexp(1.0, random.between(-20, 20));
     if (random.below(8) == 0) radius = 0.0;
     if (!(radius < 1e30)) radius = 1.0;
-    const auto world = [&](std::size_t k) {
-        return static_cast<float>(static_cast<double>(decoded.origin[k]) + apex[k] * step);
-    };
     const auto scaled_axis = [&](std::size_t k) { return static_cast<float>(axis[k] * step); };
-    return {{world(0), world(1), world(2)},
+    return {place_in_world(decoded, apex[0], apex[1], apex[2]),
             {scaled_axis(0), scaled_axis(1), scaled_axis(2)},
             static_cast<float>(radius * step)};
 }

@@ -67,7 +67,7 @@ void check_shape(const SplitBlob& split, const Shape& shape, const Indices& expe
     REQUIRE(found == expected);
 }
 
-template <class Rounded, class Shape>
+template <class Shape, class Rounded = detail::Rounded<Shape>>
 void check_volume(const SplitBlob& split, const Shape& shape, Tally& tally) {
     Rounded rounded;
     const QueryStatus status = round_volume(detail::data_of(split.opened.blob), shape, rounded);
@@ -83,18 +83,15 @@ TEST_CASE("overlap: duplicate references are reported once each and pages of the
         QueryMaker spheres(split.decoded, seed + 8);
         for (int i = 0; i < 40; ++i) {
             const bool awkward = i % 2 == 0;
-            check_volume<detail::Rounded<Capsule>>(split, shapes.capsule(awkward), tally[0]);
-            check_volume<detail::Rounded<Box>>(split, shapes.box(awkward), tally[1]);
-            check_volume<detail::Rounded<OrientedBox>>(split, shapes.oriented_box(awkward), tally[2]);
-            check_volume<detail::Rounded<Triangle>>(split, shapes.corners(awkward), tally[3]);
-            check_volume<detail::Rounded<ConvexVolume>>(split, shapes.planes(awkward), tally[4]);
+            std::size_t kind = 0;
+            shapes.make_volumes(awkward, [&](const auto& shape) { check_volume(split, shape, tally[kind++]); });
             const Sphere sphere = awkward ? spheres.sphere() : spheres.random_sphere();
             detail::RoundedPoint rounded;
             if (detail::round_point(detail::data_of(split.opened.blob), sphere.center, sphere.radius, rounded) ==
                 QueryStatus::ok)
                 check_shape(split, sphere, split.loop.every_overlap(rounded), tally[5]);
             if (const auto box = to_lattice(split.opened.blob.lattice(), shapes.box(awkward)))
-                check_volume<detail::Rounded<Box>>(split, *box, tally[6]);
+                check_volume<LatticeBox, detail::Rounded<Box>>(split, *box, tally[6]);
         }
     }
     for (const Tally& each : tally) {

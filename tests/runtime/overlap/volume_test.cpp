@@ -67,10 +67,10 @@ void check_answers(const Blob& blob, const Shape& shape, const std::vector<std::
     tally.overlapping += expected.empty() ? 0u : 1u;
 }
 
-template <class Rounded, class Shape>
+template <class Shape>
 void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape& shape, Random& random, Tally& tally) {
     CAPTURE(describe(shape));
-    Rounded rounded;
+    detail::Rounded<Shape> rounded;
     const QueryStatus status = round_volume(detail::data_of(blob), shape, rounded);
     if (is_refused(status)) {
         ++tally.out_of_range;
@@ -101,79 +101,50 @@ void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphe
     REQUIRE(overlaps(blob, sphere).status() == (is_valid ? QueryStatus::not_found : QueryStatus::invalid_argument));
 }
 
+constexpr std::array kinds = {"spheres", "capsules", "boxes", "oriented boxes", "triangles", "sets of planes"};
+using Tallies = std::array<Tally, kinds.size()>;
+
 struct Makers {
     Makers(const DecodedBlob& decoded, std::uint64_t seed) : spheres(decoded, seed), shapes(decoded, seed) {}
     QueryMaker spheres;
     ShapeMaker shapes;
 };
 
-struct ShapeKind {
-    const char* name;
-    void (*check)(const Blob&, const TriangleLoop&, Makers&, bool awkward, Tally&);
-};
-constexpr ShapeKind shape_kinds[] = {
-    {"spheres",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         check_sphere(blob, loop, awkward ? makers.spheres.sphere() : makers.spheres.random_sphere(),
-                      makers.shapes.random(), tally);
-     }},
-    {"capsules",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::Rounded<Capsule>>(blob, loop, maker.capsule(awkward), maker.random(), tally);
-     }},
-    {"boxes",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::Rounded<Box>>(blob, loop, maker.box(awkward), maker.random(), tally);
-     }},
-    {"oriented boxes",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::Rounded<OrientedBox>>(blob, loop, maker.oriented_box(awkward), maker.random(),
-                                                          tally);
-     }},
-    {"triangles",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::Rounded<Triangle>>(blob, loop, maker.corners(awkward), maker.random(), tally);
-     }},
-    {"sets of planes",
-     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
-         ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::Rounded<ConvexVolume>>(blob, loop, maker.planes(awkward), maker.random(), tally);
-     }},
-};
-
-void tell_calls(const ShapeKind& kind, const std::string& mesh, const Tally& tally) {
-    MESSAGE(calls_made(std::string(kind.name) + ": any, all, pages", mesh, tally.asked - tally.awkward, tally.awkward));
+/// Asks with a shape of each kind.
+void check_shapes(const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tallies& tallies) {
+    Random& random = makers.shapes.random();
+    check_sphere(blob, loop, awkward ? makers.spheres.sphere() : makers.spheres.random_sphere(), random, tallies[0]);
+    std::size_t kind = 0;
+    makers.shapes.make_volumes(
+        awkward, [&](const auto& shape) { check_against_loop(blob, loop, shape, random, tallies[++kind]); });
+    for (Tally& tally : tallies) {
+        ++tally.asked;
+        tally.awkward += awkward ? 1u : 0u;
+    }
 }
 
-void check_shapes(const std::vector<TestBlob>& blobs, const ShapeKind& kind, std::uint64_t count) {
-    Tally tally;
+void tell_calls(const std::string& mesh, const Tallies& tallies) {
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        MESSAGE(calls_made(std::string(kinds[i]) + ": any, all, pages", mesh, tallies[i].asked - tallies[i].awkward,
+                           tallies[i].awkward));
+}
+
+void check_test_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
+    Tallies tallies;
     for (const TestBlob& blob : blobs) {
         CAPTURE(blob.name);
         const TriangleLoop loop(blob.decoded);
         Makers makers(blob.decoded, 40);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const bool awkward = makers.shapes.random().coin();
-            kind.check(blob.opened.blob, loop, makers, awkward, tally);
-            ++tally.asked;
-            tally.awkward += awkward ? 1u : 0u;
-        }
+        for (std::uint64_t i = 0; i < count; ++i)
+            check_shapes(blob.opened.blob, loop, makers, makers.shapes.random().coin(), tallies);
     }
-    tell_calls(kind, generated_meshes, tally);
-    CHECK(tally.overlapping < tally.asked);
-    if (!asks_enough()) return;
-    CHECK(tally.overlapping > tally.asked / 5);
-    CHECK(tally.out_of_range < tally.asked / 10);
-}
-
-void check_shapes(const char* name) {
-    const auto kind = std::find_if(std::begin(shape_kinds), std::end(shape_kinds),
-                                   [&](const ShapeKind& k) { return std::string(k.name) == name; });
-    check_shapes(small_test_blobs(), *kind, scaled_share(1'500));
-    check_shapes(medium_test_blobs(), *kind, scaled_share(200));
+    tell_calls(generated_meshes, tallies);
+    for (const Tally& tally : tallies) {
+        CHECK(tally.overlapping < tally.asked);
+        if (!asks_enough()) continue;
+        CHECK(tally.overlapping > tally.asked / 5);
+        CHECK(tally.out_of_range < tally.asked / 10);
+    }
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
@@ -181,52 +152,38 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
     const OpenedBlob opened(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
-    for (const ShapeKind& kind : shape_kinds) {
-        const std::string kind_name = kind.name;
-        CAPTURE(kind_name);
-        Makers makers(decoded, 50 + static_cast<std::uint64_t>(profile));
-        Tally tally;
-        const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const bool awkward = i % 10 == 9;
-            kind.check(opened.blob, loop, makers, awkward, tally);
-            ++tally.asked;
-            tally.awkward += awkward ? 1u : 0u;
-        }
-        tell_calls(kind, mesh.name, tally);
+    Makers makers(decoded, 50 + static_cast<std::uint64_t>(profile));
+    Tallies tallies;
+    const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
+    for (std::uint64_t i = 0; i < count; ++i) check_shapes(opened.blob, loop, makers, i % 10 == 9, tallies);
+    tell_calls(mesh.name, tallies);
+    for (const Tally& tally : tallies)
         if (count >= 20) CHECK(tally.overlapping > 0);  // fewer may all be beside it
-    }
 }
 
 TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
     std::uint64_t near = 0;
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        ShapeMaker maker(blob.decoded, 70);
-        for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
+    ask_each<ShapeMaker>(
+        small_test_blobs(), 70, scaled_share(150), [&](const TestBlob& blob, ShapeMaker& maker, std::uint64_t) {
             const Capsule capsule = maker.capsule(maker.random().coin());
             CAPTURE(describe(capsule));
             detail::Rounded<Capsule> rounded;
-            if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) continue;
-            const auto& all = blob.decoded.triangles;
+            if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) return;
             for (int k = 0; k < 40; ++k) {
-                const detail::LatticeTriangle triangle =
-                    lattice_triangle(all[maker.random().below(static_cast<std::uint32_t>(all.size()))]);
+                const detail::LatticeTriangle triangle = lattice_triangle(some_triangle(blob.decoded, maker.random()));
                 const auto distance = detail::distance_to(rounded.segment, triangle);
                 const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
                 REQUIRE(meets(rounded, triangle) == expected);
                 near += expected ? 1u : 0u;
             }
-        }
-    }
+        });
     CHECK(near > 100);
 }
-TEST_CASE("overlap: spheres equal the loop in any and all and pages") { check_shapes("spheres"); }
-TEST_CASE("overlap: capsules equal the loop in any and all and pages") { check_shapes("capsules"); }
-TEST_CASE("overlap: boxes equal the loop in any and all and pages") { check_shapes("boxes"); }
-TEST_CASE("overlap: oriented boxes equal the loop in any and all and pages") { check_shapes("oriented boxes"); }
-TEST_CASE("overlap: triangles equal the loop in any and all and pages") { check_shapes("triangles"); }
-TEST_CASE("overlap: sets of planes equal the loop in any and all and pages") { check_shapes("sets of planes"); }
+TEST_CASE("overlap: volumes of every kind equal the loop in any and all and pages") {
+    check_test_blobs(small_test_blobs(), scaled_share(1'500));
+    check_test_blobs(medium_test_blobs(), scaled_share(200));
+}
+
 TEST_CASE("overlap: volumes of every kind equal the loop on real meshes") { for_each_real_mesh(check_real_mesh); }
 
 }  // namespace

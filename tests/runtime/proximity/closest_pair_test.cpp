@@ -12,12 +12,6 @@
 namespace espalier::tests::closest_pair_test {
 namespace {
 
-Vec3 sum(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 difference(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double length(Vec3 a) {
-    return std::hypot(static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z));
-}
-
 /// What the walk finds and what the loop finds.
 template <class Shape>
 bool equals_loop(const TestBlob& blob, const TriangleLoop& loop, Shape& shape, float max_distance,

@@ -157,10 +157,8 @@ TEST_CASE("inside: cavities are outside and nested and reversed shells are insid
 }
 
 TEST_CASE("inside: the signed distance is that of the closest point and negative inside") {
-    for (const TestBlob& blob : closed_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 1200);
-        for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
+    ask_each<QueryMaker>(
+        closed_blobs(), 1200, scaled_share(300), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             Sphere sphere = maker.sphere();
             sphere.radius = std::fabs(sphere.radius);  // nudged from 0 it may be below
             const Vec3 point = maker.random().coin() ? random_point(blob, maker.random()) : sphere.center;
@@ -178,8 +176,7 @@ TEST_CASE("inside: the signed distance is that of the closest point and negative
                 REQUIRE(std::fabs(nearest.distance) == sphere.radius);
                 REQUIRE(std::signbit(nearest.distance) == inside);
             }
-        }
-    }
+        });
 }
 
 TEST_CASE("inside: open surfaces and invalid points are refused") {

@@ -2,27 +2,23 @@
 // triangles, which a reference sums up in double.
 #include "support/testing.hpp"
 
+#include <Eigen/Geometry>
+
 namespace espalier::tests::mean_winding_test {
 namespace {
-
-struct Double3 {
-    double x, y, z;
-};
-double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// Sums up the solid angles of all triangles over 4 pi (van Oosterom and Strackee 1983).
 double winding_by_solid_angles(const Blob& blob, const Vec3& point) {
     double sum = 0.0;
-    const auto from_point = [&](const Vec3& p) {
-        return Double3{static_cast<double>(p.x) - static_cast<double>(point.x),
-                       static_cast<double>(p.y) - static_cast<double>(point.y),
-                       static_cast<double>(p.z) - static_cast<double>(point.z)};
+    const Eigen::Vector3d center(static_cast<double>(point.x), static_cast<double>(point.y),
+                                 static_cast<double>(point.z));
+    const auto from_point = [&](const Vec3& p) -> Eigen::Vector3d {
+        return Eigen::Vector3d(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)) - center;
     };
     (void)for_each_triangle(blob, [&](TriangleId, const Triangle& triangle) {
-        const Double3 a = from_point(triangle.a), b = from_point(triangle.b), c = from_point(triangle.c);
-        const Double3 across = {b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
-        const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-        sum += 2.0 * std::atan2(dot(a, across), la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
+        const Eigen::Vector3d a = from_point(triangle.a), b = from_point(triangle.b), c = from_point(triangle.c);
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        sum += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
     });
     return sum / (4.0 * std::acos(-1.0));
 }

@@ -1,7 +1,6 @@
 // Claims about closest points as the header words them.
 #include "support/testing.hpp"
 
-#include "support/answers/differences.hpp"
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::nearest_test {
@@ -177,20 +176,6 @@ TEST_CASE("closest point: side and face normal are those of the exact plane") {
     CHECK(behind < asked);
 }
 
-TEST_CASE("closest point: one exists within a distance exactly when the sphere overlaps") {
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 900);
-        for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
-            const Sphere sphere = maker.sphere();
-            CAPTURE(describe(sphere));
-            const ClosestPoint nearest = closest_point(blob.opened.blob, sphere.center, sphere.radius);
-            REQUIRE(bool(nearest) == overlaps(blob.opened.blob, sphere).yes());
-            if (nearest) REQUIRE(nearest.distance <= sphere.radius);
-        }
-    }
-}
-
 TEST_CASE("closest point: the feature is the face or side or corner of the point") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
     CHECK(closest_point(cube.blob, Vec3{0.25f, 0.5f, 3.0f}).feature == Feature::face);
@@ -241,27 +226,12 @@ TEST_CASE("closest point: the few closest are sorted and end with the array or t
     refused(closest_triangles(Blob(), above, nearest), QueryStatus::not_open);
 }
 
-TEST_CASE("closest point: a triangle with copies is among the few closest once") {
-    const OpenedBlob opened(make_soup(400, 3), with_copies());
-    REQUIRE(opened.blob.duplicate_reference_count() > 0);
-    const DecodedBlob decoded = decode(opened.bytes);
-    const TriangleLoop loop(decoded);
-    QueryMaker maker(decoded, 960);
-    std::uint64_t hits = 0;
-    for (std::uint64_t i = 0; i < scaled(500); ++i) {
-        require_none(sphere_difference(opened.blob, loop, maker.sphere(), hits));
-    }
-    CHECK(hits > 1000);
-}
-
 TEST_CASE("closest point: the weights lead to the point") {
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 950);
-        const Rational ulp = coordinate_ulp(blob.opened.blob);
-        for (std::uint64_t i = 0; i < scaled_share(50); ++i) {
+    ask_each<QueryMaker>(
+        small_test_blobs(), 950, scaled_share(50), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
+            const Rational ulp = coordinate_ulp(blob.opened.blob);
             const ClosestPoint nearest = closest_point(blob.opened.blob, maker.sphere().center);
-            if (!nearest) continue;
+            if (!nearest) return;
             const oracle::Triangle triangle = exact_triangle(blob.decoded.triangles.at(nearest.triangle.index));
             const oracle::Point steps = triangle.a + (triangle.b - triangle.a) * Rational::of(nearest.u) +
                                         (triangle.c - triangle.a) * Rational::of(nearest.v);
@@ -273,8 +243,7 @@ TEST_CASE("closest point: the weights lead to the point") {
             }
             REQUIRE(nearest.u >= 0.0f);
             REQUIRE(nearest.v >= 0.0f);
-        }
-    }
+        });
 }
 
 }  // namespace

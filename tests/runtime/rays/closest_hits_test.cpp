@@ -54,17 +54,20 @@ TEST_CASE("ray: the first of the first hits is the closest hit and unused slots 
     CHECK(closest_hits(cubes.opened.blob, up, one).status == QueryStatus::invalid_argument);
 }
 
-TEST_CASE("ray: a triangle with copies appears once and hits equal the loop") {
+TEST_CASE("ray: a triangle with copies appears once and rays and spheres equal the loop") {
     const OpenedBlob opened(make_soup(400, 3), with_copies());
     REQUIRE(opened.blob.duplicate_reference_count() > 0);
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 403);
-    std::uint64_t hits = 0;
+    std::uint64_t hits = 0, touched = 0;
     for (std::uint64_t i = 0; i < scaled(2000); ++i) {
         require_none(ray_difference(opened.blob, loop, maker.any_ray(), hits));
+        if (i % 4 == 0) require_none(sphere_difference(opened.blob, loop, maker.sphere(), touched));
     }
-    if (asks_enough()) CHECK(hits > 1000);
+    if (!asks_enough()) return;
+    CHECK(hits > 1000);
+    CHECK(touched > 1000);
 }
 
 TEST_CASE("ray: a segment hits between its ends and at them") {
@@ -87,10 +90,8 @@ TEST_CASE("ray: a segment hits between its ends and at them") {
 }
 
 TEST_CASE("ray: a ray between two points has their difference as direction and a window from 0 to 1") {
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 404);
-        for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
+    ask_each<QueryMaker>(
+        small_test_blobs(), 404, scaled_share(60), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             const Ray ray = maker.any_ray();
             const Vec3 from = ray.origin,
                        to = {from.x + ray.direction.x, from.y + ray.direction.y, from.z + ray.direction.z};
@@ -99,8 +100,7 @@ TEST_CASE("ray: a ray between two points has their difference as direction and a
             REQUIRE(same_bits(of_segment, raycast(blob.opened.blob, same)));
             REQUIRE((!of_segment || of_segment.t <= 1.0f));
             REQUIRE(occluded(blob.opened.blob, Ray::between(from, to)).status() == of_segment.status);
-        }
-    }
+        });
 }
 
 TEST_CASE("ray: a ray between points that are not finite or the same or too far apart is refused") {

@@ -88,35 +88,31 @@ TEST_CASE("kernel: a hit is a crossing exactly where the moved ray hits in exact
 TEST_CASE("crossing: the crossings of a ray are those of its hits that the moved ray keeps") {
     const std::uint64_t count = scaled_share(100);
     std::uint64_t hits = 0, dropped = 0;
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 401);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            Ray ray = maker.any_ray();
-            if (maker.random().below(3) == 0) maker.restrict(ray);
-            CAPTURE(describe(ray));
-            detail::LatticeRay rounded;
-            std::vector<RayHit> expected;
-            if (detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded)) {
-                const oracle::Line line = moved(exact_line(rounded));
-                static_cast<void>(for_each_hit(blob.opened.blob, ray, [&](const RayHit& hit) {
-                    const GridTriangle& triangle = blob.decoded.triangles[hit.triangle.index];
-                    ++hits;
-                    if (oracle::cross(line, exact_triangle(triangle))) expected.push_back(hit);
-                    else ++dropped;
-                }));
-            }
-            const std::vector<RayHit> crossings = crossings_of(blob.opened.blob, ray);
-            REQUIRE(crossings.size() == expected.size());
-            for (std::size_t k = 0; k < crossings.size(); ++k) REQUIRE(same_bits(crossings[k], expected[k]));
-            const RoundedRay of_region = round_ray(blob.opened.blob.lattice(), ray);
-            std::size_t next = 0;
-            const QueryStatus status = for_each_crossing(blob.opened.blob, of_region, [&](const RayHit& hit) {
-                next += next < expected.size() && same_bits(hit, expected[next]) ? 1 : expected.size() + 1;
-            });
-            if (status == QueryStatus::ok) REQUIRE(next == expected.size());
+    ask_each<QueryMaker>(small_test_blobs(), 401, count, [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
+        Ray ray = maker.any_ray();
+        if (maker.random().below(3) == 0) maker.restrict(ray);
+        CAPTURE(describe(ray));
+        detail::LatticeRay rounded;
+        std::vector<RayHit> expected;
+        if (detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded)) {
+            const oracle::Line line = moved(exact_line(rounded));
+            static_cast<void>(for_each_hit(blob.opened.blob, ray, [&](const RayHit& hit) {
+                const GridTriangle& triangle = blob.decoded.triangles[hit.triangle.index];
+                ++hits;
+                if (oracle::cross(line, exact_triangle(triangle))) expected.push_back(hit);
+                else ++dropped;
+            }));
         }
-    }
+        const std::vector<RayHit> crossings = crossings_of(blob.opened.blob, ray);
+        REQUIRE(crossings.size() == expected.size());
+        for (std::size_t k = 0; k < crossings.size(); ++k) REQUIRE(same_bits(crossings[k], expected[k]));
+        const RoundedRay of_region = round_ray(blob.opened.blob.lattice(), ray);
+        std::size_t next = 0;
+        const QueryStatus status = for_each_crossing(blob.opened.blob, of_region, [&](const RayHit& hit) {
+            next += next < expected.size() && same_bits(hit, expected[next]) ? 1 : expected.size() + 1;
+        });
+        if (status == QueryStatus::ok) REQUIRE(next == expected.size());
+    });
     CHECK(dropped > 0);
     CHECK(hits > count);
     MESSAGE(hits, " hits, ", dropped, " of them no crossings");
@@ -133,8 +129,7 @@ TEST_CASE("crossing: a ray leaves a closed surface as often as the winding numbe
             surface.push_back({{doubled(t.a), doubled(t.b), doubled(t.c)}});
         Random random(77);
         for (std::uint64_t i = 0; i < count; ++i) {
-            const GridTriangle& t =
-                blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
+            const GridTriangle& t = some_triangle(blob.decoded, random);
             const GridPoint corners[3] = {t.a, t.b, t.c};
             const Vec3 from = awkward_point(blob, random);
             const Lattice lattice = blob.opened.blob.lattice();

@@ -22,8 +22,6 @@ Mesh stacked_triangles(unsigned count) {
     return mesh;
 }
 
-bool is_not_the_first(TriangleId triangle) { return triangle.index != 0; }
-
 TEST_CASE("ray: the lowest index wins among far hits that round to the same t") {
     tests::for_each_profile([](Profile profile) {
         const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
@@ -40,13 +38,6 @@ TEST_CASE("ray: the lowest index wins among far hits that round to the same t") 
         CHECK(status == QueryStatus::ok);
         CHECK(hits == 40);
     });
-}
-
-TEST_CASE("ray: a plain function serves as a filter from far away") {
-    const OpenedBlob stack(stacked_triangles(2));
-    const RayHit hit = raycast(stack.blob, {{8.0f, 8.0f, 10.0f}, {0.0f, 0.0f, -1.0f}}, is_not_the_first);
-    REQUIRE(hit);
-    CHECK(hit.triangle.index == 1);
 }
 
 TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {

@@ -95,8 +95,7 @@ TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a sid
         std::uint64_t exact_aims = 0;
         for (std::uint64_t i = 0; i < count; ++i) {
             const GridPoint from = on_float_grid(shape.decoded, shape.inside(shape.decoded, random));
-            const GridTriangle& triangle =
-                shape.decoded.triangles[random.below(static_cast<std::uint32_t>(shape.decoded.triangles.size()))];
+            const GridTriangle& triangle = some_triangle(shape.decoded, random);
             const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
             const GridPoint& p = corners[random.below(3)];
             const GridPoint& q = corners[random.below(3)];  // the same corner in a third of the rays

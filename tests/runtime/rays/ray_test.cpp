@@ -3,7 +3,6 @@
 
 #include <espalier/statistics.hpp>
 
-#include "every_hit.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/machine/instruction_paths.hpp"
 
@@ -99,17 +98,16 @@ TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
 
 TEST_CASE("ray: a reported t is inside the window after rounding") {
     std::uint64_t at_the_end = 0;
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 475);
-        for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
+    ask_each<QueryMaker>(small_test_blobs(), 475, scaled_share(1'000),
+                         [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             Ray ray = maker.any_ray();
             RayHit hit = raycast(blob.opened.blob, ray);
-            if (!hit) continue;
+                             if (!hit) return;
             const float t = hit.t;
-            // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
-            for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
-                                      std::nextafter(t, infinity)}) {
+                             // The exact t lies between two of these floats: as ends of the window they cut off the
+                             // rounding.
+                             for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f),
+                                                       std::nextafter(t, 0.0f), t, std::nextafter(t, infinity)}) {
                 CAPTURE(describe(ray));
                 ray.t_min = 0.0f;
                 ray.t_max = bound;
@@ -123,8 +121,7 @@ TEST_CASE("ray: a reported t is inside the window after rounding") {
                 hit = raycast(blob.opened.blob, ray);
                 if (hit) REQUIRE(hit.t >= bound);
             }
-        }
-    }
+                         });
     CHECK(at_the_end > 0);
 }
 
@@ -224,27 +221,6 @@ TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
     }
 }
 
-TEST_CASE("ray: no hit is nearer than the closest one") {
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 450);
-        for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
-            const Ray ray = maker.any_ray();
-            CAPTURE(describe(ray));
-            std::optional<RayHit> first;
-            for (const RayHit& hit : every_hit(blob.opened.blob, ray)) {
-                if (!first || hit.t < first->t) first = hit;
-            }
-            const RayHit hit = raycast(blob.opened.blob, ray);
-            REQUIRE(bool(hit) == first.has_value());
-            if (!first) continue;
-            REQUIRE(same_bits(hit.t, first->t));
-            // Where t leaves float32's range the order is that of t before it did.
-            if (std::isnormal(hit.t) || hit.t == 0.0f) REQUIRE(same_bits(hit, *first));
-        }
-    }
-}
-
 TEST_CASE("ray: a visitor that stops is not called again and the status reports it") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
     const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
@@ -268,22 +244,19 @@ TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbou
 }
 
 TEST_CASE("ray: length and scale of a direction change only t") {
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 500);
-        for (std::uint64_t i = 0; i < scaled_share(200); ++i) {
+    ask_each<QueryMaker>(
+        small_test_blobs(), 500, scaled_share(200), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             const Ray ray = maker.ray(RayKind::incoherent);
             Ray longer = ray;
             longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
             const RayHit hit = raycast(blob.opened.blob, ray);
             RayHit longer_hit = raycast(blob.opened.blob, longer);
             REQUIRE(longer_hit.status == hit.status);
-            if (!hit) continue;
+            if (!hit) return;
             REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
             longer_hit.t = hit.t;
             REQUIRE(same_bits(longer_hit, hit));
-        }
-    }
+        });
 }
 
 TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {

@@ -9,16 +9,13 @@
 
 namespace espalier::tests {
 
-/// In the region's own steps: nothing is moved onto the blob.
-inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t (&before)[3],
-                                  const RoundedRay& rounded) {
-    const detail::RoundedRayData& data = rounded.data();
-    RayHit best;
-    best.status = QueryStatus::not_found;
-    if (data.may_hit == 0) return best;
+using Steps = std::int32_t[3];
+
+/// The ray in steps that begin so many steps later.
+inline detail::IntegerRay integer_ray(const detail::RoundedRayData& data, const Steps& before) {
     detail::IntegerRay ray{};
     for (int k = 0; k < 3; ++k) {
-        ray.origin[k] = data.origin[k];
+        ray.origin[k] = data.origin[k] - before[k] * (1 << data.fraction_bits);
         ray.direction[k] = data.direction[k];
     }
     ray.fraction_bits = data.fraction_bits;
@@ -27,6 +24,16 @@ inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t
     ray.tau_max = data.tau_max;
     ray.tau_offset = data.tau_offset;
     ray.culling = data.culling;
+    return ray;
+}
+
+/// In the region's own steps: nothing is moved onto the blob.
+inline RayHit loop_over_triangles(const DecodedBlob& decoded, const Steps& before, const RoundedRay& rounded) {
+    const detail::RoundedRayData& data = rounded.data();
+    RayHit best;
+    best.status = QueryStatus::not_found;
+    if (data.may_hit == 0) return best;
+    const detail::IntegerRay ray = integer_ray(data, {});
     detail::TriangleHit nearest{};
     nearest.whole_tau = INFINITY;
     for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
@@ -46,19 +53,10 @@ inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t
     return best;
 }
 
-inline detail::RayOnLattice moved(const RoundedRay& rounded, const std::int32_t (&before)[3]) {
+inline detail::RayOnLattice moved(const RoundedRay& rounded, const Steps& before) {
     const detail::RoundedRayData& data = rounded.data();
     detail::RayOnLattice result{};
-    for (int k = 0; k < 3; ++k) {
-        result.ray.origin[k] = data.origin[k] - before[k] * (1 << data.fraction_bits);
-        result.ray.direction[k] = data.direction[k];
-    }
-    result.ray.fraction_bits = data.fraction_bits;
-    result.ray.t_exponent = data.t_exponent;
-    result.ray.tau_min = data.tau_min;
-    result.ray.tau_max = data.tau_max;
-    result.ray.tau_offset = data.tau_offset;
-    result.ray.culling = data.culling;
+    static_cast<detail::IntegerRay&>(result.ray) = integer_ray(data, before);
     detail::set_longest_axis(result.ray, data.longest_axis);
     result.t_min = data.t_min;
     result.t_max = data.t_max;
@@ -87,20 +85,23 @@ inline void require_list_and_filter(const Blob& blob, const RoundedRay& ray, con
     REQUIRE(occluded(blob, ray, keep).status() == next.status);
 }
 
-/// Requires the loop's bits of a ray in the blob's own region, from the public calls and on every instruction set.
-inline void require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob, const RoundedRay& ray) {
-    constexpr std::int32_t nothing_before[3] = {};
-    const RayHit expected = loop_over_triangles(decoded, nothing_before, ray);
+/// Requires the loop's bits of a ray in a region that begins so many steps before the blob, from the public calls and
+/// on every instruction set. Returns the closest hit.
+inline RayHit require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob, const RoundedRay& ray,
+                                          const Steps& before = {}) {
+    const RayHit expected = loop_over_triangles(decoded, before, ray);
     REQUIRE(same_bits(raycast(blob, ray), expected));
     REQUIRE(occluded(blob, ray).status() == expected.status);
     require_list_and_filter(blob, ray, expected);
-    if (ray.data().may_hit == 0) return;
-    const detail::RayOnLattice on_blob = moved(ray, nothing_before);
+    if (ray.data().may_hit == 0) return expected;
+    const detail::RayOnLattice on_blob = moved(ray, before);
     for (const InstructionPath& path : instruction_paths()) {
         const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob, nullptr);
         REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-        REQUIRE(path.any_hit_on_lattice(detail::data_of(blob), on_blob, nullptr).status() == expected.status);
+        REQUIRE_MESSAGE(path.any_hit_on_lattice(detail::data_of(blob), on_blob, nullptr).status() == expected.status,
+                        std::string(path.name));
     }
+    return expected;
 }
 
 }  // namespace espalier::tests

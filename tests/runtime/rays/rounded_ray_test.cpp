@@ -29,50 +29,29 @@ Lattice region_around(const Lattice& lattice, Random& random, std::int32_t (&bef
 QueryStatus status_of(const Lattice& region, const Ray& ray) { return round_ray(region, ray).status(); }
 
 TEST_CASE("seams: a rounded ray in any region is answered as by the loop over all triangles") {
-    const std::uint64_t count = scaled_share(200);
     std::uint64_t hits = 0, asked = 0;
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 24);
-        const Lattice lattice = blob.opened.blob.lattice();
-        for (std::uint64_t i = 0; i < count; ++i) {
+    const auto ask = [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             Ray ray = maker.any_ray();
             if (maker.random().below(3) == 0) maker.restrict(ray);
             CAPTURE(describe(ray));
             std::int32_t before[3];
-            const RoundedRay rounded = round_ray(region_around(lattice, maker.random(), before), ray);
+        const RoundedRay rounded = round_ray(region_around(blob.opened.blob.lattice(), maker.random(), before), ray);
             REQUIRE(rounded);
-            const RayHit expected = loop_over_triangles(blob.decoded, before, rounded);
-            REQUIRE(same_bits(raycast(blob.opened.blob, rounded), expected));
-            REQUIRE(occluded(blob.opened.blob, rounded).status() == expected.status);
             ++asked;
-            hits += expected ? 1u : 0u;
-            if (rounded.data().may_hit == 0) continue;
-            const detail::RayOnLattice on_blob = moved(rounded, before);
-            for (const InstructionPath& path : instruction_paths()) {
-                const detail::BlobData& data = detail::data_of(blob.opened.blob);
-                const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob, nullptr);
-                REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-                REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob, nullptr).status() == expected.status,
-                                std::string(path.name));
-            }
-        }
-    }
+        hits += require_answers_of_the_loop(blob.decoded, blob.opened.blob, rounded, before) ? 1u : 0u;
+    };
+    ask_each<QueryMaker>(small_test_blobs(), 24, scaled_share(200), ask);
     CHECK(hits > asked / 10);
 }
 
 TEST_CASE("seams: a ray rounded for one blob is answered like the plain ray") {
-    const std::uint64_t count = scaled_share(200);
-    for (const TestBlob& blob : small_test_blobs()) {
-        CAPTURE(blob.name);
-        QueryMaker maker(blob.decoded, 25);
-        const Lattice lattice = blob.opened.blob.lattice();
-        for (std::uint64_t i = 0; i < count; ++i) {
+    const auto ask = [](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
             const Ray ray = maker.any_ray();
             CAPTURE(describe(ray));
-            REQUIRE(same_bits(raycast(blob.opened.blob, round_ray(lattice, ray)), raycast(blob.opened.blob, ray)));
-        }
-    }
+        const RoundedRay rounded = round_ray(blob.opened.blob.lattice(), ray);
+        REQUIRE(same_bits(raycast(blob.opened.blob, rounded), raycast(blob.opened.blob, ray)));
+    };
+    ask_each<QueryMaker>(small_test_blobs(), 25, scaled_share(200), ask);
 }
 
 TEST_CASE("seams: what is no ray or no region is refused") {

@@ -16,10 +16,27 @@ namespace {
 
 using platform::Fingerprint;
 
-detail::SeenRay look_along(const detail::IntegerRay& rounded, const detail::BlobData& asset) {
-    detail::SeenRay ray;
+template <class Seen = detail::SeenRay>
+Seen look_along(const detail::IntegerRay& rounded, const detail::BlobData& asset) {
+    Seen ray;
     static_cast<detail::IntegerRay&>(ray) = rounded;
     CHECK(ray.prepare(asset));
+    return ray;
+}
+
+detail::BlobData asset_of(int bits) {
+    detail::BlobData asset;
+    asset.bits = static_cast<std::uint8_t>(bits);
+    asset.derive();
+    return asset;
+}
+
+/// From the lattice's origin along an axis, without an end.
+detail::IntegerRay ray_along(unsigned axis, std::int32_t sign) {
+    detail::IntegerRay ray{};
+    detail::set_longest_axis(ray, axis);
+    ray.direction[axis] = sign * (1 << 23);
+    ray.tau_max = infinity;
     return ray;
 }
 
@@ -99,9 +116,7 @@ TEST_CASE("small code: no box that the ray passes through is left out") {
 }
 
 TEST_CASE("small code: a box is left out only beyond the reach of rounding") {
-    detail::BlobData asset;
-    asset.bits = 16;
-    asset.derive();
+    const detail::BlobData asset = asset_of(16);
     for (unsigned ahead = 0; ahead < 3; ++ahead)
         for (unsigned beside = 1; beside < 3; ++beside)
             for (const std::int32_t sign : {-1, 1}) {
@@ -111,12 +126,9 @@ TEST_CASE("small code: a box is left out only beyond the reach of rounding") {
                 boxes.set_shifts({13, 13, 13});
                 const unsigned axis = (ahead + beside) % 3;
                 for (const std::int32_t away : {0, 132, 133, 134, 135}) {
-                    detail::IntegerRay rounded{};
-                    detail::set_longest_axis(rounded, ahead);
+                    detail::IntegerRay rounded = ray_along(ahead, sign);
                     rounded.fraction_bits = 6;
-                    rounded.direction[ahead] = sign * (1 << 23);
                     rounded.origin[ahead] = -sign * 1000;
-                    rounded.tau_max = infinity;
                     for (const std::int32_t side : {-away, away}) {
                         rounded.origin[axis] = side;
                         const detail::SeenRay ray = look_along(rounded, asset);
@@ -134,19 +146,14 @@ TEST_CASE("small code: a box of a plain node is left out only beyond the reach o
             for (unsigned beside = 1; beside < 3; ++beside)
                 for (const std::int32_t sign : {-1, 1})
                     for (const std::int32_t side_sign : {-1, 1}) {
-                        detail::BlobData asset;
-                        asset.bits = static_cast<std::uint8_t>(bits);
-                        asset.derive();
+                        const detail::BlobData asset = asset_of(bits);
                         const int unit = bits > 16 ? bits - 16 : 0;
                         const unsigned middle = 1u << (bits - unit - 1), axis = (ahead + beside) % 3;
                         SixteenBoxes boxes;
                         for (unsigned child = 0; child < 16; ++child)
                             for (std::size_t k = 0; k < 3; ++k) boxes.set_box(k, child, middle, middle);
-                        detail::IntegerRay rounded{};
-                        detail::set_longest_axis(rounded, ahead);
-                        rounded.direction[ahead] = sign * (1 << 23);
+                        detail::IntegerRay rounded = ray_along(ahead, sign);
                         rounded.direction[axis] = side_sign;
-                        rounded.tau_max = infinity;
                         // Through the middle of the one plane of a child, and so many planes beside it.
                         for (int k = 0; k < 3; ++k)
                             rounded.origin[k] = static_cast<std::int32_t>((2 * middle + 1) << unit) / 2;
@@ -163,24 +170,17 @@ TEST_CASE("small code: a box of a plain node is left out only beyond the reach o
 }
 
 TEST_CASE("small code: a plain node with fewer children has the nearest of those that are left") {
-    detail::BlobData asset;
-    asset.bits = 16;
-    asset.derive();
+    const detail::BlobData asset = asset_of(16);
     for (unsigned ahead = 0; ahead < 3; ++ahead)
         for (const std::int32_t sign : {-1, 1}) {
             SixteenBoxes boxes;
             for (unsigned child = 0; child < 16; ++child)
                 for (std::size_t k = 0; k < 3; ++k)
                     boxes.set_box(k, child, k == ahead ? 1000 * child : 100, k == ahead ? 1000 * child + 500 : 200);
-            detail::IntegerRay rounded{};
-            detail::set_longest_axis(rounded, ahead);
-            rounded.direction[ahead] = sign * (1 << 23);
+            detail::IntegerRay rounded = ray_along(ahead, sign);
             for (int k = 0; k < 3; ++k) rounded.origin[k] = 150;
             rounded.origin[ahead] = sign > 0 ? -10 : 20'000;
-            rounded.tau_max = infinity;
-            detail::SeenPlainRay ray;
-            static_cast<detail::IntegerRay&>(ray) = rounded;
-            REQUIRE(ray.prepare(asset));
+            const auto ray = look_along<detail::SeenPlainRay>(rounded, asset);
             using SeenPlain = detail::SeenChildren<detail::PlainNode>;
             for (unsigned child = 0; child < 16; ++child) {
                 const unsigned left = sign > 0 ? 0xFFFFu << child & 0xFFFFu : (2u << child) - 1;
@@ -197,9 +197,7 @@ TEST_CASE("small code: a plain node with fewer children has the nearest of those
 }
 
 TEST_CASE("small code: a plain node is met where a ray enters it across") {
-    detail::BlobData asset;
-    asset.bits = 16;
-    asset.derive();
+    const detail::BlobData asset = asset_of(16);
     constexpr std::int32_t most = 65'535;
     for (unsigned ahead = 0; ahead < 3; ++ahead)
         for (unsigned beside = 1; beside < 3; ++beside)
@@ -207,16 +205,11 @@ TEST_CASE("small code: a plain node is met where a ray enters it across") {
                 for (const bool down : {false, true}) {
                     // Half a step across for each ahead, from a corner of the lattice.
                     const unsigned axis = (ahead + beside) % 3;
-                    detail::IntegerRay rounded{};
-                    detail::set_longest_axis(rounded, ahead);
-                    rounded.direction[ahead] = down_ahead ? -(1 << 23) : 1 << 23;
+                    detail::IntegerRay rounded = ray_along(ahead, down_ahead ? -1 : 1);
                     rounded.direction[axis] = down ? -(1 << 22) : 1 << 22;
                     rounded.origin[ahead] = down_ahead ? most : 0;
                     rounded.origin[axis] = down ? most : 0;
-                    rounded.tau_max = infinity;
-                    detail::SeenPlainRay ray;
-                    static_cast<detail::IntegerRay&>(ray) = rounded;
-                    REQUIRE(ray.prepare(asset));
+                    const auto ray = look_along<detail::SeenPlainRay>(rounded, asset);
                     SixteenBoxes boxes;
                     for (unsigned child = 0; child < 16; ++child) {
                         const unsigned side = 30'000 - 1000 * child;
@@ -238,17 +231,12 @@ TEST_CASE("small code: a plain node is met where a ray enters it across") {
 }
 
 TEST_CASE("small code: a ray that starts behind a box of a plain node does not meet it") {
-    detail::BlobData asset;
-    asset.bits = 16;
-    asset.derive();
+    const detail::BlobData asset = asset_of(16);
     for (const std::int32_t sign : {-1, 1}) {
         SixteenBoxes boxes;
         for (unsigned child = 0; child < 16; ++child)
             for (std::size_t k = 0; k < 3; ++k) boxes.set_box(k, child, 1000, 2000);
-        detail::IntegerRay rounded{};
-        detail::set_longest_axis(rounded, 2);
-        rounded.direction[2] = sign * (1 << 23);
-        rounded.tau_max = infinity;
+        detail::IntegerRay rounded = ray_along(2, sign);
         for (int k = 0; k < 2; ++k) rounded.origin[k] = 1500;
         for (const std::int32_t beyond : {0, 4, 5, 100}) {
             rounded.origin[2] = sign > 0 ? 2000 + beyond : 1000 - beyond;

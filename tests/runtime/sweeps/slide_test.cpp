@@ -4,7 +4,6 @@
 namespace espalier::tests::slide_test {
 namespace {
 
-Vec3 times(const Vec3& v, float s) { return {v.x * s, v.y * s, v.z * s}; }
 float largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 float largest(const Sphere& sphere) { return largest(sphere.center); }
 float largest(const Capsule& capsule) { return std::max(largest(capsule.from), largest(capsule.to)); }

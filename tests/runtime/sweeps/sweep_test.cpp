@@ -12,12 +12,6 @@ namespace {
 
 bool third_is_left_out(TriangleId triangle) { return triangle.index % 3 != 2; }
 
-detail::CapsuleSweep rounded_of(const Sphere&) { return {}; }
-detail::CapsuleSweep rounded_of(const Capsule&) { return {}; }
-detail::BoxSweep rounded_of(const Box&) { return {}; }
-detail::HullSweep rounded_of(const OrientedBox&) { return {}; }
-detail::HullSweep rounded_of(const OwnedHull&) { return {}; }
-
 constexpr unsigned option_sets = 6;
 
 /// All triangles, then those that the filter leaves, then other options.
@@ -36,7 +30,7 @@ template <class Shape>
 std::array<SweepHit, option_sets> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving,
                                       float skin) {
     const detail::BlobData& data = detail::data_of(blob);
-    auto sweep = rounded_of(moving.shape);
+    auto sweep = sweep_of(moving.shape);
     std::array<SweepHit, option_sets> hits;
     hits.fill(SweepHit{});
     const QueryStatus status = round_sweep(data, moving.shape, moving.displacement, sweep);
@@ -85,12 +79,8 @@ void check_sweeps(const Blob& blob, const DecodedBlob& decoded, std::uint64_t se
     const TriangleLoop loop(decoded);
     SweepMaker maker(decoded, seed);
     for (std::uint64_t i = 0; i < count; ++i) {
-        const bool awkward = i % 3 == 0;
-        require_equal(blob, loop, awkward ? maker.awkward_sphere() : maker.random_sphere(), seen[0]);
-        require_equal(blob, loop, awkward ? maker.awkward_capsule() : maker.random_capsule(), seen[1]);
-        require_equal(blob, loop, awkward ? maker.awkward_box() : maker.random_box(), seen[2]);
-        require_equal(blob, loop, awkward ? maker.awkward_oriented_box() : maker.random_oriented_box(), seen[3]);
-        require_equal(blob, loop, awkward ? maker.awkward_hull() : maker.random_hull(), seen[4]);
+        maker.make_shapes(i % 3 == 0,
+                          [&](const auto& moving, int kind) { require_equal(blob, loop, moving, seen[kind]); });
     }
 }
 
@@ -191,7 +181,7 @@ TEST_CASE("sweep: a box and the same as an oriented one and as a hull take the s
         SweepMaker maker(blob.decoded, 503);
         const auto& data = detail::data_of(blob.opened.blob);
         for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
-            const Moving<Box> moving = i % 3 == 0 ? maker.awkward_box() : maker.random_box();
+            const Moving<Box> moving = maker.box(i % 3 == 0);
             const Box& box = moving.shape;
             const Vec3& way = moving.displacement;
             detail::BoxSweep aligned;
@@ -278,7 +268,7 @@ TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overla
         };
         const Vec3 origin = blob.opened.blob.bounds().min;
         for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
-            Moving<Sphere> moving = i % 3 == 0 ? maker.awkward_sphere() : maker.random_sphere();
+            Moving<Sphere> moving = maker.sphere(i % 3 == 0);
             moving.shape.center = snap(moving.shape.center, origin);
             moving.shape.radius = std::nearbyint(moving.shape.radius / step) * step;
             const Vec3 end =

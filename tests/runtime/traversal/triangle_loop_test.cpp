@@ -50,10 +50,10 @@ struct Loops {
         }
         return overlaps.size();
     }
-    template <class Rounded, class Shape>
+    template <class Shape>
     std::size_t check_volume(const Shape& shape) const {
         CAPTURE(describe(shape));
-        Rounded rounded;
+        detail::Rounded<Shape> rounded;
         if (round_volume(data, shape, rounded) != QueryStatus::ok) return 0;
         const auto overlaps = quick.every_overlap(rounded);
         REQUIRE(overlaps == whole.every_overlap(rounded));
@@ -85,10 +85,10 @@ struct Loops {
             pairs += check_distance(distant, max_distance);
         return pairs;
     }
-    template <class Sweep, class Shape>
+    template <class Shape>
     std::size_t check_sweep(const Moving<Shape>& moving) const {
         CAPTURE(describe(moving));
-        Sweep rounded{};
+        auto rounded = sweep_of(moving.shape);
         if (round_sweep(data, moving.shape, moving.displacement, rounded) != QueryStatus::ok) return 0;
         const auto all = [](TriangleId) { return true; };
         const detail::FoundContact found = quick.first_contact(rounded, all);
@@ -163,20 +163,10 @@ TEST_CASE("oracle: triangles that the loop leaves out do not change its answer")
             spheres += loops.check(awkward ? queries.sphere() : queries.random_sphere());
             const Capsule capsule = shapes.capsule(awkward);
             const Box box = shapes.box(awkward);
-            volumes += loops.check_volume<detail::Rounded<Capsule>>(capsule);
-            volumes += loops.check_volume<detail::Rounded<Box>>(box);
-            volumes += loops.check_volume<detail::Rounded<OrientedBox>>(shapes.oriented_box(awkward));
-            volumes += loops.check_volume<detail::Rounded<Triangle>>(shapes.corners(awkward));
-            volumes += loops.check_volume<detail::Rounded<ConvexVolume>>(shapes.planes(awkward));
+            shapes.make_volumes(awkward, [&](const auto& shape) { volumes += loops.check_volume(shape); });
             const float max_distance = i % 3 == 0 ? std::numeric_limits<float>::infinity() : std::fabs(capsule.radius);
             distances += loops.check_distances(capsule, box, max_distance);
-            sweeps += loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_sphere() : moves.random_sphere());
-            sweeps +=
-                loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_capsule() : moves.random_capsule());
-            sweeps += loops.check_sweep<detail::BoxSweep>(awkward ? moves.awkward_box() : moves.random_box());
-            sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_oriented_box()
-                                                                   : moves.random_oriented_box());
-            sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_hull() : moves.random_hull());
+            moves.make_shapes(awkward, [&](const auto& moving, int) { sweeps += loops.check_sweep(moving); });
         }
     }
     const std::uint64_t asked = small_test_blobs().size() * scaled_share(30);

@@ -71,8 +71,15 @@ void check_work(const Blob& blob, detail::InstructionSet set, const std::vector<
     }
 }
 
+OpenedBlob terrain_of(unsigned bits) {
+    return {make_terrain(24, 7), {.resolution = Resolution::bits(bits), .profile = Profile::fast}};
+}
+OpenedBlob torus() {
+    return {make_torus(32, 16, 3.0, 1.0), {.resolution = Resolution::bits(12), .profile = Profile::balanced}};
+}
+
 TEST_CASE("work: queries of a terrain visit the recorded numbers of nodes and leaves") {
-    const OpenedBlob landscape(make_terrain(24, 7), {.resolution = Resolution::bits(18), .profile = Profile::fast});
+    const OpenedBlob landscape = terrain_of(18);
     check_work(landscape.blob, detail::InstructionSet::scalar,
                {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 2172}, {1029, 707, 795, 13146}},
                 {"filtered and any hits", platform::ask_filtered_hits, 100, {745, 772, 1597}, {929, 728, 823, 17572}},
@@ -91,8 +98,7 @@ TEST_CASE("work: queries of a terrain visit the recorded numbers of nodes and le
 }
 
 TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes and leaves") {
-    const OpenedBlob body(make_torus(32, 16, 3.0, 1.0),
-                          {.resolution = Resolution::bits(12), .profile = Profile::balanced});
+    const OpenedBlob body = torus();
     check_work(body.blob, detail::InstructionSet::scalar,
                {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 1391}, {1139, 657, 1058, 8576}},
                 {"filtered and any hits", platform::ask_filtered_hits, 100, {865, 919, 1257}, {1134, 903, 1463, 12414}},
@@ -113,7 +119,7 @@ TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes an
 #if ESPALIER_X86
 TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
     if (best_instruction_set() < detail::InstructionSet::sse42) return;
-    const OpenedBlob landscape(make_terrain(24, 7), {.resolution = Resolution::bits(18), .profile = Profile::fast});
+    const OpenedBlob landscape = terrain_of(18);
     check_work(landscape.blob, detail::InstructionSet::sse42,
                {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 859}},
                 {"batches", platform::ask_batches, 60, {2849, 2026, 2446}},
@@ -121,8 +127,7 @@ TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
                 {"closest points", platform::ask_closest_points, 100, {459, 1123, 7714}},
                 {"contacts", ask_contacts, 40, {944, 547, 0, 29538}},
                 {"distances", ask_distances, 10, {204, 156, 0, 4335}}});
-    const OpenedBlob body(make_torus(32, 16, 3.0, 1.0),
-                          {.resolution = Resolution::bits(12), .profile = Profile::balanced});
+    const OpenedBlob body = torus();
     check_work(body.blob, detail::InstructionSet::sse42,
                {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 894}},
                 {"batches", platform::ask_batches, 60, {3024, 2343, 3083}},
@@ -134,7 +139,7 @@ TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
 
 TEST_CASE("work: batches of alike rays walk together as far as recorded") {
     if (best_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
-    const OpenedBlob landscape(make_terrain(24, 7), {.resolution = Resolution::bits(12), .profile = Profile::fast});
+    const OpenedBlob landscape = terrain_of(12);
     const detail::BlobData& asset = detail::data_of(landscape.blob);
     std::int32_t longest = 0;
     for (const std::int32_t side : asset.extent) longest = std::max(longest, side);

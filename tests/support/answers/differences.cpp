@@ -19,7 +19,7 @@ namespace {
 
 bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
 
-std::string difference(const char* path, const char* what, const Ray& ray) {
+std::string difference(const char* path, const std::string& what, const Ray& ray) {
     return std::string(path) + ": " + what + " differs: " + describe(ray);
 }
 
@@ -31,29 +31,30 @@ std::size_t places_for(float one, float other) {
 }
 std::size_t places_for(const Ray& ray) { return places_for(ray.origin.x, ray.direction.y); }
 
-struct RayAnswers {
+/// The answers about all triangles, or about those that a filter keeps.
+struct Selected {
     std::optional<RayHit> closest;
-    std::optional<RayHit> closest_filtered;
     std::vector<RayHit> first;
-    std::vector<RayHit> first_filtered;
     QueryStatus first_status = QueryStatus::ok;
-    QueryStatus first_status_filtered = QueryStatus::ok;
-    bool any = false, any_filtered = false;
+    bool any = false;
+};
+struct RayAnswers {
+    Selected all, filtered;
     std::vector<RayHit> every;
     std::vector<RayHit> crossings;
 };
 
-/// Calls the function with as many places as the ray gets, and keeps those that it says it filled.
-template <class Ask>
-void ask_first(const Ray& ray, std::vector<RayHit>& first, QueryStatus& status, Ask ask_for) {
-    first.resize(places_for(ray));
-    const Filled count = ask_for(std::span<RayHit>(first));
-    first.resize(count.count);
-    status = is_refused(count.status) ? QueryStatus::ok : count.status;
-}
-
-void keep_hit(const RayHit& found, std::optional<RayHit>& hit) {
-    if (found) hit = found;
+/// `first_hits` is called with as many places as the ray gets; those that it says it filled are kept.
+template <class FirstHits>
+Selected selected(const Ray& ray, const RayHit& closest, const YesNo& any, FirstHits first_hits) {
+    Selected answers;
+    if (closest) answers.closest = closest;
+    answers.any = any.yes();
+    answers.first.resize(places_for(ray));
+    const Filled count = first_hits(std::span<RayHit>(answers.first));
+    answers.first.resize(count.count);
+    answers.first_status = is_refused(count.status) ? QueryStatus::ok : count.status;
+    return answers;
 }
 
 /// Hits of triangles with duplicate references come in another order than the loop's.
@@ -62,19 +63,16 @@ void sort_duplicates(const detail::BlobData& data, std::vector<RayHit>& hits) {
     std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) { return a.triangle < b.triangle; });
 }
 
+bool keep(TriangleId triangle) { return third_is_left_out(triangle.index); }
+
 /// What an instruction set says, in full.
 RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
-    const auto keep = [](TriangleId triangle) { return third_is_left_out(triangle.index); };
     const TriangleFilter filter = keep;
-    RayAnswers answers;
-    keep_hit(path.closest_hit(data, ray, nullptr), answers.closest);
-    keep_hit(path.closest_hit(data, ray, &filter), answers.closest_filtered);
-    ask_first(ray, answers.first, answers.first_status,
-              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, nullptr); });
-    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
-              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, &filter); });
-    answers.any = path.any_hit(data, ray, nullptr).yes();
-    answers.any_filtered = path.any_hit(data, ray, &filter).yes();
+    const auto select = [&](const TriangleFilter* of) {
+        return selected(ray, path.closest_hit(data, ray, of), path.any_hit(data, ray, of),
+                        [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, of); });
+    };
+    RayAnswers answers = {select(nullptr), select(&filter), {}, {}};
     static_cast<void>(path.every_hit(data, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
     static_cast<void>(path.every_crossing(data, ray, [&](const RayHit& each) { answers.crossings.push_back(each); }));
     sort_duplicates(data, answers.every);
@@ -84,16 +82,11 @@ RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const 
 
 /// What the public functions say.
 RayAnswers ask(const Blob& blob, const Ray& ray) {
-    const auto keep = [](TriangleId triangle) { return third_is_left_out(triangle.index); };
-    RayAnswers answers;
-    keep_hit(raycast(blob, ray), answers.closest);
-    keep_hit(raycast(blob, ray, keep), answers.closest_filtered);
-    ask_first(ray, answers.first, answers.first_status,
-              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits); });
-    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
-              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits, keep); });
-    answers.any = occluded(blob, ray).yes();
-    answers.any_filtered = occluded(blob, ray, keep).yes();
+    const auto select = [&](auto... filter) {
+        return selected(ray, raycast(blob, ray, filter...), occluded(blob, ray, filter...),
+                        [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits, filter...); });
+    };
+    RayAnswers answers = {select(), select(keep), {}, {}};
     static_cast<void>(for_each_hit(blob, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
     static_cast<void>(for_each_crossing(blob, ray, [&](const RayHit& each) { answers.crossings.push_back(each); }));
     sort_duplicates(detail::data_of(blob), answers.every);
@@ -106,60 +99,50 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
     RayAnswers answers;
     detail::LatticeRay rounded;
     if (!detail::round_ray(data, ray, rounded)) return answers;
-    std::optional<detail::FoundHit> closest;
-    std::optional<detail::FoundHit> closest_filtered;
-    std::vector<detail::FoundHit> first;
-    std::vector<detail::FoundHit> first_filtered;
     // The runtime's own translation: the traversal, not the translation, is compared here.
     const auto translate = [&](const detail::FoundHit& found) {
         return detail::to_ray_hit(rounded, ray, found.hit, found.index);
     };
-    for (const detail::FoundHit& found : loop.every_hit(rounded)) {
+    std::vector<detail::FoundHit> sorted = loop.every_hit(rounded);
+    for (const detail::FoundHit& found : sorted) {
         answers.every.push_back(translate(found));
         if (loop.is_crossing(rounded, found)) answers.crossings.push_back(translate(found));
         ++hits;
-        first.push_back(found);
-        if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
-        if (!third_is_left_out(found.index)) continue;
-        first_filtered.push_back(found);
-        if (!closest_filtered || found.hit.whole_tau < closest_filtered->hit.whole_tau) closest_filtered = found;
     }
-    const auto sort_and_cut = [&](std::vector<detail::FoundHit>& all, std::vector<RayHit>& few) {
-        std::stable_sort(all.begin(), all.end(), [](const detail::FoundHit& a, const detail::FoundHit& b) {
-            return a.hit.whole_tau < b.hit.whole_tau;
-        });
-        const std::size_t count = std::min(all.size(), places_for(ray));
-        for (std::size_t i = 0; i < count; ++i) few.push_back(translate(all[i]));
-        return all.size() > count ? QueryStatus::output_full : QueryStatus::ok;
-    };
-    answers.first_status = sort_and_cut(first, answers.first);
-    answers.first_status_filtered = sort_and_cut(first_filtered, answers.first_filtered);
-    if (closest) answers.closest = translate(*closest);
-    if (closest_filtered) answers.closest_filtered = translate(*closest_filtered);
-    answers.any = closest.has_value();
-    answers.any_filtered = closest_filtered.has_value();
+    std::stable_sort(sorted.begin(), sorted.end(), [](const detail::FoundHit& a, const detail::FoundHit& b) {
+        return a.hit.whole_tau < b.hit.whole_tau;
+    });
+    for (const bool is_filtered : {false, true}) {
+        if (is_filtered) std::erase_if(sorted, [](const detail::FoundHit& f) { return !third_is_left_out(f.index); });
+        Selected& of = is_filtered ? answers.filtered : answers.all;
+        const std::size_t count = std::min(sorted.size(), places_for(ray));
+        for (std::size_t i = 0; i < count; ++i) of.first.push_back(translate(sorted[i]));
+        of.first_status = sorted.size() > count ? QueryStatus::output_full : QueryStatus::ok;
+        of.any = !sorted.empty();
+        if (of.any) of.closest = translate(sorted[0]);
+    }
     return answers;
 }
 
-bool same(const std::optional<RayHit>& a, const std::optional<RayHit>& b) {
-    return a.has_value() == b.has_value() && (!a || same_bits(*a, *b));
+bool are_same(const std::vector<RayHit>& a, const std::vector<RayHit>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const RayHit& p, const RayHit& q) { return same_bits(p, q); });
 }
 
-/// The name of the first answer that differs, or null.
-const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
-    if (!same(a.closest, b.closest)) return "the closest hit";
-    if (!same(a.closest_filtered, b.closest_filtered)) return "the closest hit under a filter";
+const char* first_difference(const Selected& a, const Selected& b) {
+    if (a.closest.has_value() != b.closest.has_value() || (a.closest && !same_bits(*a.closest, *b.closest)))
+        return "the closest hit";
     if (a.any != b.any) return "whether anything is hit";
-    if (a.any_filtered != b.any_filtered) return "whether anything is hit under a filter";
-    const auto equal = [](const std::vector<RayHit>& x, const std::vector<RayHit>& y) {
-        return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                          [](const RayHit& p, const RayHit& q) { return same_bits(p, q); });
-    };
-    if (a.first_status != b.first_status || !equal(a.first, b.first)) return "the row of the first hits";
-    if (a.first_status_filtered != b.first_status_filtered || !equal(a.first_filtered, b.first_filtered))
-        return "the row of the first hits under a filter";
-    if (!equal(a.every, b.every)) return "the row of all hits";
-    return equal(a.crossings, b.crossings) ? nullptr : "the row of all crossings";
+    return a.first_status == b.first_status && are_same(a.first, b.first) ? nullptr : "the row of the first hits";
+}
+
+/// The first answer that differs, or nothing.
+std::optional<std::string> first_difference(const RayAnswers& a, const RayAnswers& b) {
+    if (const char* what = first_difference(a.all, b.all)) return what;
+    if (const char* what = first_difference(a.filtered, b.filtered)) return std::string(what) + " under a filter";
+    if (!are_same(a.every, b.every)) return "the row of all hits";
+    if (!are_same(a.crossings, b.crossings)) return "the row of all crossings";
+    return std::nullopt;
 }
 
 }  // namespace
@@ -169,11 +152,11 @@ std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& 
     const RayAnswers expected = ask(loop, detail::data_of(blob), ray, hits);
     const FloatMode in_mode(float_mode);
     for (const InstructionPath& path : instruction_paths()) {
-        const char* what = first_difference(ask(path, detail::data_of(blob), ray), expected);
-        if (what != nullptr) return difference(path.name, what, ray);
+        if (const auto what = first_difference(ask(path, detail::data_of(blob), ray), expected))
+            return difference(path.name, *what, ray);
     }
-    const char* what = first_difference(ask(blob, ray), expected);
-    if (what != nullptr) return difference("the public function", what, ray);
+    if (const auto what = first_difference(ask(blob, ray), expected))
+        return difference("the public function", *what, ray);
     return std::nullopt;
 }
 
@@ -182,10 +165,10 @@ std::optional<std::string> segment_difference(const Blob& blob, const TriangleLo
     std::uint64_t hits = 0;
     const RayAnswers expected = ask(loop, detail::data_of(blob), ray, hits);
     const RayHit hit = raycast(blob, ray);
-    if (bool(hit) != expected.any) return difference("raycast", "whether a segment hits", ray);
-    if (expected.closest && !same_bits(hit, *expected.closest))
+    if (bool(hit) != expected.all.any) return difference("raycast", "whether a segment hits", ray);
+    if (expected.all.closest && !same_bits(hit, *expected.all.closest))
         return difference("raycast", "the closest hit of a segment", ray);
-    if (occluded(blob, ray).yes() != expected.any) return difference("occluded", "whether a segment hits", ray);
+    if (occluded(blob, ray).yes() != expected.all.any) return difference("occluded", "whether a segment hits", ray);
     return std::nullopt;
 }
 
@@ -274,8 +257,8 @@ std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
     if (blob.triangle_count() == 0) return std::nullopt;
     const RayAnswers expected = ask(instruction_paths().front(), detail::data_of(blob), ray);
     for (const InstructionPath& path : instruction_paths()) {
-        const char* what = first_difference(ask(path, detail::data_of(blob), ray), expected);
-        if (what != nullptr) return difference(path.name, what, ray);
+        if (const auto what = first_difference(ask(path, detail::data_of(blob), ray), expected))
+            return difference(path.name, *what, ray);
     }
     return std::nullopt;
 }

@@ -19,7 +19,7 @@ namespace {
 
 using Difference = std::optional<std::string>;
 
-template <class Rounded, class Shape>
+template <class Shape, class Rounded = detail::Rounded<Shape>>
 Difference volume(const Blob& blob, const TriangleLoop& loop, const Shape& shape) {
     Rounded rounded;
     const bool answered = round_volume(detail::data_of(blob), shape, rounded) == QueryStatus::ok;
@@ -63,9 +63,9 @@ Difference box_distance(const Blob& blob, const TriangleLoop& loop, const Box& b
     return good ? Difference() : "the distance of " + describe(box);
 }
 
-template <class Rounded, class Shape>
+template <class Shape>
 Difference moving(const Blob& blob, const TriangleLoop& loop, const Moving<Shape>& moving) {
-    Rounded rounded;
+    auto rounded = sweep_of(moving.shape);
     detail::FoundContact expected;
     if (round_sweep(detail::data_of(blob), moving.shape, moving.displacement, rounded) == QueryStatus::ok)
         expected = loop.first_contact(rounded, [](TriangleId) { return true; });
@@ -112,7 +112,7 @@ Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shap
     ordered(segment.from.x, segment.to.x);
     ordered(segment.from.y, segment.to.y);
     ordered(segment.from.z, segment.to.z);
-    return volume<detail::Rounded<Box>>(blob, loop, LatticeBox{segment.from, segment.to});
+    return volume<LatticeBox, detail::Rounded<Box>>(blob, loop, {segment.from, segment.to});
 }
 
 }  // namespace
@@ -120,27 +120,18 @@ Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shap
 std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes,
                                            SweepMaker& sweeps) {
     const bool awkward = shapes.random().coin();
+    Difference first;
+    const auto add = [&](Difference difference) {
+        if (!first) first = std::move(difference);
+    };
+    shapes.make_volumes(awkward, [&](const auto& shape) { add(volume(blob, loop, shape)); });
     const Capsule capsule = shapes.capsule(awkward);
-    const Box box = shapes.box(awkward);
-    if (auto d = volume<detail::Rounded<Capsule>>(blob, loop, capsule)) return d;
-    if (auto d = volume<detail::Rounded<Box>>(blob, loop, box)) return d;
-    if (auto d = volume<detail::Rounded<OrientedBox>>(blob, loop, shapes.oriented_box(awkward))) return d;
-    if (auto d = volume<detail::Rounded<Triangle>>(blob, loop, shapes.corners(awkward))) return d;
-    if (auto d = volume<detail::Rounded<ConvexVolume>>(blob, loop, shapes.planes(awkward))) return d;
-    if (auto d = segment_distance(blob, loop, capsule)) return d;
-    if (auto d = box_distance(blob, loop, box, std::fabs(capsule.radius))) return d;
-    if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_sphere() : sweeps.random_sphere()))
-        return d;
-    if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_capsule() : sweeps.random_capsule()))
-        return d;
-    if (auto d = moving<detail::BoxSweep>(blob, loop, awkward ? sweeps.awkward_box() : sweeps.random_box())) return d;
-    if (auto d = moving<detail::HullSweep>(blob, loop,
-                                           awkward ? sweeps.awkward_oriented_box() : sweeps.random_oriented_box()))
-        return d;
-    if (auto d = moving<detail::HullSweep>(blob, loop, awkward ? sweeps.awkward_hull() : sweeps.random_hull()))
-        return d;
-    if (auto d = inside(blob, loop, shapes.point_around())) return d;
-    return in_steps(blob, loop, shapes);
+    add(segment_distance(blob, loop, capsule));
+    add(box_distance(blob, loop, shapes.box(awkward), std::fabs(capsule.radius)));
+    sweeps.make_shapes(awkward, [&](const auto& each, int) { add(moving(blob, loop, each)); });
+    add(inside(blob, loop, shapes.point_around()));
+    add(in_steps(blob, loop, shapes));
+    return first;
 }
 
 }  // namespace espalier::tests

@@ -16,4 +16,10 @@ OpenedBlob::OpenedBlob(std::vector<std::byte> blob_bytes) : bytes(std::move(blob
     if (!blob) throw std::runtime_error(std::string("open: ") + describe(blob.status()));
 }
 
+std::vector<OpenedBlob> opened_blobs(const std::vector<Mesh>& meshes, const BakeOptions& options) {
+    std::vector<OpenedBlob> blobs;
+    for (const Mesh& mesh : meshes) blobs.emplace_back(mesh, options);
+    return blobs;
+}
+
 }  // namespace espalier::tests

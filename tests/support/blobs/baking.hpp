@@ -30,4 +30,6 @@ struct OpenedBlob {
     Blob blob;
 };
 
+std::vector<OpenedBlob> opened_blobs(const std::vector<Mesh>& meshes, const BakeOptions& options = {});
+
 }  // namespace espalier::tests

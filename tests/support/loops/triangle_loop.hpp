@@ -74,4 +74,11 @@ private:
     TriangleBounds bounds_;
 };
 
+// What a shape that moves is rounded to.
+inline detail::CapsuleSweep sweep_of(const Sphere&) { return {}; }
+inline detail::CapsuleSweep sweep_of(const Capsule&) { return {}; }
+inline detail::BoxSweep sweep_of(const Box&) { return {}; }
+inline detail::HullSweep sweep_of(const OrientedBox&) { return {}; }
+inline detail::HullSweep sweep_of(const ConvexHull&) { return {}; }
+
 }  // namespace espalier::tests

@@ -27,6 +27,7 @@ public:
         if (!bytes.empty()) std::memcpy(block_.get() + misalignment, bytes.data(), bytes.size());
     }
 
+    [[nodiscard]] std::span<const std::byte> bytes() const { return {block_.get() + misalignment_, size_}; }
     [[nodiscard]] std::span<std::byte> bytes() { return {block_.get() + misalignment_, size_}; }
 
 private:

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace espalier::tests {
 
 namespace {
 
-double size_of(const DecodedBlob& blob) {
-    return std::ldexp(static_cast<double>(std::max({blob.extent[0], blob.extent[1], blob.extent[2], 1u})),
-                      blob.step_exponent);
-}
-
-Vec3 to_world(const DecodedBlob& blob, double x, double y, double z) {
-    const auto axis = [&](std::size_t k, double steps) {
-        return static_cast<float>(static_cast<double>(blob.origin[k]) + std::ldexp(steps, blob.step_exponent));
-    };
-    return {axis(0, x), axis(1, y), axis(2, z)};
-}
+/// The longest side, or a step.
+double side_of(const DecodedBlob& blob) { return std::max(size_of(blob), std::ldexp(1.0, blob.step_exponent)); }
 
 struct Direction {
     double x, y, z;
@@ -59,7 +49,7 @@ Quaternion rotation_between(Direction from, const Direction& to, bool opposite, 
 }  // namespace
 
 PlacementMaker::PlacementMaker(const DecodedBlob& a, const DecodedBlob& b, std::uint64_t seed)
-    : a_(a), b_(b), random_(seed), size_a_(size_of(a)), ratio_(size_of(a) / size_of(b)) {}
+    : a_(a), b_(b), random_(seed), size_a_(side_of(a)), ratio_(side_of(a) / side_of(b)) {}
 
 Quaternion PlacementMaker::any_rotation() {
     Quaternion q;
@@ -83,25 +73,21 @@ Quaternion PlacementMaker::axis_rotation() {
     return q;
 }
 
-const GridTriangle& PlacementMaker::some_triangle(const DecodedBlob& blob) {
-    return blob.triangles[random_.below(static_cast<std::uint32_t>(blob.triangles.size()))];
-}
-
 /// Or the middle of a side.
 Vec3 PlacementMaker::corner_of(const DecodedBlob& blob, const GridTriangle& t) {
     const std::uint32_t corner = random_.below(4);
     const GridPoint& p = corner == 0 ? t.a : corner == 1 ? t.b : t.c;
-    if (corner < 3) return to_world(blob, p[0], p[1], p[2]);
-    return to_world(blob, 0.5 * (t.a[0] + t.b[0]), 0.5 * (t.a[1] + t.b[1]), 0.5 * (t.a[2] + t.b[2]));
+    if (corner < 3) return place_in_world(blob, p[0], p[1], p[2]);
+    return place_in_world(blob, 0.5 * (t.a[0] + t.b[0]), 0.5 * (t.a[1] + t.b[1]), 0.5 * (t.a[2] + t.b[2]));
 }
 
-Vec3 PlacementMaker::some_corner(const DecodedBlob& blob) { return corner_of(blob, some_triangle(blob)); }
+Vec3 PlacementMaker::some_corner(const DecodedBlob& blob) { return corner_of(blob, some_triangle(blob, random_)); }
 
 Vec3 PlacementMaker::place_on(const DecodedBlob& blob, const GridTriangle& t) {
     double u = static_cast<double>(random_.unit()), v = static_cast<double>(random_.unit());
     if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
     const auto at = [&](std::size_t k) { return t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]); };
-    return to_world(blob, at(0), at(1), at(2));
+    return place_in_world(blob, at(0), at(1), at(2));
 }
 
 Vec3 PlacementMaker::some_place(const DecodedBlob& blob) {
@@ -109,7 +95,7 @@ Vec3 PlacementMaker::some_place(const DecodedBlob& blob) {
         return static_cast<double>(random_.unit()) * static_cast<double>(blob.extent[k]);
     };
     const double x = at(0), y = at(1), z = at(2);
-    return to_world(blob, x, y, z);
+    return place_in_world(blob, x, y, z);
 }
 
 void PlacementMaker::move(Transform& placement, Vec3 p, Vec3 q) {
@@ -144,8 +130,8 @@ Transform PlacementMaker::apart() {
 
 Transform PlacementMaker::beside(double proportion) {
     Transform placement = {any_rotation(), {}, static_cast<float>(ratio_ * proportion)};
-    const Vec3 from = place_on(b_, some_triangle(b_));
-    const Vec3 to = place_on(a_, some_triangle(a_));
+    const Vec3 from = place_on(b_, some_triangle(b_, random_));
+    const Vec3 to = place_on(a_, some_triangle(a_, random_));
     const double away = std::exp2(static_cast<double>(random_.between(-4, 4)));
     const Vec3 off = random_.in_cube(static_cast<float>(away * size_a_ * std::min(1.0, proportion)));
     move(placement, from, {to.x + off.x, to.y + off.y, to.z + off.z});
@@ -154,7 +140,7 @@ Transform PlacementMaker::beside(double proportion) {
 
 Transform PlacementMaker::face_on_face(double proportion) {
     Transform placement = {{}, {}, static_cast<float>(std::exp2(std::round(std::log2(ratio_))) * proportion)};
-    const GridTriangle &face_a = some_triangle(a_), &face_b = some_triangle(b_);
+    const GridTriangle &face_a = some_triangle(a_, random_), &face_b = some_triangle(b_, random_);
     const bool opposite = random_.coin();
     const float turn = random_.signed_unit();
     placement.rotation = rotation_between(unit_normal(face_b), unit_normal(face_a), opposite, turn);
@@ -181,14 +167,14 @@ Transform PlacementMaker::adversarial() {
             move(placement, some_corner(b_), some_corner(a_));
             break;
         case 1:  // the same place
-            move(placement, to_world(b_, 0, 0, 0), to_world(a_, 0, 0, 0));
+            move(placement, place_in_world(b_, 0, 0, 0), place_in_world(a_, 0, 0, 0));
             break;
         case 2: {  // boxes that touch
             const std::size_t axis = random_.below(3);
             std::array<double, 3> from = {0, 0, 0}, to = {0, 0, 0};
             to[axis] = static_cast<double>(a_.extent[axis]);
             placement.rotation = {};
-            move(placement, to_world(b_, from[0], from[1], from[2]), to_world(a_, to[0], to[1], to[2]));
+            move(placement, place_in_world(b_, from[0], from[1], from[2]), place_in_world(a_, to[0], to[1], to[2]));
             break;
         }
         case 3:  // corner on corner, turned
@@ -224,15 +210,6 @@ Transform PlacementMaker::adversarial() {
         }
     }
     return placement;
-}
-
-std::string describe(const Transform& placement) {
-    char text[256];
-    const auto d = [](float x) { return static_cast<double>(x); };
-    std::snprintf(text, sizeof text, "rotation %a %a %a %a translation %a %a %a scale %a", d(placement.rotation.x),
-                  d(placement.rotation.y), d(placement.rotation.z), d(placement.rotation.w), d(placement.translation.x),
-                  d(placement.translation.y), d(placement.translation.z), d(placement.scale));
-    return text;
 }
 
 }  // namespace espalier::tests

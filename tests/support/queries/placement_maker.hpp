@@ -2,12 +2,10 @@
 // planes, are turned by next to nothing, or differ in size and distance by powers of ten.
 #pragma once
 
-#include <string>
-
 #include <espalier/transform.hpp>
 
-#include "support/base/random.hpp"
-#include "support/format/decoder.hpp"
+#include "describe.hpp"
+#include "surface.hpp"
 
 namespace espalier::tests {
 
@@ -38,7 +36,6 @@ private:
     static void move(Transform& placement, Vec3 p, Vec3 q);
     Vec3 some_corner(const DecodedBlob& blob);
     Vec3 some_place(const DecodedBlob& blob);
-    const GridTriangle& some_triangle(const DecodedBlob& blob);
     Vec3 corner_of(const DecodedBlob& blob, const GridTriangle& triangle);
     Vec3 place_on(const DecodedBlob& blob, const GridTriangle& triangle);
 
@@ -48,7 +45,5 @@ private:
     double size_a_;
     double ratio_;  ///< of a's size to b's
 };
-
-std::string describe(const Transform& placement);
 
 }  // namespace espalier::tests

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 
 #include "support/base/vectors.hpp"
 
@@ -15,29 +13,6 @@ Vec3 middle(Vec3 a, Vec3 b) { return {0.5f * (a.x + b.x), 0.5f * (a.y + b.y), 0.
 
 }  // namespace
 
-QueryMaker::QueryMaker(const DecodedBlob& decoded, std::uint64_t seed)
-    : decoded_(decoded), random_(seed), step_(std::ldexp(1.0, decoded.step_exponent)) {
-    if (decoded.triangles.empty()) throw std::runtime_error("QueryMaker: the blob is empty");
-    size_ = step_ * *std::max_element(decoded.extent.begin(), decoded.extent.end());
-}
-
-Vec3 QueryMaker::to_world(double x, double y, double z) const {
-    const auto axis = [&](unsigned k, double steps) {
-        return static_cast<float>(static_cast<double>(decoded_.origin[k]) + steps * step_);
-    };
-    return {axis(0, x), axis(1, y), axis(2, z)};
-}
-
-const GridTriangle& QueryMaker::some_triangle() {
-    return decoded_.triangles[random_.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
-}
-
-GridPoint QueryMaker::some_vertex() {
-    const GridTriangle& t = some_triangle();
-    const std::uint32_t corner = random_.below(3);
-    return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
-}
-
 Vec3 QueryMaker::some_edge_middle() {
     const GridTriangle& t = some_triangle();
     const GridPoint corners[3] = {t.a, t.b, t.c};
@@ -47,7 +22,7 @@ Vec3 QueryMaker::some_edge_middle() {
     return to_world(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
 }
 
-Vec3 QueryMaker::some_target() { return random_.coin() ? to_world(some_vertex()) : some_edge_middle(); }
+Vec3 QueryMaker::some_target() { return random_.coin() ? vertex() : some_edge_middle(); }
 
 /// On a sphere around the middle of the asset.
 Vec3 QueryMaker::around(double sizes) {
@@ -58,7 +33,7 @@ Vec3 QueryMaker::around(double sizes) {
         z = static_cast<double>(random_.signed_unit());
         length = std::sqrt(x * x + y * y + z * z);
     } while (length > 1.0 || length < 0.01);
-    const double scale = sizes * size_ / step_ / length;
+    const double scale = sizes * static_cast<double>(size_) / std::ldexp(1.0, decoded_.step_exponent) / length;
     return to_world(0.5 * decoded_.extent[0] + x * scale, 0.5 * decoded_.extent[1] + y * scale,
                     0.5 * decoded_.extent[2] + z * scale);
 }
@@ -84,9 +59,9 @@ Ray QueryMaker::ray(RayKind kind) {
             break;
         }
         case RayKind::through_vertex:
-            target = to_world(some_vertex());
+            target = vertex();
             // From another lattice point the aim is exact where the asset lies near the world's origin.
-            if (random_.coin()) ray.origin = to_world(some_vertex());
+            if (random_.coin()) ray.origin = vertex();
             break;
         case RayKind::through_edge:
             target = some_edge_middle();
@@ -104,7 +79,7 @@ Ray QueryMaker::ray(RayKind kind) {
             return ray;
         }
         case RayKind::diagonal: {
-            const auto away = static_cast<float>(size_) * (0.25f + random_.unit());
+            const auto away = size_ * (0.25f + random_.unit());
             ray.direction = {random_.coin() ? away : -away, random_.coin() ? away : -away,
                              random_.below(3) == 0 ? 0.0f : away};
             ray.origin = difference(target, ray.direction);
@@ -122,7 +97,7 @@ Ray QueryMaker::ray(RayKind kind) {
         }
         case RayKind::from_face: {
             ray.origin = random_.coin() ? target : middle(target, to_world(some_triangle().a));
-            const Vec3 anywhere = random_.in_cube(static_cast<float>(size_));
+            const Vec3 anywhere = random_.in_cube(size_);
             ray.direction = {nudged(anywhere.x), nudged(anywhere.y), anywhere.z};
             return ray;
         }
@@ -147,7 +122,7 @@ Ray QueryMaker::any_ray() { return ray(all_ray_kinds[random_.below(all_ray_kinds
 
 void QueryMaker::restrict(Ray& ray) {
     const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
-    const auto sizes = [&] { return static_cast<float>(size_) / longest * random_.unit(); };
+    const auto sizes = [&] { return size_ / longest * random_.unit(); };
     const auto kind = random_.below(4);
     if (kind == 0) ray.t_min = sizes();
     else if (kind == 1) ray.t_max = sizes() * 2.0f;
@@ -180,11 +155,11 @@ Sphere QueryMaker::sphere() {
             sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]);
             break;
         default: {
-            const Vec3 off = random_.in_cube(static_cast<float>(size_) * (random_.coin() ? 0.02f : 0.7f));
+            const Vec3 off = random_.in_cube(size_ * (random_.coin() ? 0.02f : 0.7f));
             sphere.center = {target.x + off.x, target.y + off.y, target.z + off.z};
         }
     }
-    const Vec3 gap = difference(to_world(some_vertex()), sphere.center);
+    const Vec3 gap = difference(vertex(), sphere.center);
     const double distance = std::sqrt(static_cast<double>(gap.x) * static_cast<double>(gap.x) +
                                       static_cast<double>(gap.y) * static_cast<double>(gap.y) +
                                       static_cast<double>(gap.z) * static_cast<double>(gap.z));
@@ -192,35 +167,15 @@ Sphere QueryMaker::sphere() {
     if (kind == 0) sphere.radius = 0.0f;
     else if (kind == 1) sphere.radius = INFINITY;
     else if (kind == 2) sphere.radius = nudged(static_cast<float>(distance));
-    else if (kind == 3) sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit();
+    else if (kind == 3) sphere.radius = size_ * 0.01f * random_.unit();
     else sphere.radius = static_cast<float>(distance) * random_.unit();
     return sphere;
 }
 
 Sphere QueryMaker::random_sphere() {
-    const auto along = [&](unsigned k) {
-        return (static_cast<double>(random_.unit()) * 1.5 - 0.25) * decoded_.extent[k];
-    };
-    const double x = along(0), y = along(1), z = along(2);
-    const auto size = static_cast<float>(size_) * random_.unit();
-    return {to_world(x, y, z), std::ldexp(size, -random_.between(0, 8))};
-}
-
-std::string describe(const Ray& ray) {
-    char text[256];
-    const auto d = [](float x) { return static_cast<double>(x); };
-    std::snprintf(text, sizeof text, "origin %a %a %a direction %a %a %a t %a..%a faces %d", d(ray.origin.x),
-                  d(ray.origin.y), d(ray.origin.z), d(ray.direction.x), d(ray.direction.y), d(ray.direction.z),
-                  d(ray.t_min), d(ray.t_max), static_cast<int>(ray.culling));
-    return text;
-}
-
-std::string describe(const Sphere& sphere) {
-    char text[128];
-    const auto d = [](float x) { return static_cast<double>(x); };
-    std::snprintf(text, sizeof text, "center %a %a %a radius %a", d(sphere.center.x), d(sphere.center.y),
-                  d(sphere.center.z), d(sphere.radius));
-    return text;
+    const Vec3 center = some_place();
+    const float size = size_ * random_.unit();
+    return {center, std::ldexp(size, -random_.between(0, 8))};
 }
 
 }  // namespace espalier::tests

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 
-#include "support/base/random.hpp"
-#include "support/format/decoder.hpp"
+#include "describe.hpp"
+#include "surface.hpp"
 
 namespace espalier::tests {
 
@@ -28,9 +27,9 @@ inline constexpr std::array all_ray_kinds = {RayKind::incoherent,    RayKind::th
                                              RayKind::axis_parallel, RayKind::diagonal,         RayKind::in_plane,
                                              RayKind::from_face,     RayKind::far_ten_thousand, RayKind::far_million};
 
-class QueryMaker {
+class QueryMaker : public SurfaceMaker {
 public:
-    QueryMaker(const DecodedBlob& decoded, std::uint64_t seed);
+    using SurfaceMaker::SurfaceMaker;
 
     Ray ray(RayKind kind);
     /// Two in eighteen are of the first kind.
@@ -41,27 +40,11 @@ public:
     /// Anywhere near the asset, of any size up to its own, mostly small.
     Sphere random_sphere();
 
-    /// A lattice point in the world, rounded to float.
-    [[nodiscard]] Vec3 to_world(const GridPoint& point) const { return to_world(point[0], point[1], point[2]); }
-    [[nodiscard]] Random& random() { return random_; }
-
 private:
-    [[nodiscard]] Vec3 to_world(double x, double y, double z) const;
-    const GridTriangle& some_triangle();
-    GridPoint some_vertex();
     Vec3 some_edge_middle();
     Vec3 some_target();
     Vec3 around(double sizes);
     float nudged(float value);
-
-    const DecodedBlob& decoded_;
-    Random random_;
-    double step_;
-    double size_;
 };
-
-/// The bits of a query in hexadecimal, to repeat a failure.
-std::string describe(const Ray& ray);
-std::string describe(const Sphere& sphere);
 
 }  // namespace espalier::tests

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 
 #include "support/base/vectors.hpp"
 
@@ -22,44 +20,16 @@ Vec3 unit(Vec3 a) {
 
 }  // namespace
 
-ShapeMaker::ShapeMaker(const DecodedBlob& decoded, std::uint64_t seed) : decoded_(decoded), random_(seed) {
-    if (decoded.triangles.empty()) throw std::runtime_error("ShapeMaker: the blob is empty");
-    size_ = std::ldexp(static_cast<float>(*std::max_element(decoded.extent.begin(), decoded.extent.end())),
-                       decoded.step_exponent);
-}
-
-Vec3 ShapeMaker::to_world(double x, double y, double z) const {
-    const double step = std::ldexp(1.0, decoded_.step_exponent);
-    const auto axis = [&](unsigned k, double steps) {
-        return static_cast<float>(static_cast<double>(decoded_.origin[k]) + steps * step);
-    };
-    return {axis(0, x), axis(1, y), axis(2, z)};
-}
-
-const GridTriangle& ShapeMaker::triangle() {
-    return decoded_.triangles[random_.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
-}
-
 Vec3 ShapeMaker::point_around() {
     if (random_.coin()) {
         const Vec3 on = surface_point();
         return sum(on, times(direction(), length()));
     }
-    const auto along = [&](unsigned k) {
-        return (static_cast<double>(random_.unit()) * 1.5 - 0.25) * decoded_.extent[k];
-    };
-    const double x = along(0), y = along(1), z = along(2);
-    return to_world(x, y, z);
-}
-
-Vec3 ShapeMaker::vertex() {
-    const GridTriangle& t = triangle();
-    const std::uint32_t corner = random_.below(3);
-    return to_world(corner == 0 ? t.a : corner == 1 ? t.b : t.c);
+    return some_place();
 }
 
 Vec3 ShapeMaker::surface_point() {
-    const GridTriangle& t = triangle();
+    const GridTriangle& t = some_triangle();
     double v = static_cast<double>(random_.unit()), w = static_cast<double>(random_.unit());
     const std::uint32_t kind = random_.below(4);
     if (kind == 0) v = 0.5, w = 0.0;
@@ -155,7 +125,7 @@ OrientedBox ShapeMaker::oriented_box(bool awkward) {
     const Vec3 x = direction(), y = unit(cross(x, direction())), z = cross(x, y);
     OrientedBox box = {point_around(), {times(x, length()), times(y, length()), times(z, length())}};
     if (!awkward) return box;
-    const GridTriangle& t = triangle();
+    const GridTriangle& t = some_triangle();
     const Vec3 a = to_world(t.a), ab = difference(to_world(t.b), a), ac = difference(to_world(t.c), a);
     switch (random_.below(8)) {
         case 0:  // upright on a triangle, or beside it by a little
@@ -208,7 +178,7 @@ Triangle ShapeMaker::corners(bool awkward) {
     const float far = length();
     const Vec3 p = times(direction(), far), q = times(direction(), far);
     if (!awkward) return {near, sum(near, p), sum(near, q)};
-    const GridTriangle& t = triangle();
+    const GridTriangle& t = some_triangle();
     Triangle corners = {to_world(t.a), to_world(t.b), to_world(t.c)};
     switch (random_.below(8)) {
         case 0:
@@ -262,7 +232,7 @@ ConvexVolume ShapeMaker::planes(bool awkward) {
     const std::uint32_t kind = awkward ? random_.below(6) : 6;
     switch (kind) {
         case 0: {  // a slab without thickness, along an axis or along a triangle
-            const GridTriangle& t = triangle();
+            const GridTriangle& t = some_triangle();
             const Vec3 a = to_world(t.a);
             Vec3 normal = cross(difference(to_world(t.b), a), difference(to_world(t.c), a));
             if (random_.coin()) {
@@ -314,43 +284,9 @@ ConvexVolume ShapeMaker::planes(bool awkward) {
     return {planes};
 }
 
-namespace {
-
-std::string hex(float x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%a ", static_cast<double>(x));
-    return text;
-}
-std::string hex(Vec3 v) { return hex(v.x).append(hex(v.y)).append(hex(v.z)); }
-
-}  // namespace
-
-std::string describe(const Capsule& capsule) {
-    std::string text = "from ";
-    return text.append(hex(capsule.from))
-        .append("to ")
-        .append(hex(capsule.to))
-        .append("radius ")
-        .append(hex(capsule.radius));
-}
-std::string describe(const Box& box) {
-    std::string text = "min ";
-    return text.append(hex(box.min)).append("max ").append(hex(box.max));
-}
-std::string describe(const OrientedBox& box) {
-    std::string text = "center ";
-    text.append(hex(box.center)).append("half axes ");
-    for (const Vec3& half : box.half_axes) text.append(hex(half)).append(", ");
-    return text;
-}
-std::string describe(const Triangle& corners) {
-    std::string text = "corners ";
-    return text.append(hex(corners.a)).append(", ").append(hex(corners.b)).append(", ").append(hex(corners.c));
-}
 std::string describe(const ConvexVolume& volume) {
     std::string text = "planes ";
-    for (const Plane& plane : volume.planes)
-        text.append(hex(plane.normal)).append("<= ").append(hex(plane.offset)).append(", ");
+    for (const Plane& plane : volume.planes) text += describe(plane) + ", ";
     return text;
 }
 

@@ -2,21 +2,20 @@
 // away.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
 
-#include "support/base/random.hpp"
-#include "support/format/decoder.hpp"
+#include "describe.hpp"
+#include "surface.hpp"
 
 namespace espalier::tests {
 
-class ShapeMaker {
+class ShapeMaker : public SurfaceMaker {
 public:
-    ShapeMaker(const DecodedBlob& decoded, std::uint64_t seed);
+    using SurfaceMaker::SurfaceMaker;
 
     /// Of each shape: `awkward` ones touch, or nearly.
     Capsule capsule(bool awkward);
@@ -25,36 +24,31 @@ public:
     Triangle corners(bool awkward);
     ConvexVolume planes(bool awkward);  ///< until the next call
 
-    [[nodiscard]] Random& random() { return random_; }
+    /// Calls add(shape) with a shape of each kind that volumes take.
+    template <class Add>
+    void make_volumes(bool awkward, const Add& add) {
+        add(capsule(awkward));
+        add(box(awkward));
+        add(oriented_box(awkward));
+        add(corners(awkward));
+        add(planes(awkward));
+    }
+
     /// Near the surface, or anywhere in a box half again as large as the asset's.
     Vec3 point_around();
-    /// A corner of a triangle.
-    Vec3 vertex();
     /// On a corner, a side or inside of a triangle, but for rounding.
     Vec3 surface_point();
-    [[nodiscard]] float size() const { return size_; }
 
 private:
-    [[nodiscard]] Vec3 to_world(double x, double y, double z) const;
-    [[nodiscard]] Vec3 to_world(const GridPoint& p) const { return to_world(p[0], p[1], p[2]); }
-    const GridTriangle& triangle();
     /// Mostly small, of all sizes.
     float length();
     float nudged(float value);
     Vec3 nudged(Vec3 value);
     Vec3 direction();
 
-    const DecodedBlob& decoded_;
-    Random random_;
-    float size_;
     std::vector<Plane> planes_;
 };
 
-/// The bits of a shape in hexadecimal, to repeat a failure.
-std::string describe(const Capsule& capsule);
-std::string describe(const Box& box);
-std::string describe(const OrientedBox& box);
-std::string describe(const Triangle& corners);
 std::string describe(const ConvexVolume& volume);
 
 }  // namespace espalier::tests

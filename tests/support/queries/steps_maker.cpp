@@ -37,23 +37,15 @@ GridPoint StepsMaker::anywhere() {
     return point;
 }
 
-GridPoint StepsMaker::vertex() {
-    const auto& all = decoded_.triangles;
-    const GridTriangle& triangle = all[random_.below(static_cast<std::uint32_t>(all.size()))];
-    const std::uint32_t corner = random_.below(3);
-    return corner == 0 ? triangle.a : corner == 1 ? triangle.b : triangle.c;
-}
-
 GridPoint StepsMaker::side_middle() {
-    const auto& all = decoded_.triangles;
-    const GridTriangle& triangle = all[random_.below(static_cast<std::uint32_t>(all.size()))];
+    const GridTriangle& triangle = some_triangle();
     GridPoint middle;
     for (unsigned k = 0; k < 3; ++k) middle[k] = (triangle.a[k] + triangle.b[k]) / 2;
     return middle;
 }
 
 LatticeBox StepsMaker::box(bool awkward) {
-    GridPoint low = awkward ? vertex() : anywhere();
+    GridPoint low = awkward ? some_corner() : anywhere();
     GridPoint high = low;
     const std::int32_t part = 1 << random_.below(10);
     for (unsigned k = 0; k < 3; ++k) high[k] += random_.between(0, extent(k) / part + 1);
@@ -62,10 +54,10 @@ LatticeBox StepsMaker::box(bool awkward) {
     const auto kind = random_.below(6);
     if (kind == 0)
         for (unsigned k = 0; k < 3; ++k)
-            low[k] -= high[k] - low[k], high[k] = vertex()[k];  // a corner of it touches, from the other side
-    else if (kind == 1) ++low[axis], ++high[axis];              // a step beside
-    else if (kind == 2) high = low;                             // a point
-    else if (kind == 3) high[axis] = low[axis];                 // flat
+            low[k] -= high[k] - low[k], high[k] = some_corner()[k];  // a corner of it touches, from the other side
+    else if (kind == 1) ++low[axis], ++high[axis];                   // a step beside
+    else if (kind == 2) high = low;                                  // a point
+    else if (kind == 3) high[axis] = low[axis];                      // flat
     else if (kind == 4)
         low[axis] = INT32_MIN, high[axis] = random_.coin() ? INT32_MAX : INT32_MIN;  // all there is, or empty
     return {steps(low), steps(high)};
@@ -76,24 +68,24 @@ LatticeSegment StepsMaker::segment(bool awkward) {
     if (!awkward) return {steps(from), steps(to)};
     const std::uint32_t axis = random_.below(3);
     const auto kind = random_.below(8);
-    if (kind == 0) to = vertex();                        // ends at a corner
-    else if (kind == 1) to = beyond(from, vertex());     // through a corner and on
-    else if (kind == 2) from = vertex(), to = vertex();  // from corner to corner
-    else if (kind == 3) {                                // along an axis, through a corner
-        from = vertex(), to = from;
+    if (kind == 0) to = some_corner();                             // ends at a corner
+    else if (kind == 1) to = beyond(from, some_corner());          // through a corner and on
+    else if (kind == 2) from = some_corner(), to = some_corner();  // from corner to corner
+    else if (kind == 3) {                                          // along an axis, through a corner
+        from = some_corner(), to = from;
         from[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
         to[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
     } else if (kind == 4) {  // through a side's middle
         to = beyond(from, side_middle());
     } else if (kind == 5) {  // from as far as may be
         for (std::int32_t& c : from) c = random_.between(-max_lattice_coordinate, max_lattice_coordinate);
-        to = random_.coin() ? vertex() : beyond(from, vertex());
+        to = random_.coin() ? some_corner() : beyond(from, some_corner());
     } else if (kind == 6) {  // short
-        from = vertex(), to = from;
+        from = some_corner(), to = from;
         for (std::int32_t& c : from) c += random_.between(-3, 3);
         for (std::int32_t& c : to) c += random_.between(-3, 3);
     } else {  // diagonal
-        from = vertex(), to = from;
+        from = some_corner(), to = from;
         for (unsigned k = 0; k < 3; ++k) {
             const std::int32_t way = random_.coin() ? extent(axis) : -extent(axis);
             from[k] -= way, to[k] += way;

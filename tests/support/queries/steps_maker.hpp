@@ -7,30 +7,23 @@
 
 #include <espalier/lattice.hpp>
 
-#include "support/base/random.hpp"
-#include "support/format/decoder.hpp"
+#include "surface.hpp"
 
 namespace espalier::tests {
 
-class StepsMaker {
+class StepsMaker : public SurfaceMaker {
 public:
-    StepsMaker(const DecodedBlob& decoded, std::uint64_t seed) : decoded_(decoded), random_(seed) {}
+    using SurfaceMaker::SurfaceMaker;
 
     LatticeBox box(bool awkward);
     LatticeSegment segment(bool awkward);
-    [[nodiscard]] Random& random() { return random_; }
 
 private:
     [[nodiscard]] std::int32_t extent(std::size_t axis) const;
     /// In the asset's box or up to half its size beside it.
     GridPoint anywhere();
-    /// Of the asset.
-    GridPoint vertex();
     /// The middle of a side, or near to it.
     GridPoint side_middle();
-
-    const DecodedBlob& decoded_;
-    Random random_;
 };
 
 std::string describe(const LatticeBox& box);

@@ -22,50 +22,46 @@ struct OwnedHull {
     operator ConvexHull() const { return {vertices}; }  // NOLINT(google-explicit-constructor): queries take the view
 };
 
-class SweepMaker {
+/// Half of them, the awkward ones, graze a vertex, start on one, are in a triangle's plane, along an axis, from 10^4
+/// sizes away, without a way or a size. The others go from anywhere in or near the asset to anywhere in or near it,
+/// with shapes of a few hundredths of its size.
+class SweepMaker : QueryMaker {
 public:
-    SweepMaker(const DecodedBlob& decoded, std::uint64_t seed);
+    using QueryMaker::QueryMaker;
 
-    /// From anywhere in or near the asset to anywhere in or near it, with shapes of a few hundredths of its size.
-    Moving<Sphere> random_sphere();
-    Moving<Capsule> random_capsule();
-    Moving<Box> random_box();
-    Moving<OrientedBox> random_oriented_box();
-    Moving<OwnedHull> random_hull();
-    /// Grazing a vertex, starting on one, in a triangle's plane, along an axis, from 10^4 sizes away, without a way or
-    /// a size.
-    Moving<Sphere> awkward_sphere();
-    Moving<Capsule> awkward_capsule();
-    Moving<Box> awkward_box();
+    Moving<Sphere> sphere(bool awkward);
+    Moving<Capsule> capsule(bool awkward);
+    Moving<Box> box(bool awkward);
     /// Also flat, sheared or along the axes.
-    Moving<OrientedBox> awkward_oriented_box();
+    Moving<OrientedBox> oriented_box(bool awkward);
     /// Also of few or of most vertices, of repeated ones, in one plane, or a triangle of the mesh.
-    Moving<OwnedHull> awkward_hull();
+    Moving<OwnedHull> hull(bool awkward);
+    /// Calls add(moving, kind) with a shape of each of the five kinds.
+    template <class Add>
+    void make_shapes(bool awkward, const Add& add) {
+        add(sphere(awkward), 0);
+        add(capsule(awkward), 1);
+        add(box(awkward), 2);
+        add(oriented_box(awkward), 3);
+        add(hull(awkward), 4);
+    }
 
 private:
     struct Path {
         Vec3 start;
         Vec3 way;
     };
-    Vec3 some_place();
-    Vec3 some_vertex();
-    std::vector<Vec3> some_triangle();
+    [[nodiscard]] float step() const;
     float some_radius();
     Path random_path();
     Path awkward_path(float radius);
     Vec3 some_size(float radius);
-
-    const DecodedBlob& decoded_;
-    QueryMaker maker_;
-    float step_;
-    float size_;
 };
 
-/// The bits of a query in hexadecimal, to repeat a failure.
-std::string describe(const Moving<Sphere>& moving);
-std::string describe(const Moving<Capsule>& moving);
-std::string describe(const Moving<Box>& moving);
-std::string describe(const Moving<OrientedBox>& moving);
-std::string describe(const Moving<OwnedHull>& moving);
+std::string describe(const OwnedHull& hull);
+template <class Shape>
+std::string describe(const Moving<Shape>& moving) {
+    return describe(moving.shape) + "by " + describe(moving.displacement);
+}
 
 }  // namespace espalier::tests

@@ -7,6 +7,7 @@
 
 #include "support/base/profiles.hpp"
 #include "support/meshes/makers.hpp"
+#include "surface.hpp"
 
 namespace espalier::tests {
 
@@ -41,31 +42,21 @@ const std::vector<TestBlob>& closed_blobs() {
 }
 
 Vec3 awkward_point(const TestBlob& blob, Random& random) {
-    const auto some_vertex = [&] {
-        const GridTriangle& t =
-            blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
-        const std::uint32_t corner = random.below(3);
-        return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
-    };
-    const GridTriangle& t =
-        blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
+    const GridTriangle& t = some_triangle(blob.decoded, random);
     const std::uint32_t kind = random.below(5);
     double at[3];
     for (unsigned k = 0; k < 3; ++k) {
         if (kind == 0) at[k] = t.a[k];
         else if (kind == 1) at[k] = 0.5 * (t.a[k] + t.b[k]);
         else if (kind == 2) at[k] = 0.25 * t.a[k] + 0.25 * t.b[k] + 0.5 * t.c[k];
-        else at[k] = some_vertex()[k];
+        else at[k] = some_corner(blob.decoded, random)[k];
     }
     if (kind < 3 && random.below(4) != 0) {
         const std::uint32_t axis = random.below(3);
-        at[axis] = random.coin() ? some_vertex()[axis] : static_cast<double>(random.unit()) * blob.decoded.extent[axis];
+        at[axis] = random.coin() ? some_corner(blob.decoded, random)[axis]
+                                 : static_cast<double>(random.unit()) * blob.decoded.extent[axis];
     }
-    const double step = std::ldexp(1.0, blob.decoded.step_exponent);
-    const auto world = [&](unsigned k) {
-        return static_cast<float>(static_cast<double>(blob.decoded.origin[k]) + at[k] * step);
-    };
-    return {world(0), world(1), world(2)};
+    return place_in_world(blob.decoded, at[0], at[1], at[2]);
 }
 
 Vec3 random_point(const TestBlob& blob, Random& random) {

@@ -1,0 +1,38 @@
+// The bits of a query in hexadecimal, to repeat a failure.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include <espalier/types.hpp>
+
+namespace espalier::tests {
+
+inline std::string in_hexadecimal(std::span<const float> numbers) {
+    std::string text;
+    for (const float number : numbers) {
+        char digits[40];
+        std::snprintf(digits, sizeof digits, "%a ", static_cast<double>(number));
+        text += digits;
+    }
+    return text;
+}
+
+/// Of a shape or a placement, which is a structure of floats.
+template <class Shape>
+requires(std::is_class_v<Shape>&& std::is_trivially_copyable_v<Shape> && alignof(Shape) == alignof(float)) std::string
+    describe(const Shape& shape) {
+    return in_hexadecimal(std::bit_cast<std::array<float, sizeof(Shape) / sizeof(float)>>(shape));
+}
+
+inline std::string describe(const Ray& ray) {
+    const float window[] = {ray.t_min, ray.t_max};
+    return describe(ray.origin) + "towards " + describe(ray.direction) + "within " + in_hexadecimal(window) + "faces " +
+           std::to_string(static_cast<int>(ray.culling));
+}
+
+}  // namespace espalier::tests
