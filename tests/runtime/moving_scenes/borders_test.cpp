@@ -6,7 +6,7 @@
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
-#include "breaches.hpp"
+#include "made_bytes.hpp"
 
 namespace espalier::tests::borders_test {
 namespace {

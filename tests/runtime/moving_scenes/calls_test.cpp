@@ -4,7 +4,6 @@
 #include <runtime/moving_scenes/access.hpp>
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
 
 namespace espalier::tests::calls_test {
 namespace {
@@ -58,14 +57,10 @@ TEST_CASE("scene: a moving scene of arrays that end with the call does not compi
 }
 
 TEST_CASE("scene: the id of a result names its instance in a moving scene and in a tile of it") {
-    std::vector<OpenedBlob> opened;
-    opened.emplace_back(make_cube(-0.5f, 0.5f));
-    const std::vector<Blob> meshes = {opened[0].blob};
-    std::vector<Instance> row(2);
-    row[1].transform.translation.x = 3.0f;
+    std::vector<Instance> row = row_of(2, 3.0f);
     row[1].user = 5;
-    const OpenedScene tile(opened, row);
-    MadeScene made(4, -12, meshes, {&tile.scene, 1});
+    const SceneParts parts({make_cube(-0.5f, 0.5f)}, {row});
+    MadeScene made(4, -12, parts.meshes, parts.tiles);
     MovingScene& scene = made.scene;
     CHECK(instance_at(MovingScene(), InstanceId{0}).status == QueryStatus::not_open);
     CHECK(instance_at(scene, InstanceId{0}).status == QueryStatus::out_of_range);
@@ -98,15 +93,13 @@ TEST_CASE("scene: the id of a result names its instance in a moving scene and in
     REQUIRE(inner);
     CHECK(inner->user == 5);
     CHECK(inner->transform.translation.x == 3.0f);
-    CHECK(inner->source == instance_at(tile.scene, InstanceId{hit.instance.in_tile})->source);
+    CHECK(inner->source == instance_at(parts.tiles[0], InstanceId{hit.instance.in_tile})->source);
 }
 
 TEST_CASE("scene: changes and insertions that repack leave a scene that waits for a refit waiting") {
-    std::vector<OpenedBlob> opened;
-    opened.emplace_back(make_cube(-0.5f, 0.5f));
-    const std::vector<Blob> meshes = {opened[0].blob};
+    const SceneParts parts({make_cube(-0.5f, 0.5f)});
     constexpr std::uint32_t capacity = 300;
-    MadeScene made(capacity, -12, meshes, {}, true);
+    MadeScene made(capacity, -12, parts.meshes, {}, true);
     MovingScene& scene = made.scene;
     Random random(3);
     const auto place = [&] { return Instance{.transform = {{}, random.in_cube(50.0f)}}; };
@@ -135,7 +128,7 @@ TEST_CASE("scene: changes and insertions that repack leave a scene that waits fo
     CHECK(remove(scene, *second) == QueryStatus::ok);
     CHECK(move(scene, *handle_of(scene, 2), away) == QueryStatus::ok);
     CHECK(still_waits(scene));
-    const MadeScene copy(scene.bytes(), meshes);
+    const MadeScene copy(scene.bytes(), parts.meshes);
     CHECK(still_waits(copy.scene));
     refit(scene);
     CHECK(raycast(scene, ray));

@@ -8,8 +8,6 @@
 namespace espalier::tests::changes_test {
 namespace {
 
-std::vector<std::byte> snapshot_of(const MovingScene& scene) { return {scene.bytes().begin(), scene.bytes().end()}; }
-
 /// Returns how many pairs have an instance that has moved in this step.
 std::size_t moved_pairs(MovingScene& scene) {
     std::vector<InstancePair> page(100);

@@ -2,43 +2,33 @@
 #include "support/testing.hpp"
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
 
 namespace espalier::tests::colliding_test {
 namespace {
 
-/// Meshes, a tile of them, and a baked scene with tiles.
-struct World {
-    std::vector<OpenedBlob> opened;
-    std::vector<OpenedScene> opened_tiles;
-    std::vector<Blob> meshes;
-    std::vector<BakedScene> tiles;
-    std::vector<OpenedScene> baked;
+std::vector<Instance> some_instances(Random& random, std::size_t count, float place, std::uint32_t kinds) {
+    std::vector<Instance> all(count);
+    for (Instance& instance : all) {
+        instance.transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f};
+        instance.transform.translation = random.in_cube(place);
+        instance.transform.scale = 0.5f + random.unit();
+        instance.mesh = random.below(kinds);
+        instance.mask = 1u << random.below(3) | 1u << random.below(3);
+    }
+    return all;
+}
 
-    World() {
-        opened.emplace_back(make_torus(14, 8, 1.0, 0.3));
-        opened.emplace_back(make_icosphere(1, 0.8, {0.1f, 0.0f, 0.0f}));
-        opened.emplace_back(make_cube(-0.5f, 0.5f));
-        for (const OpenedBlob& blob : opened) meshes.push_back(blob.blob);
-        Random random(1);
-        opened_tiles.emplace_back(opened, instances(random, 6, 3.0f, 3));
-        for (const OpenedScene& tile : opened_tiles) tiles.push_back(tile.scene);
-        baked.emplace_back(opened, instances(random, 60, 6.0f, 4), opened_tiles);
-    }
-    static std::vector<Instance> instances(Random& random, std::size_t count, float place, std::uint32_t kinds) {
-        std::vector<Instance> all(count);
-        for (Instance& instance : all) {
-            instance.transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f};
-            instance.transform.translation = random.in_cube(place);
-            instance.transform.scale = 0.5f + random.unit();
-            instance.mesh = random.below(kinds);
-            instance.mask = 1u << random.below(3) | 1u << random.below(3);
-        }
-        return all;
-    }
+/// Meshes, a tile of them, and a baked scene with tiles.
+struct World : SceneParts {
+    explicit World(Random random)
+        : SceneParts({make_torus(14, 8, 1.0, 0.3), make_icosphere(1, 0.8, {0.1f, 0.0f, 0.0f}), make_cube(-0.5f, 0.5f)},
+                     {some_instances(random, 6, 3.0f, 3)}),
+          baked(opened, some_instances(random, 60, 6.0f, 4), opened_tiles) {}
+    OpenedScene baked;
 };
+
 const World& world() {
-    static const World all;
+    static const World all(Random(1));
     return all;
 }
 
@@ -73,11 +63,6 @@ bool touches(const Part& a, const Part& b) {
     return false;
 }
 
-bool share_a_point(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-           b.min.z <= a.max.z;
-}
-
 /// A moving scene of parts, and what a loop over all pairs finds in it.
 struct Trial {
     MadeScene made;
@@ -85,7 +70,7 @@ struct Trial {
 
     explicit Trial(std::uint64_t seed) : made(80, -14, world().meshes, world().tiles) {
         Random random(seed);
-        instances = World::instances(random, 60, 5.0f, 4);
+        instances = some_instances(random, 60, 5.0f, 4);
         for (const Instance& instance : instances) REQUIRE(insert(made.scene, instance));
         if (random.coin()) repack(made.scene);
     }
@@ -119,22 +104,6 @@ struct Trial {
     }
 };
 
-/// Returns the list that pages make, one behind the other. `collect(page, from)` is the query.
-template <class Pair, class Collect>
-std::vector<Pair> in_pages(std::size_t size, Collect collect) {
-    std::vector<Pair> all, page(size);
-    Pair from;
-    for (int i = 0; i < 100'000; ++i) {
-        const FilledPairs<Pair> found = collect(std::span<Pair>(page), from);
-        all.insert(all.end(), page.begin(), page.begin() + static_cast<std::ptrdiff_t>(found.count));
-        if (found.status == QueryStatus::ok) return all;
-        REQUIRE((found.status == QueryStatus::output_full || found.status == QueryStatus::work_limit));
-        REQUIRE(found.next > from);
-        from = found.next;
-    }
-    return {};
-}
-
 TEST_CASE("scene: colliding pairs of moving instances are those whose meshes overlap in pages of any size") {
     std::size_t found = 0;
     for (std::uint64_t seed = 0; seed < scaled(10); ++seed) {
@@ -157,7 +126,7 @@ TEST_CASE("scene: colliding pairs of moving instances are those whose meshes ove
 }
 
 TEST_CASE("scene: pairs of a moving and a baked scene are those of the loop in pages of any size") {
-    const BakedScene& baked = world().baked[0].scene;
+    const BakedScene& baked = world().baked.scene;
     std::size_t found = 0, in_tiles = 0;
     for (std::uint64_t seed = 20; seed < 20 + scaled(5); ++seed) {
         CAPTURE(seed);
@@ -184,7 +153,7 @@ TEST_CASE("scene: pairs of a moving and a baked scene are those of the loop in p
 TEST_CASE("scene: a limit of work ends a page of colliding pairs and the next page goes on") {
     Trial trial(7);
     MovingScene& scene = trial.made.scene;
-    const BakedScene& baked = world().baked[0].scene;
+    const BakedScene& baked = world().baked.scene;
     std::vector<InstancePair> pairs(2'000);
     std::vector<BakedPair> baked_pairs(2'000);
     CHECK(collect_colliding_pairs(scene, pairs, WorkLimit(0)).status == QueryStatus::work_limit);
@@ -198,8 +167,7 @@ TEST_CASE("scene: a limit of work ends a page of colliding pairs and the next pa
 }
 
 TEST_CASE("scene: a pair is out of range where no floats hold the place of one in the tile of the other") {
-    std::vector<OpenedBlob> cubes;
-    cubes.emplace_back(make_cube(-0.5f, 0.5f));
+    const std::vector<OpenedBlob> cubes = opened_blobs({make_cube(-0.5f, 0.5f)});
     std::vector<OpenedScene> tiles;
     tiles.emplace_back(cubes, std::vector<Instance>(1));
     std::vector<Instance> instances(1);
@@ -223,7 +191,7 @@ TEST_CASE("scene: a pair is out of range where no floats hold the place of one i
 TEST_CASE("scene: what has moved and what a filter keeps select colliding pairs") {
     Trial trial(9);
     MovingScene& scene = trial.made.scene;
-    const BakedScene& baked = world().baked[0].scene;
+    const BakedScene& baked = world().baked.scene;
     end_step(scene);
     std::vector<InstancePair> pairs(2'000);
     std::vector<BakedPair> baked_pairs(5'000);

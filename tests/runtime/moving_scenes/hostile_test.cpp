@@ -19,11 +19,6 @@ void require_open(const MovingScene& scene) {
     require(static_cast<bool>(open_bytes(copy.bytes())), "a copy of the block does not open");
 }
 
-bool share_a_point(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-           b.min.z <= a.max.z;
-}
-
 std::vector<InstanceHandle> handles_of(const MovingScene& scene) {
     std::vector<InstanceHandle> handles;
     for (std::uint32_t slot = 0; slot < scene.slot_end(); ++slot)

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
 #include "support/loops/scene_loop.hpp"
 
 namespace espalier::tests::moving_scenes_loop_test {

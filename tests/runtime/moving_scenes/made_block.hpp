@@ -6,6 +6,8 @@
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
+#include "support/machine/aligned_buffer.hpp"
+
 namespace espalier::tests {
 
 /// A block for so many instances, by default with nodes for any order of insertions. Copies have the same bytes
@@ -14,10 +16,9 @@ class MadeBlock {
 public:
     explicit MadeBlock(std::uint32_t capacity) : MadeBlock(capacity, detail::most_nodes_of(capacity)) {}
     MadeBlock(std::uint32_t capacity, std::uint32_t nodes)
-        : memory_(static_cast<std::size_t>(detail::block_bytes(capacity, nodes) / sizeof(Unit) + 1)) {
-        block = detail::make_block(bytes(), capacity, nodes, -16);
-    }
-    MadeBlock(const MadeBlock& other) : memory_(other.memory_), block(detail::parts_of(bytes())) {}
+        : memory_(static_cast<std::size_t>(detail::block_bytes(capacity, nodes))),
+          block(detail::make_block(bytes(), capacity, nodes, -16)) {}
+    MadeBlock(const MadeBlock& other) : memory_(other.memory_.bytes()), block(detail::parts_of(bytes())) {}
     MadeBlock& operator=(const MadeBlock&) = delete;
     ~MadeBlock() = default;
 
@@ -33,14 +34,11 @@ public:
         detail::remove_box(block, slot);
         detail::give_back_slot(block, slot);
     }
-    std::byte* bytes() { return reinterpret_cast<std::byte*>(memory_.data()); }
-    [[nodiscard]] std::size_t size() const { return memory_.size() * sizeof(Unit); }
+    std::byte* bytes() { return memory_.bytes().data(); }
+    [[nodiscard]] std::size_t size() const { return memory_.bytes().size(); }
 
 private:
-    struct alignas(32) Unit {
-        std::byte bytes[32];
-    };
-    std::vector<Unit> memory_;
+    AlignedBuffer memory_;
 
 public:
     detail::SceneBlock block;
@@ -55,6 +53,16 @@ inline detail::StepsBox random_box(Random& random, std::int32_t region) {
         box.high[k] = box.low[k] + (random.below(8) == 0 ? 0 : size);
     }
     return box;
+}
+
+/// The pairs of live slots whose boxes touch, by a loop.
+inline std::vector<InstancePair> loop_over_slots(const detail::SceneBlock& block) {
+    std::vector<InstancePair> pairs;
+    for (std::uint32_t a = 0; a < block.head->slots_used; ++a)
+        for (std::uint32_t b = a + 1; b < block.head->slots_used; ++b)
+            if (is_live(block.slots[a]) && is_live(block.slots[b]) && touch(block.slots[a].box, block.slots[b].box))
+                pairs.push_back({a, b});
+    return pairs;
 }
 
 }  // namespace espalier::tests

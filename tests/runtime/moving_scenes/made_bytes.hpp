@@ -1,35 +1,19 @@
-// Bytes of moving scenes for tests that damage them.
+// Bytes of moving scenes for tests that damage them, and edits that break a rule of a block.
 #pragma once
 
 #include "support/testing.hpp"
 
-#include <runtime/moving_scenes/box_tree/block.hpp>
+#include <functional>
+
+#include <runtime/moving_scenes/box_tree/tree.hpp>
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
-#include "support/machine/aligned_buffer.hpp"
 
 namespace espalier::tests {
 
 /// Two cubes, and a tile of them.
-struct CubesAndTile {
-    std::vector<OpenedBlob> opened;
-    std::vector<OpenedScene> opened_tiles;
-    std::vector<Blob> meshes;
-    std::vector<BakedScene> tiles;
-
-    CubesAndTile() {
-        opened.emplace_back(make_cube(-0.5f, 0.5f));
-        opened.emplace_back(make_cube(0.0f, 0.75f));
-        for (const OpenedBlob& blob : opened) meshes.push_back(blob.blob);
-        std::vector<Instance> row(2);
-        row[1].transform.translation.x = 1.5f;
-        opened_tiles.emplace_back(opened, row);
-        for (const OpenedScene& tile : opened_tiles) tiles.push_back(tile.scene);
-    }
-};
-inline const CubesAndTile& cubes_and_tile() {
-    static const CubesAndTile all;
+inline const SceneParts& cubes_and_tile() {
+    static const SceneParts all({make_cube(-0.5f, 0.5f), make_cube(0.0f, 0.75f)}, {row_of(2, 1.5f)});
     return all;
 }
 
@@ -53,7 +37,7 @@ inline std::vector<std::byte> make_bytes(std::uint32_t capacity, std::uint32_t c
     }
     for (std::uint32_t i = 0; i < count; i += 3) (void)remove(scene, movements[i].instance);
     if (must_refit) (void)move(scene, std::span(movements).subspan(1, 1));
-    return {scene.bytes().begin(), scene.bytes().end()};
+    return snapshot_of(scene);
 }
 
 inline MovingScene open_bytes(std::span<std::byte> bytes) {
@@ -75,5 +59,41 @@ public:
     detail::SceneBlock block;
     detail::BlockHead& head;
 };
+
+/// A rule and what breaks it.
+struct Breach {
+    std::string rule;
+    std::function<void(EditedBlock&)> edit;
+};
+
+/// Checks that the bytes open, and that they do not after any of the edits.
+inline void check_breaches(std::span<const std::byte> bytes, const std::vector<Breach>& breaches) {
+    REQUIRE(EditedBlock(bytes).opens());
+    for (const Breach& breach : breaches) {
+        CAPTURE(breach.rule);
+        EditedBlock edited(bytes);
+        breach.edit(edited);
+        CHECK_FALSE(edited.opens());
+    }
+}
+
+/// A scene of three levels with free slots and free nodes; `must_refit` if one of its instances has been moved.
+inline std::vector<std::byte> large_scene(bool must_refit = false) { return make_bytes(80, 78, must_refit); }
+
+/// Returns the leaf node of the second slot, which is alive.
+inline std::uint32_t leaf_of(const detail::SceneBlock& block) { return block.slots[1].place / 8; }
+
+/// Takes a slot out of the tree, and renews the boxes above as if no node needed more children.
+inline void drop_slot(detail::SceneBlock& block, std::uint32_t slot) {
+    const std::uint32_t place = block.slots[slot].place;
+    block.node(place / 8).drop(place % 8);
+    detail::renew_ancestors(block, place / 8);
+}
+
+inline std::uint32_t last_free_node(const detail::SceneBlock& block) {
+    std::uint32_t node = block.head->free_node;
+    while (block.node(node).child[0] != detail::no_child) node = block.node(node).child[0];
+    return node;
+}
 
 }  // namespace espalier::tests

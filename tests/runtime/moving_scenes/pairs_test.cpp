@@ -5,34 +5,17 @@
 #include <runtime/moving_scenes/pairs.hpp>
 
 #include "made_block.hpp"
+#include "made_scene.hpp"
 
 namespace espalier::tests::pairs_test {
 namespace {
 
 using namespace espalier::detail;
 
-std::vector<InstancePair> loop_over_slots(const SceneBlock& block) {
-    std::vector<InstancePair> pairs;
-    for (std::uint32_t a = 0; a < block.head->slots_used; ++a)
-        for (std::uint32_t b = a + 1; b < block.head->slots_used; ++b)
-            if (is_live(block.slots[a]) && is_live(block.slots[b]) && touch(block.slots[a].box, block.slots[b].box))
-                pairs.push_back({a, b});
-    return pairs;
-}
-
-/// Returns the list that pages of a size make, one behind the other.
-std::vector<InstancePair> in_pages(SceneBlock& block, std::size_t size, const PairFilter& filter = {}) {
-    std::vector<InstancePair> all, page(size);
-    InstancePair from;
-    for (;;) {
-        const FilledPairs<InstancePair> found = collect_touching_pairs(block, page, filter, from);
-        REQUIRE(found.count <= size);
-        all.insert(all.end(), page.begin(), page.begin() + static_cast<std::ptrdiff_t>(found.count));
-        if (found.status == QueryStatus::ok) return all;
-        REQUIRE(found.status == QueryStatus::output_full);
-        REQUIRE(found.next > from);
-        from = found.next;
-    }
+std::vector<InstancePair> list_in_pages(SceneBlock& block, std::size_t size, const PairFilter& filter = {}) {
+    return in_pages<InstancePair>(size, [&](std::span<InstancePair> page, InstancePair from) {
+        return collect_touching_pairs(block, page, filter, from);
+    });
 }
 
 TEST_CASE("scene: pairs of moving instances are sorted and those of the loop in pages of any size") {
@@ -55,7 +38,7 @@ TEST_CASE("scene: pairs of moving instances are sorted and those of the loop in 
              {std::size_t{1}, std::size_t{7}, std::size_t{100}, loop.size(), std::size_t{100'000}}) {
             CAPTURE(size);
             if (size == 0 || (size == 1 && count > 50)) continue;
-            CHECK(in_pages(made.block, size) == loop);
+            CHECK(list_in_pages(made.block, size) == loop);
         }
     }
 }
@@ -67,7 +50,7 @@ TEST_CASE("scene: a page of pairs without room is empty and leads to the first p
     CHECK(page.count == 0);
     CHECK(page.status == QueryStatus::output_full);
     CHECK(page.next == InstancePair{0, 1});
-    CHECK(in_pages(made.block, 1).size() == 2);
+    CHECK(list_in_pages(made.block, 1).size() == 2);
 }
 
 TEST_CASE("scene: filters and masks and what moved select pairs of moving instances") {
@@ -95,8 +78,8 @@ TEST_CASE("scene: filters and masks and what moved select pairs of moving instan
                 expected.push_back(pair);
         }
         CHECK((round % 5 == 0 || expected.size() > 20));
-        CHECK(in_pages(block, 10'000, filter) == expected);
-        CHECK(in_pages(block, 9, filter) == expected);
+        CHECK(list_in_pages(block, 10'000, filter) == expected);
+        CHECK(list_in_pages(block, 9, filter) == expected);
         CHECK(is_sound(block));
     }
 }
@@ -122,8 +105,8 @@ TEST_CASE("scene: pairs that moved leave out free slots and what lies behind the
         if (pair.a == 3 || pair.b == 3) moved.push_back(pair);
     REQUIRE(moved.size() > 2);
     for (const std::size_t size : {std::size_t{1}, std::size_t{10'000}}) {
-        CHECK(in_pages(block, size, {true, {}}) == moved);
-        CHECK(in_pages(block, size) == loop);
+        CHECK(list_in_pages(block, size, {true, {}}) == moved);
+        CHECK(list_in_pages(block, size) == loop);
     }
 }
 

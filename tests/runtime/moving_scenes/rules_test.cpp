@@ -4,7 +4,7 @@
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
-#include "breaches.hpp"
+#include "made_bytes.hpp"
 
 namespace espalier::tests::moving_scenes_rules_test {
 namespace {

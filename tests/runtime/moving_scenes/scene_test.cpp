@@ -2,32 +2,14 @@
 #include "support/testing.hpp"
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
 
 namespace espalier::tests::moving_scenes_scene_test {
 namespace {
 
 /// Two meshes, an empty one, and two tiles of which one is empty.
-struct Parts {
-    std::vector<OpenedBlob> opened;
-    std::vector<OpenedScene> opened_tiles;
-    std::vector<Blob> meshes;
-    std::vector<BakedScene> tiles;
-
-    Parts() {
-        opened.emplace_back(make_cube(-0.5f, 0.5f));
-        opened.emplace_back(make_torus(12, 8, 1.0, 0.25));
-        opened.emplace_back(Mesh{});
-        for (const OpenedBlob& blob : opened) meshes.push_back(blob.blob);
-        std::vector<Instance> row(3);
-        for (std::size_t i = 0; i < 3; ++i) row[i].transform.translation.x = 2.0f * static_cast<float>(i);
-        opened_tiles.emplace_back(opened, row);
-        opened_tiles.emplace_back(opened, std::vector<Instance>{});
-        for (const OpenedScene& tile : opened_tiles) tiles.push_back(tile.scene);
-    }
-};
-const Parts& parts() {
-    static const Parts all;
+const SceneParts& parts() {
+    static const SceneParts all({make_cube(-0.5f, 0.5f), make_torus(12, 8, 1.0, 0.25), Mesh{}},
+                                {row_of(3, 2.0f), std::vector<Instance>{}});
     return all;
 }
 
@@ -41,11 +23,6 @@ Transform random_transform(Random& random) {
     return {{random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.5f},
             random.in_cube(8.0f),
             std::ldexp(1.0f + random.unit(), random.between(-3, 1))};
-}
-
-std::vector<std::byte> snapshot_of(const MovingScene& scene) {
-    const std::span<const std::byte> bytes = scene.bytes();
-    return {bytes.begin(), bytes.end()};
 }
 
 /// What a moving scene must hold: instances by slot, and the handles that are stale.

@@ -3,7 +3,7 @@
 
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
-#include "random_place.hpp"
+#include "made_scene.hpp"
 #include "support/machine/float_mode.hpp"
 
 namespace espalier::tests::steps_box_test {

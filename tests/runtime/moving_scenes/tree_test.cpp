@@ -1,6 +1,10 @@
-// Claims about the tree over moving instances: it stays sound whatever is done to it, and misses no pair.
+// Claims about the tree over moving instances: it stays sound whatever is done to it, and misses no pair;
+// and about the curve that a repack follows.
 #include "support/testing.hpp"
 
+#include <cstdlib>
+
+#include <runtime/moving_scenes/box_tree/hilbert.hpp>
 #include <runtime/moving_scenes/check.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
@@ -14,20 +18,20 @@ using namespace espalier::detail;
 
 constexpr std::int32_t region = 1 << 25;
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = std::vector<InstancePair>;
 
 /// Returns the pairs that walks from each slot find, and on machines that are not small also the walk of all together.
 Pairs pairs_of_tree(const SceneBlock& block) {
     Pairs all, of_slots;
     join_by_best_set(block, JoinedSlots::all, 0, [&](std::span<const InstancePair> touching) {
-        for (const auto [a, b] : touching) all.emplace_back(std::minmax(a, b));
+        for (const auto [a, b] : touching) all.push_back({std::min(a, b), std::max(a, b)});
     });
     for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
         if (is_live(block.slots[slot]))
             join_by_best_set(block, JoinedSlots::one, slot, [&](std::span<const InstancePair> touching) {
                 for (const auto [a, b] : touching) {
                     REQUIRE(a == slot);
-                    if (a < b) of_slots.emplace_back(a, b);
+                    if (a < b) of_slots.push_back({a, b});
                 }
             });
     std::sort(all.begin(), all.end());
@@ -35,15 +39,6 @@ Pairs pairs_of_tree(const SceneBlock& block) {
     if (!small_code) REQUIRE(all == of_slots);
     return of_slots;
 }
-Pairs pairs_of_loop(const SceneBlock& block) {
-    Pairs pairs;
-    for (std::uint32_t a = 0; a < block.head->slots_used; ++a)
-        for (std::uint32_t b = a + 1; b < block.head->slots_used; ++b)
-            if (is_live(block.slots[a]) && is_live(block.slots[b]) && touch(block.slots[a].box, block.slots[b].box))
-                pairs.emplace_back(a, b);
-    return pairs;
-}
-
 /// Returns the most levels that so many instances may take: each node but the root has four children or more.
 std::uint32_t most_levels(std::uint32_t live) {
     std::uint32_t levels = live == 0 ? 0 : 1;
@@ -106,7 +101,7 @@ TEST_CASE("scene: a tree of moving instances stays sound through random insertio
             if (i % 50 != 0) continue;
             model.refit();
             REQUIRE(is_sound(model.made.block));
-            REQUIRE(pairs_of_tree(model.made.block) == pairs_of_loop(model.made.block));
+            REQUIRE(pairs_of_tree(model.made.block) == loop_over_slots(model.made.block));
         }
         while (!model.live.empty()) model.remove(0);
         check_block(model.made.block);
@@ -171,20 +166,6 @@ TEST_CASE("scene: a tree is the same after a repack whatever came before it") {
     CHECK(std::memcmp(a.slots, b.slots, sizeof(InstanceSlot) * a.head->slots_used) == 0);
 }
 
-TEST_CASE("scene: a copy of the block of a moving scene continues as the block does") {
-    Random random(3);
-    Model model{MadeBlock(200), {}};
-    for (std::uint64_t i = 0; i < 500; ++i) model.operate(random);
-    Model copy{model.made, model.live};
-    Random same(4), again(4);
-    for (std::uint64_t i = 0; i < 500; ++i) {
-        model.operate(same);
-        copy.operate(again);
-    }
-    REQUIRE(model.made.size() == copy.made.size());
-    CHECK(std::memcmp(model.made.bytes(), copy.made.bytes(), model.made.size()) == 0);
-}
-
 TEST_CASE("scene: a damaged block of moving instances is refused or every operation on it is safe") {
     Random random(5);
     Model model{MadeBlock(40), {}};
@@ -219,6 +200,26 @@ TEST_CASE("scene: a damaged block of moving instances is refused or every operat
     }
     CHECK(refused > tries / 10);
     CHECK(sound > tries / 10);
+}
+
+TEST_CASE("scene: the curve through a cube passes each point once and steps to a neighbour") {
+    constexpr unsigned bits = 4, side = 1u << bits;
+    struct Point {
+        int x = -1, y = 0, z = 0;
+    };
+    std::vector<Point> along(side * side * side);
+    for (unsigned x = 0; x < side; ++x)
+        for (unsigned y = 0; y < side; ++y)
+            for (unsigned z = 0; z < side; ++z) {
+                const std::uint32_t key = hilbert_key(x, y, z, bits);
+                REQUIRE(key < along.size());
+                REQUIRE(along[key].x == -1);
+                along[key] = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
+            }
+    for (std::size_t i = 1; i < along.size(); ++i) {
+        const Point &a = along[i - 1], &b = along[i];
+        REQUIRE(std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) == 1);
+    }
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <runtime/moving_scenes/queries.hpp>
 
 #include "made_scene.hpp"
-#include "runtime/scenes/maker.hpp"
 
 namespace espalier::tests::view_test {
 namespace {
@@ -13,11 +12,8 @@ namespace {
 using detail::MovingSceneQuery;
 
 TEST_CASE("scene: functions that read records refuse a moving scene in the place of a baked one") {
-    std::vector<OpenedBlob> opened;
-    opened.emplace_back(make_cube(-0.5f, 0.5f));
-    const std::vector<Blob> meshes = {opened[0].blob};
-    const OpenedScene tile(opened, std::vector<Instance>(2));
-    MadeScene made(4, -12, meshes, {&tile.scene, 1});
+    const SceneParts parts({make_cube(-0.5f, 0.5f)}, {std::vector<Instance>(2)});
+    MadeScene made(4, -12, parts.meshes, parts.tiles);
     Instance instance;
     REQUIRE(insert(made.scene, instance));
     instance.mesh = 1;
@@ -34,10 +30,8 @@ TEST_CASE("scene: functions that read records refuse a moving scene in the place
 }
 
 TEST_CASE("scene: the bounds of a moving scene in the place of a baked one hold its instances") {
-    std::vector<OpenedBlob> opened;
-    opened.emplace_back(make_cube(-0.5f, 0.5f));
-    const std::vector<Blob> meshes = {opened[0].blob};
-    MadeScene made(4, -12, meshes);
+    const SceneParts parts({make_cube(-0.5f, 0.5f)});
+    MadeScene made(4, -12, parts.meshes);
     const Box nothing = MovingSceneQuery(made.scene).scene().bounds();
     CHECK(nothing.min.x == 0.0f);
     CHECK(nothing.max.x == 0.0f);
@@ -56,12 +50,10 @@ TEST_CASE("scene: the bounds of a moving scene in the place of a baked one hold 
 }
 
 TEST_CASE("scene: the bounds of a moving scene far from its origin hold all boxes") {
-    std::vector<OpenedBlob> opened;
-    opened.emplace_back(make_cube(-0.5f, 0.5f));
-    const std::vector<Blob> meshes = {opened[0].blob};
+    const SceneParts parts({make_cube(-0.5f, 0.5f)});
     Random random(5);
     for (int round = 0; round < 200; ++round) {
-        MadeScene made(4, -1, meshes);
+        MadeScene made(4, -1, parts.meshes);
         const float reach = std::ldexp(1.0f, random.between(10, 28));
         for (int i = 0; i < 4; ++i) {
             Instance instance = {.transform = {{}, random.in_cube(reach), 1.0f + 9.0f * random.unit()}};

@@ -42,38 +42,6 @@ StackUse most_stack(Call call, int times = 20) {
     return most;
 }
 
-/// The stack of both queries about overlaps with the shapes that `make` makes.
-template <class Make>
-StackUse most_stack_of_overlaps(Make make) {
-    return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
-        const auto shape = make(maker);
-        return stack_use([&] {
-            (void)overlaps(scene, shape);
-            (void)for_each_overlap(scene, shape, [](InstanceId, TriangleId) {});
-        });
-    });
-}
-
-/// The stack of sweeps of the shapes that `make` makes, under some options.
-template <class Make>
-StackUse most_stack_of_sweeps(Make make) {
-    return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
-        const auto shape = make(maker);
-        const Vec3 way = maker.displacement();
-        const SceneSweepOptions options = maker.sweep_options({});
-        return stack_use([&] { (void)sweep(scene, shape, way, options)->t; });
-    });
-}
-
-template <class Query>
-StackUse most_stack_of_rays(Query query) {
-    const auto measure = [&](const BakedScene& scene, SceneQueryMaker& maker) {
-        const Ray ray = maker.ray();
-        return stack_use([&] { query(scene, ray); });
-    };
-    return most_stack(measure, 40);  // few of them take the deepest way
-}
-
 TEST_CASE("scene: opening and every query allocate nothing") {
     std::uint64_t allocations = 0;
     std::vector<Blob> meshes(32);
@@ -115,57 +83,68 @@ TEST_CASE("scene: opening and every query stay within their stack budget") {
     std::vector<Blob> meshes(32);
     std::vector<BakedScene> tiles(4);
     on_each_instruction_set([&] {
-        struct Row {
-            const char* query;
-            StackUse most;
+        const auto check = [](const char* query, const StackUse& most) {
+            check_stack(std::string("scene, ") + query, most.of_meshes);
+            check_stack(std::string("scene of tiles, ") + query, most.of_tiles);
         };
-        const Row rows[] = {
-            {"open_scene",
-             most_stack(
-                 [&](const BakedScene& scene, SceneQueryMaker&) {
-                     return stack_use([&] {
-                         (void)open_scene({detail::data_of(scene).tree.bytes, scene.size()}, meshes, tiles);
-                     });
-                 },
-                 1)},
-            {"raycast",
-             most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)raycast(scene, ray)->t; })},
-            {"occluded",
-             most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)occluded(scene, ray); })},
-            {"for_each_hit", most_stack_of_rays([](const BakedScene& scene, const Ray& ray) {
-                 (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
-             })},
-            {"closest_point", most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
-                 const Vec3 point = maker.point();
-                 return stack_use([&] { (void)closest_point(scene, point)->distance; });
-             })},
-            {"overlaps, a sphere", most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.sphere(); })},
-            {"overlaps, a capsule", most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.capsule(); })},
-            {"overlaps, a box", most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.box(); })},
-            {"overlaps, an oriented box",
-             most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.oriented_box(); })},
-            {"overlaps, a triangle", most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.triangle(); })},
-            {"overlaps, a cone", most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.cone(); })},
-            {"sweep, a sphere", most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.sphere(); })},
-            {"sweep, a capsule", most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.capsule(); })},
-            {"sweep, a box", most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.box(); })},
-            {"sweep, an oriented box",
-             most_stack_of_sweeps([](SceneQueryMaker& maker) { return maker.oriented_box(); })},
-            {"sweep, a hull", most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
-                 const std::vector<Vec3> vertices = maker.hull_vertices();
-                 const Vec3 way = maker.displacement();
-                 const SceneSweepOptions options = maker.sweep_options({});
-                 return stack_use([&] { (void)sweep(scene, ConvexHull{vertices}, way, options)->t; });
-             })},
-            {"for_each_candidate", most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
-                 const Box box = maker.box();
-                 return stack_use([&] { (void)for_each_candidate(scene, box, [](InstanceId) {}); });
-             })},
+        // Few rays take the deepest way.
+        const auto check_ray = [&](const char* name, auto query) {
+            const auto measure = [&](const BakedScene& scene, SceneQueryMaker& maker) {
+                const Ray ray = maker.ray();
+                return stack_use([&] { query(scene, ray); });
+            };
+            check(name, most_stack(measure, 40));
         };
-        for (const Row& row : rows) {
-            check_stack(std::string("scene, ") + row.query, row.most.of_meshes);
-            check_stack(std::string("scene of tiles, ") + row.query, row.most.of_tiles);
-        }
+        const auto check_overlaps = [&](const char* name, auto make) {
+            check(name, most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
+                      const auto shape = make(maker);
+                      return stack_use([&] {
+                          (void)overlaps(scene, shape);
+                          (void)for_each_overlap(scene, shape, [](InstanceId, TriangleId) {});
+                      });
+                  }));
+        };
+        const auto check_sweep = [&](const char* name, auto make) {
+            check(name, most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
+                      const auto shape = make(maker);
+                      const Vec3 way = maker.displacement();
+                      const SceneSweepOptions options = maker.sweep_options({});
+                      return stack_use([&] { (void)sweep(scene, shape, way, options)->t; });
+                  }));
+        };
+        const auto reopen = [&](const BakedScene& scene, SceneQueryMaker&) {
+            const std::span<const std::byte> bytes(detail::data_of(scene).tree.bytes, scene.size());
+            return stack_use([&] { (void)open_scene(bytes, meshes, tiles); });
+        };
+        check("open_scene", most_stack(reopen, 1));
+        check_ray("raycast", [](const BakedScene& scene, const Ray& ray) { (void)raycast(scene, ray)->t; });
+        check_ray("occluded", [](const BakedScene& scene, const Ray& ray) { (void)occluded(scene, ray); });
+        check_ray("for_each_hit", [](const BakedScene& scene, const Ray& ray) {
+            (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
+        });
+        check("closest_point", most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                  const Vec3 point = maker.point();
+                  return stack_use([&] { (void)closest_point(scene, point)->distance; });
+              }));
+        check_overlaps("overlaps, a sphere", [](SceneQueryMaker& maker) { return maker.sphere(); });
+        check_overlaps("overlaps, a capsule", [](SceneQueryMaker& maker) { return maker.capsule(); });
+        check_overlaps("overlaps, a box", [](SceneQueryMaker& maker) { return maker.box(); });
+        check_overlaps("overlaps, an oriented box", [](SceneQueryMaker& maker) { return maker.oriented_box(); });
+        check_overlaps("overlaps, a triangle", [](SceneQueryMaker& maker) { return maker.triangle(); });
+        check_overlaps("overlaps, a cone", [](SceneQueryMaker& maker) { return maker.cone(); });
+        check_sweep("sweep, a sphere", [](SceneQueryMaker& maker) { return maker.sphere(); });
+        check_sweep("sweep, a capsule", [](SceneQueryMaker& maker) { return maker.capsule(); });
+        check_sweep("sweep, a box", [](SceneQueryMaker& maker) { return maker.box(); });
+        check_sweep("sweep, an oriented box", [](SceneQueryMaker& maker) { return maker.oriented_box(); });
+        std::vector<Vec3> vertices;
+        check_sweep("sweep, a hull", [&](SceneQueryMaker& maker) {
+            vertices = maker.hull_vertices();
+            return ConvexHull{vertices};
+        });
+        check("for_each_candidate", most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                  const Box box = maker.box();
+                  return stack_use([&] { (void)for_each_candidate(scene, box, [](InstanceId) {}); });
+              }));
     });
 }
 

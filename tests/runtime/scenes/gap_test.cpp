@@ -1,34 +1,25 @@
 // The gap between two instances that share an edge and are turned differently: each rounds the ray for itself.
 #include "support/testing.hpp"
 
+#include <Eigen/Geometry>
+
 #include "maker.hpp"
 
 namespace espalier::tests::gap_test {
 namespace {
 
-struct Vector {
-    double x, y, z;
+using Vector = Eigen::Vector3d;
 
-    friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend Vector operator*(double s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
-};
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vector cross(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Vec3 rounded(const Vector& a) {
+    return {static_cast<float>(a.x()), static_cast<float>(a.y()), static_cast<float>(a.z())};
 }
-Vector unit(const Vector& a) { return (1.0 / std::sqrt(dot(a, a))) * a; }
-Vec3 rounded(const Vector& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
 Vector vector_of(const Vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
 
 double fraction(Random& random) { return double(random.unit()); }
 
 /// Returns a vector rotated in double precision.
 Vector rotated(const Quaternion& q, const Vector& v) {
-    const Vector axis = {double(q.x), double(q.y), double(q.z)};
-    const double w = double(q.w), squared_length = dot(axis, axis) + w * w;
-    const Vector sum = (w * w - dot(axis, axis)) * v + (2.0 * dot(axis, v)) * axis + (2.0 * w) * cross(axis, v);
-    return (1.0 / squared_length) * sum;
+    return Eigen::Quaterniond(double(q.w), double(q.x), double(q.y), double(q.z)).normalized() * v;
 }
 
 /// Returns a rotation behind another one about the x axis.
@@ -36,7 +27,7 @@ Quaternion turned_about_x(const Quaternion& q, double angle) {
     const double s = std::sin(angle / 2), c = std::cos(angle / 2);
     const auto x = double(q.x), y = double(q.y), z = double(q.z), w = double(q.w);
     const Vector axis = {c * x + s * w, c * y + s * z, c * z - s * y};
-    return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z),
+    return {static_cast<float>(axis.x()), static_cast<float>(axis.y()), static_cast<float>(axis.z()),
             static_cast<float>(c * w - s * x)};
 }
 
@@ -55,8 +46,7 @@ public:
         place_.translation = random.in_cube(std::ldexp(place_.scale, random.between(-4, 2)));
         Transform other = place_;
         other.rotation = turned_about_x(place_.rotation, 1.8 + 2.7 * fraction(random));
-        std::vector<OpenedBlob> blobs;
-        blobs.emplace_back(make_sheet());
+        const std::vector<OpenedBlob> blobs = opened_blobs({make_sheet()});
         const auto scale = double(place_.scale);
         step_ = std::ldexp(scale, blobs.front().blob.lattice().step_exponent);
         std::vector<Instance> instances(2);
@@ -68,12 +58,12 @@ public:
         const Vector edge = rotated(place_.rotation, {1, 0, 0});
         const Vector to_first = rotated(place_.rotation, {0, 1, 0}), to_other = rotated(other.rotation, {0, 1, 0});
         point_ = vector_of(place_.translation) + (scale * (0.1 + 0.8 * fraction(random))) * edge;
-        const Vector through = unit(cross(edge, to_first - to_other));
+        const Vector through = edge.cross(to_first - to_other).normalized();
         ray_.direction = rounded(through + 0.3 * vector_of(random.in_cube(1.0f)));
         const Vector along = vector_of(ray_.direction);
-        aside_ = unit(cross(edge, along));
-        if (dot(aside_, to_first) < 0.0) aside_ = -1.0 * aside_;
-        start_ = point_ - (scale * std::ldexp(1.0, random.between(-2, 8))) * unit(along);
+        aside_ = edge.cross(along).normalized();
+        if (aside_.dot(to_first) < 0.0) aside_ = -1.0 * aside_;
+        start_ = point_ - (scale * std::ldexp(1.0, random.between(-2, 8))) * along.normalized();
         ray_.t_max = std::numeric_limits<float>::infinity();
     }
 
@@ -81,8 +71,7 @@ public:
     [[nodiscard]] double bound() const {
         const Box bounds = opened_.front().scene.bounds();
         const Vector low = vector_of(bounds.min) - start_, high = vector_of(bounds.max) - start_;
-        double reach = 0.0;
-        for (const double way : {low.x, low.y, low.z, high.x, high.y, high.z}) reach = std::max(reach, std::abs(way));
+        const double reach = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
         return 0x1p-24 * 204 * reach + std::sqrt(3.0) / 128 * step_;
     }
 
@@ -96,7 +85,7 @@ public:
             const double middle = (miss + hit) / 2;
             (hits(sheet, middle) ? hit : miss) = middle;
         }
-        return dot(vector_of(ray_at(hit).origin) - start_, aside_);
+        return (vector_of(ray_at(hit).origin) - start_).dot(aside_);
     }
 
 private:
@@ -112,7 +101,7 @@ private:
     std::vector<OpenedScene> opened_;
     Transform place_;
     double step_ = 0.0;
-    Vector point_{}, start_{}, aside_{};
+    Vector point_, start_, aside_;
     Ray ray_;
 };
 

@@ -1,22 +1,11 @@
 // Claims about scenes of any bytes: open_scene() refuses them, or every query on them is safe.
 #include "support/testing.hpp"
 
-#include <runtime/blob/checksum.hpp>
-
 #include "maker.hpp"
 #include "support/loops/scene_loop.hpp"
 
 namespace espalier::tests::scenes_hostile_test {
 namespace {
-
-void put(std::span<std::byte> bytes, std::size_t at, std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
-}
-
-void put_checksum(std::span<std::byte> scene) {
-    if (scene.size() >= format::scene::header_bytes)
-        put(scene, format::scene::checksum_at, detail::checksum_of_blob(scene));
-}
 
 /// Opens the bytes at the end of an allocation, and runs every query if they are accepted.
 bool exercise(const std::vector<std::byte>& bytes) {
@@ -49,8 +38,7 @@ const TestScene& small_scene() {
 /// One tile of one cube, placed twice, and a cube.
 const OpenedScene& tiled_scene() {
     static const OpenedScene scene = [] {
-        std::vector<OpenedBlob> blobs;
-        blobs.emplace_back(make_cube(-1.0f, 1.0f));
+        const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
         std::vector<OpenedScene> tiles;
         tiles.emplace_back(blobs, std::vector<Instance>(1));
         std::vector<Instance> instances(3);
@@ -106,7 +94,7 @@ TEST_CASE("scene: every flipped bit is refused and with its checksum repaired re
             const bool is_checksum = byte / 4 == format::scene::checksum_at / 4;
             REQUIRE_FALSE(open_scene(bytes, meshes));
             if (is_checksum) continue;
-            put_checksum(bytes);
+            repair_checksum(bytes);
             ++tried;
             accepted += exercise(bytes) ? 1u : 0u;
         }
@@ -126,8 +114,8 @@ TEST_CASE("scene: every field of header and records may hold any number") {
     const auto try_at = [&](std::size_t at) {
         for (const std::uint32_t value : values) {
             std::vector<std::byte> bytes = original;
-            put(bytes, at, value);
-            put_checksum(bytes);
+            put(bytes, at, value, 4);
+            repair_checksum(bytes);
             exercise(bytes);
         }
     };
@@ -145,9 +133,9 @@ TEST_CASE("scene: every word of a scene with tiles may hold any number") {
         if (at >= format::scene::header_bytes + 64 && at < tile_at) continue;  // the mesh
         for (const std::uint32_t value : {0u, 1u, 2u, 0xFFFFFFu, 0x80000000u, 0xFFFFFFFFu, 0x7F800000u}) {
             std::vector<std::byte> bytes = original;
-            put(bytes, at, value);
-            put_checksum(std::span(bytes).subspan(tile_at, tile_size));
-            put_checksum(bytes);
+            put(bytes, at, value, 4);
+            repair_checksum(std::span(bytes).subspan(tile_at, tile_size));
+            repair_checksum(bytes);
             ++tried;
             accepted += exercise(bytes) ? 1u : 0u;
         }
@@ -178,7 +166,7 @@ TEST_CASE("scene: a damaged tree that opens is found by verify_scene") {
     std::byte& plane = bytes[nodes_at + format::packed_node::hi_at];
     REQUIRE(plane != bytes[nodes_at + format::packed_node::lo_at]);
     plane = bytes[nodes_at + format::packed_node::lo_at];
-    put_checksum(bytes);
+    repair_checksum(bytes);
     std::vector<Blob> meshes(8);
     REQUIRE(open_scene(bytes, meshes));
     const VerifyReport report = verify_scene(bytes);
@@ -191,8 +179,8 @@ TEST_CASE("scene: a common lattice that is not that of the instances is found by
     REQUIRE(tiled_scene().scene.common_lattice());
     for (const std::size_t at : {format::scene::common_extent_at, format::scene::common_extent_at + 8}) {
         std::vector<std::byte> bytes = original;
-        put(bytes, at, 0xFFFFFF);
-        put_checksum(bytes);
+        put(bytes, at, 0xFFFFFF, 4);
+        repair_checksum(bytes);
         const VerifyReport report = verify_scene(bytes);
         CHECK_FALSE(report);
         CHECK(report.message.find("common lattice") != std::string::npos);
@@ -213,9 +201,9 @@ TEST_CASE("scene: a tile that states meshes in tiles is refused") {
     const std::vector<std::byte>& original = tiled_scene().bytes;
     const auto tile_at = static_cast<std::size_t>(detail::data_of(tiled_scene().tiles[0]).tree.bytes - original.data());
     std::vector<std::byte> bytes = original;
-    put(bytes, tile_at + format::scene::tile_mesh_count_at, 1);
-    put_checksum(std::span(bytes).subspan(tile_at, tiled_scene().tiles[0].size()));
-    put_checksum(bytes);
+    put(bytes, tile_at + format::scene::tile_mesh_count_at, 1, 4);
+    repair_checksum(std::span(bytes).subspan(tile_at, tiled_scene().tiles[0].size()));
+    repair_checksum(bytes);
     std::vector<Blob> meshes(mesh_count_of_scene(bytes));
     std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
     CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
@@ -228,8 +216,8 @@ TEST_CASE("scene: a header that states another number of meshes in tiles is refu
     for (const std::uint32_t other : {0u, stated - 1, stated + 1, 0xFFFFFFFFu}) {
         CAPTURE(other);
         std::vector<std::byte> bytes = original;
-        put(bytes, format::scene::tile_mesh_count_at, other);
-        put_checksum(bytes);
+        put(bytes, format::scene::tile_mesh_count_at, other, 4);
+        repair_checksum(bytes);
         std::vector<Blob> meshes(mesh_count_of_scene(bytes));
         std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
         CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
@@ -237,8 +225,7 @@ TEST_CASE("scene: a header that states another number of meshes in tiles is refu
 }
 
 TEST_CASE("scene: instances that are as far away as float32 reaches lie in their boxes") {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(-1.0f, 1.0f));
+    const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
     for (int exponent = 90; exponent < 124; ++exponent) {
         std::vector<Instance> instances(1);
         instances[0].transform.translation.x = std::ldexp(1.3f, exponent);

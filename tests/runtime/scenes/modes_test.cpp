@@ -2,6 +2,7 @@
 #include "support/testing.hpp"
 
 #include "maker.hpp"
+#include "platform/scene_answers.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/machine/float_mode.hpp"
 
@@ -22,50 +23,32 @@ struct Questions {
     SceneSweepOptions options;
 };
 
-struct Answers {
-    InScene<RayHit> hit;
-    YesNo any;
-    std::vector<RayHit> every_hit;
-    InScene<ClosestPoint> nearest;
-    std::vector<QueryStatus> ends;
-    std::vector<InstanceId> instances;
-    std::vector<TriangleId> triangles;
-    std::vector<InScene<SweepHit>> contacts;
-
-    friend bool same(const Answers& a, const Answers& b) {
-        if (!same_bits(*a.hit, *b.hit) || a.hit.instance != b.hit.instance || a.any != b.any) return false;
-        if (a.every_hit.size() != b.every_hit.size()) return false;
-        for (std::size_t i = 0; i < a.every_hit.size(); ++i)
-            if (!same_bits(a.every_hit[i], b.every_hit[i])) return false;
-        for (std::size_t i = 0; i < a.contacts.size(); ++i)
-            if (!same_bits(*a.contacts[i], *b.contacts[i]) || a.contacts[i].instance != b.contacts[i].instance)
-                return false;
-        return same_bits(*a.nearest, *b.nearest) && a.nearest.instance == b.nearest.instance && a.ends == b.ends &&
-               a.instances == b.instances && a.triangles == b.triangles;
-    }
-};
-
-Answers ask(const BakedScene& scene, const Questions& q) {
-    Answers answers;
-    answers.hit = raycast(scene, q.ray);
-    answers.any = occluded(scene, q.ray);
-    answers.nearest = closest_point(scene, q.point, q.max_distance);
-    answers.contacts = {sweep(scene, q.sphere, q.displacement, q.options),
-                        sweep(scene, q.box, q.displacement, q.options),
-                        sweep(scene, q.turned, q.displacement, q.options),
-                        sweep(scene, ConvexHull{q.vertices}, q.displacement, q.options)};
+/// Returns a hash of every answer's bits.
+std::uint64_t ask(const BakedScene& scene, const Questions& q) {
+    platform::Fingerprint all;
+    platform::add_hit(all, raycast(scene, q.ray));
+    platform::add_answer(all, occluded(scene, q.ray));
+    const InScene<ClosestPoint> nearest = closest_point(scene, q.point, q.max_distance);
+    platform::add_place(all, nearest);
+    all.add(nearest->distance, nearest->u, nearest->v, nearest->point, nearest->face_normal, nearest->on_shape,
+            static_cast<std::uint32_t>(nearest->feature), static_cast<std::uint32_t>(nearest->side));
+    platform::add_hit(all, sweep(scene, q.sphere, q.displacement, q.options));
+    platform::add_hit(all, sweep(scene, q.box, q.displacement, q.options));
+    platform::add_hit(all, sweep(scene, q.turned, q.displacement, q.options));
+    platform::add_hit(all, sweep(scene, ConvexHull{q.vertices}, q.displacement, q.options));
     const auto hit = [&](InstanceId instance, const RayHit& each) {
-        answers.instances.push_back(instance);
-        answers.every_hit.push_back(each);
+        platform::add_hit(all, InScene<RayHit>{each, instance});
+        all.add(static_cast<std::uint32_t>(each.side));
     };
     const auto pair = [&](InstanceId instance, TriangleId triangle) {
-        answers.instances.push_back(instance);
-        answers.triangles.push_back(triangle);
+        all.add(instance.index, instance.in_tile, triangle.index);
     };
-    answers.ends = {for_each_hit(scene, q.ray, hit), for_each_overlap(scene, q.sphere, pair),
-                    for_each_overlap(scene, q.box, pair), for_each_overlap(scene, q.cone, pair),
-                    for_each_candidate(scene, q.box, [&](InstanceId id) { answers.instances.push_back(id); })};
-    return answers;
+    const auto candidate = [&](InstanceId instance) { all.add(instance.index, instance.in_tile); };
+    for (const QueryStatus end : {for_each_hit(scene, q.ray, hit), for_each_overlap(scene, q.sphere, pair),
+                                  for_each_overlap(scene, q.box, pair), for_each_overlap(scene, q.cone, pair),
+                                  for_each_candidate(scene, q.box, candidate)})
+        all.add(end);
+    return all.value();
 }
 
 Questions questions_of(SceneQueryMaker& maker) {
@@ -112,8 +95,8 @@ void expect_same_answers(Change for_each_machine) {
         for (std::size_t i = 0; i < scaled(400); ++i) {
             CAPTURE(i);
             const Questions questions = questions_of(maker);
-            const Answers expected = ask(test.opened.scene, questions);
-            for_each_machine([&] { REQUIRE(same(ask(test.opened.scene, questions), expected)); });
+            const std::uint64_t expected = ask(test.opened.scene, questions);
+            for_each_machine([&] { REQUIRE(ask(test.opened.scene, questions) == expected); });
         }
     }
 }

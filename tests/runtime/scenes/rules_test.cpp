@@ -10,16 +10,14 @@ using namespace espalier::format::scene;
 
 /// Returns two cubes of one mesh, moved by whole steps, in a scene.
 OpenedScene two_cubes() {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(-1.0f, 1.0f));
+    const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
     std::vector<Instance> instances(2);
     instances[1].transform.translation.x = 4.0f;
     return {blobs, instances};
 }
 /// Returns the same, turned: without a common lattice.
 OpenedScene two_turned_cubes() {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(-1.0f, 1.0f));
+    const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
     std::vector<Instance> instances(2);
     for (Instance& instance : instances) instance.transform.rotation = {0.1f, 0.2f, 0.3f, 0.9f};
     return {blobs, instances};
@@ -176,8 +174,7 @@ TEST_CASE("scene: each rule of nodes and instances is enforced") {
 }
 
 TEST_CASE("scene: opening finds the coarsest step and the largest scale also in tiles") {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(-1.0f, 1.0f));
+    const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
     const float step = std::ldexp(1.0f, blobs[0].blob.lattice().step_exponent);
     const auto scaled_to = [](std::initializer_list<float> scales) {
         std::vector<Instance> instances;

@@ -6,11 +6,7 @@
 namespace espalier::tests::scenes_scene_test {
 namespace {
 
-std::vector<OpenedBlob> one_cube() {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(0.0f, 1.0f));
-    return blobs;
-}
+std::vector<OpenedBlob> one_cube() { return opened_blobs({make_cube(0.0f, 1.0f)}); }
 
 /// The unit cube at x = 0, 10, 20 and so on.
 OpenedScene row_of_cubes(std::size_t count) {
@@ -55,9 +51,8 @@ TEST_CASE("scene: instances are those that were given in the order of their sour
 }
 
 TEST_CASE("scene: equal blobs become one mesh and unused ones are left out") {
-    std::vector<OpenedBlob> blobs;
-    for (int i = 0; i < 3; ++i) blobs.emplace_back(make_cube(0.0f, 1.0f));
-    blobs.emplace_back(make_torus(8, 6, 2.0, 0.5));
+    const Mesh cube = make_cube(0.0f, 1.0f);
+    const std::vector<OpenedBlob> blobs = opened_blobs({cube, cube, cube, make_torus(8, 6, 2.0, 0.5)});
     std::vector<std::span<const std::byte>> bytes;
     for (const OpenedBlob& blob : blobs) bytes.emplace_back(blob.bytes);
     std::vector<Instance> instances(3);

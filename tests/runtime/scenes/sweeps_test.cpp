@@ -13,18 +13,12 @@ constexpr float half_root = 0.70710678f;
 constexpr Quaternion quarter_turns[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1},
                                         {0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}};
 
-std::vector<OpenedBlob> one_cube() {
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(make_cube(-1.0f, 1.0f));
-    return blobs;
-}
+std::vector<OpenedBlob> one_cube() { return opened_blobs({make_cube(-1.0f, 1.0f)}); }
 
 /// A triangle in the plane z = 0 that faces up.
 std::vector<OpenedBlob> one_triangle() {
     Mesh mesh = {.positions = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, .triangles = {{0, 1, 2}}};
-    std::vector<OpenedBlob> blobs;
-    blobs.emplace_back(mesh);
-    return blobs;
+    return opened_blobs({mesh});
 }
 
 Instance placed_at(Vec3 translation, float scale = 1.0f, Quaternion rotation = {}) {
@@ -102,13 +96,11 @@ TEST_CASE("scene: a skin is a length in the world at every scale and in tiles") 
 
 TEST_CASE("scene: the first contact is found without the skin that stops the shape in front of it") {
     // A wall at x = 10, and behind it a slope on which a skin stops far in front.
-    std::vector<OpenedBlob> blobs;
     Mesh wall, slope;
     wall.positions = {{10, -4, -4}, {10, 4, -4}, {10, 0, 4}};
     slope.positions = {{0, -40, 1.4f}, {0, 40, 1.4f}, {40, 0, -0.1f}};
     wall.triangles = slope.triangles = {{0, 1, 2}};
-    blobs.emplace_back(wall);
-    blobs.emplace_back(slope);
+    const std::vector<OpenedBlob> blobs = opened_blobs({wall, slope});
     std::vector<Instance> instances(2);
     instances[0].mask = 1;
     instances[1].mesh = 1;
