@@ -2,13 +2,14 @@
 // sanitizers, which this program is also built with.
 #include "support/testing.hpp"
 
+#include "open_blobs.hpp"
+
 #include "support/answers/differences.hpp"
-#include "support/blobs/soundness.hpp"
-#include "support/exercise/exercise.hpp"
-#include "support/machine/exact_buffer.hpp"
 
 namespace espalier::tests::blob_hostile_test {
 namespace {
+
+using namespace espalier::tests::opening;
 
 Bytes small_blob(Profile profile, bool sections) {
     Mesh mesh = make_icosphere(1, 1.0, {0.25f, 0.0f, -1.0f});
@@ -23,18 +24,6 @@ Bytes small_blob(Profile profile, bool sections) {
 /// With triangles that have copies in several leaves.
 Bytes split_blob() { return bake_or_throw(make_soup(60, 1), with_copies()); }
 
-/// Opens; on ok every query must be safe. Whether it opened.
-bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, unsigned rounds) {
-    const Blob blob = open(bytes);
-    if (!blob) {
-        REQUIRE(blob.triangle_count() == 0);
-        return false;
-    }
-    Random random(seed);
-    REQUIRE_NOTHROW(exercise(blob, random, rounds, is_sound(bytes)));
-    return true;
-}
-
 /// Flips the bits from a byte on one by one and repairs the checksum. Not every flip may be accepted.
 void check_flips(const Bytes& bytes, std::size_t begin, unsigned rounds) {
     ExactBuffer buffer(bytes);
@@ -44,11 +33,11 @@ void check_flips(const Bytes& bytes, std::size_t begin, unsigned rounds) {
         const auto mask = static_cast<std::byte>(1u << (bit % 8));
         buffer.bytes()[begin + bit / 8] ^= mask;
         repair_checksum(buffer.bytes());
-        if (open_and_exercise(buffer.bytes(), bit, rounds_per_case(rounds))) ++opened;
+        if (opens_safely(buffer.bytes(), bit, rounds_per_case(rounds))) ++opened;
         buffer.bytes()[begin + bit / 8] ^= mask;
     }
     repair_checksum(buffer.bytes());
-    REQUIRE(open_and_exercise(buffer.bytes(), 0, 12));
+    REQUIRE(opens_safely(buffer.bytes(), 0, 12));
     MESSAGE(opened, " of ", bits.size(), " flips opened");
     CHECK(opened < bits.size());
 }
@@ -111,7 +100,7 @@ TEST_CASE("open: bursts of changed bytes with the checksum repaired are refused 
                                                : std::byte{static_cast<unsigned char>(random.coin() ? 0xFF : 0x00)};
         }
         repair_checksum(buffer.bytes());
-        if (open_and_exercise(buffer.bytes(), i, 4)) ++opened;
+        if (opens_safely(buffer.bytes(), i, 4)) ++opened;
     }
     CHECK(opened > 0);
     CHECK(opened < count);

@@ -3,7 +3,6 @@
 
 #include "open_blobs.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/exercise/exercise.hpp"
 
 namespace espalier::tests::open_deformable_test {
 namespace {
@@ -16,7 +15,7 @@ struct Parts {
     explicit Parts(Bytes baked)
         : bytes(std::move(baked)),
           triangles(get(bytes, at::triangle_count_at, 4)),
-          corners(leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes),
+          corners(sections_of(bytes)),
           guard(corners + format::corners::padded_bytes(static_cast<std::uint32_t>(triangles))),
           sources(guard + format::corners::guard_bytes) {}
 

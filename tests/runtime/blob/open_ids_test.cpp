@@ -2,12 +2,12 @@
 // behind the blob's last byte, and what it accepts leads to the right triangles.
 #include "support/testing.hpp"
 
-#include "support/machine/guarded_pages.hpp"
+#include "open_blobs.hpp"
 
 namespace espalier::tests::open_ids_test {
 namespace {
 
-namespace at = format::header;
+using namespace espalier::tests::opening;
 namespace ids = format::ids;
 struct Kind {
     std::uint32_t offset = 0, width = 0, prefix = 0, from = 0, replaced = 0;
@@ -48,8 +48,7 @@ struct Section {
 
     [[nodiscard]] Bytes blob() const {
         Bytes bytes = bake_or_throw(make_plane_grid(side), {.profile = profile, .original_ids = true});
-        const std::size_t begin =
-            leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
+        const std::size_t begin = sections_of(bytes) + format::source::bytes;
         bytes.resize(begin);
         const auto append = [&](std::uint32_t value) {
             bytes.resize(bytes.size() + 4);
@@ -71,10 +70,7 @@ struct Section {
         repair_checksum(bytes);
         return bytes;
     }
-    [[nodiscard]] OpenStatus status() const {
-        const GuardedPages pages(blob(), true);
-        return open(pages.bytes()).status();
-    }
+    [[nodiscard]] OpenStatus status() const { return status_at_end_of_memory(blob()); }
 };
 
 TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {

@@ -2,13 +2,12 @@
 // read from there.
 #include "support/testing.hpp"
 
-#include "support/format/encoder.hpp"
-#include "support/machine/guarded_pages.hpp"
+#include "open_blobs.hpp"
 
 namespace espalier::tests::open_leaves_test {
 namespace {
 
-namespace at = format::header;
+using namespace espalier::tests::opening;
 /// 16 triangles about two corners of which one is 0 0 0, in a box of 15 steps.
 PlainLeaf make_fan(Profile profile) {
     PlainLeaf leaf;
@@ -22,15 +21,6 @@ PlainLeaf make_fan(Profile profile) {
     return leaf;
 }
 
-PlainBlob make_blob(Profile profile, unsigned bits) {
-    PlainBlob blob;
-    blob.decoded.profile = profile;
-    blob.decoded.bits = bits;
-    blob.decoded.extent.fill((1u << bits) - 1);
-    blob.decoded.vertex_count = 3;
-    return blob;
-}
-
 TEST_CASE("open: the highest bit of the offset of a leaf is checked") {
     for_each_profile([](Profile profile) {
         Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
@@ -41,17 +31,14 @@ TEST_CASE("open: the highest bit of the offset of a leaf is checked") {
         const std::size_t descriptor = descriptor_of(bytes, at::bytes, 0);
         const unsigned size = descriptor_bytes_of(bytes);
         put(bytes, descriptor, get(bytes, descriptor, size) | 1u << (offset_bits - 1), size);
-        repair_checksum(bytes);
-        const GuardedPages pages(bytes, true);
-        const Blob blob = open(pages.bytes());
-        CHECK(blob.status() == OpenStatus::bad_leaf);
+        CHECK(status_at_end_of_memory(bytes) == OpenStatus::bad_leaf);
     });
 }
 
 TEST_CASE("open: a strip of three entries on one point is refused and one of four is not") {
     for (const Profile profile : {Profile::balanced, Profile::small}) {
         for (const unsigned entries : {3u, 4u}) {
-            PlainBlob blob = make_blob(profile, 4);
+            PlainBlob blob = plain_blob_of(profile, 4);
             PlainLeaf leaf;
             for (unsigned i = 0; i < entries; ++i) {
                 leaf.vertices.push_back({2, 3, 4});
@@ -66,7 +53,7 @@ TEST_CASE("open: a strip of three entries on one point is refused and one of fou
 
 TEST_CASE("open: a leaf that reaches into the guard is the reason of the refusal") {
     for_each_profile([](Profile profile) {
-        PlainBlob blob = make_blob(profile, 4);
+        PlainBlob blob = plain_blob_of(profile, 4);
         blob.nodes.resize(3);
         for (std::size_t i = 1; i < 3; ++i) {
             blob.nodes[0].children.push_back({{0, 0, 0}, {15, 15, 15}, i, {}});
@@ -95,10 +82,9 @@ TEST_CASE("open: the last of a node of largest leaves is read at its place") {
     // lattice, and count from its box's low corner all the same.
     for_each_profile([](Profile profile) {
         constexpr std::int32_t most = (1 << 24) - 1, low = 1 << 17;
-        PlainBlob blob = make_blob(profile, 24);
+        PlainBlob blob = plain_blob_of(profile, 24);
         blob.nodes.resize(1);
         blob.nodes[0].shift = {17, 17, 17};
-        std::vector<GridTriangle> expected;
         const bool is_fast = profile == Profile::fast;
         for (std::int32_t number = 0; number < (is_fast ? 16 : 8); ++number) {
             PlainLeaf leaf;
@@ -116,7 +102,6 @@ TEST_CASE("open: the last of a node of largest leaves is read at its place") {
                 add_vertices(static_cast<std::int32_t>(entries));
                 for (unsigned i = 0; i < entries; ++i) leaf.entries.push_back({i, i == 0, i + 2 < entries});
             }
-            for (const GridTriangle& triangle : leaf.corners()) expected.push_back(triangle);
             const std::uint16_t high = is_fast ? 0xFFFF : 128;
             blob.nodes[0].children.push_back({{1, 1, 1}, {high, high, high}, 0, std::move(leaf)});
         }
@@ -125,27 +110,14 @@ TEST_CASE("open: the last of a node of largest leaves is read at its place") {
             const std::uint64_t last = get(bytes, descriptor_of(bytes, at::bytes, 15), 3);
             REQUIRE((last >> (format::plain_leaf::offset_bits - 1) & 1) != 0);
         }
-        const Blob opened = open(bytes);
-        REQUIRE(opened);
-        REQUIRE(opened.triangle_count() == expected.size());
-        const auto is_at = [](const Vec3& point, const GridPoint& expected_point) {  // a step of 1 from 0 0 0
-            return point.x == static_cast<float>(expected_point[0]) &&
-                   point.y == static_cast<float>(expected_point[1]) && point.z == static_cast<float>(expected_point[2]);
-        };
-        (void)for_each_triangle(opened, [&](TriangleId triangle, const Triangle& corners) {
-            const GridTriangle& plain = expected[triangle.index];
-            CHECK(is_at(corners.a, plain.a));
-            CHECK(is_at(corners.b, plain.b));
-            CHECK(is_at(corners.c, plain.c));
-            return Visit::next;
-        });
+        check_triangles(blob);
     });
 }
 
 TEST_CASE("open: each rule of predicted strips is checked") {
     using namespace format::predicted_strip;
     // Two paths of three triangles over ten vertices, joined at windows 3 and 4.
-    PlainBlob blob = make_blob(Profile::tiny, 4);
+    PlainBlob blob = plain_blob_of(Profile::tiny, 4);
     PlainLeaf leaf;
     for (unsigned i = 0; i < 10; ++i) {
         const auto x = static_cast<std::int32_t>(i);
@@ -163,11 +135,7 @@ TEST_CASE("open: each rule of predicted strips is checked") {
         return static_cast<unsigned>(get(bytes, data + bit / 8, 4) >> bit % 8) & ((1u << width) - 1u);
     };
     const auto with = [&](unsigned bit, unsigned width, unsigned value) {
-        Bytes bytes = good;
-        const std::uint64_t others = get(bytes, data + bit / 8, 4) & ~(((std::uint64_t{1} << width) - 1) << bit % 8);
-        put(bytes, data + bit / 8, others | std::uint64_t{value} << bit % 8, 4);
-        repair_checksum(bytes);
-        return status_of(bytes);
+        return status_with_bits(good, bit, width, value);
     };
     const unsigned joint_at = marks_at + 2 * 7;
     const unsigned predicted = 4, raw = 6, large = field(good, 0, width_bits), small = field(good, width_bits, 5);
@@ -179,21 +147,11 @@ TEST_CASE("open: each rule of predicted strips is checked") {
     CHECK(with(width_bits, width_bits, large + 1) == OpenStatus::bad_leaf);
     const unsigned numbers_at = choices_at(10, 1, 10) + 3 * predicted;
     CHECK(with(numbers_at + 4, 1, 1) == OpenStatus::bad_leaf);  // y of the first pivot: the third vertex leaves the box
-    Bytes outside = good;
-    put(outside, at::extent_at, 8, 4);
-    repair_checksum(outside);
-    CHECK(status_of(outside) == OpenStatus::bad_leaf);
+    CHECK(status_with(good, at::extent_at, 8, 4) == OpenStatus::bad_leaf);
     // One more byte, one less, more entries than there may be, and a bit behind the last number.
-    for (const int more : {1, -1}) {
-        Bytes bytes = good;
-        put(bytes, descriptor, get(bytes, descriptor, 2) + static_cast<std::uint64_t>(more), 2);
-        repair_checksum(bytes);
-        CHECK(status_of(bytes) == OpenStatus::bad_leaf);
-    }
-    Bytes many = good;
-    put(many, descriptor, get(many, descriptor, 2) | std::uint64_t{63} << entries_shift, 2);
-    repair_checksum(many);
-    CHECK(status_of(many) == OpenStatus::bad_leaf);
+    const std::uint64_t stated = get(good, descriptor, 2);
+    for (const std::uint64_t other : {stated + 1, stated - 1, stated | std::uint64_t{63} << entries_shift})
+        CHECK(status_with(good, descriptor, other, 2) == OpenStatus::bad_leaf);
     unsigned end = numbers_at + raw * (4 + 1 + 4);
     for (unsigned axis = 0; axis < 3; ++axis) {
         const unsigned widths[] = {field(good, 10 * axis + 5, 5), field(good, 10 * axis, 5)};

@@ -1,23 +1,19 @@
 // The verifier's rules for predicted strips, each broken alone, and the largest ones. Blobs come from the encoder.
 #include "support/testing.hpp"
 
-#include <runtime/blob/leaf_kinds.hpp>
+#include "open_blobs.hpp"
 
-#include "support/format/encoder.hpp"
+#include <runtime/blob/leaf_kinds.hpp>
 
 namespace espalier::tests::open_predicted_strips_test {
 namespace {
 
 using namespace espalier::format::predicted_strip;
 
-namespace at = format::header;
+using namespace espalier::tests::opening;
 /// Of one node, whose leaves have boxes of so many steps from 0 0 0 on.
 PlainBlob make_blob(unsigned bits, std::uint16_t planes, unsigned shift, const std::vector<PlainLeaf>& leaves) {
-    PlainBlob blob;
-    blob.decoded.profile = Profile::tiny;
-    blob.decoded.bits = bits;
-    blob.decoded.extent.fill((1u << bits) - 1);
-    blob.decoded.vertex_count = 3;
+    PlainBlob blob = plain_blob_of(Profile::tiny, bits);
     blob.nodes.resize(1);
     blob.nodes[0].shift.fill(shift);
     for (const PlainLeaf& leaf : leaves)
@@ -39,38 +35,6 @@ PlainLeaf make_strip(const std::vector<GridPoint>& vertices) {
     leaf.vertices = vertices;
     for (unsigned i = 0; i < vertices.size(); ++i) leaf.entries.push_back({i, i == 0, i + 2 < vertices.size()});
     return leaf;
-}
-
-/// Changes bits of the data of the first leaf.
-Bytes with_bits(Bytes bytes, unsigned bit, unsigned width, std::uint64_t value) {
-    const std::size_t byte = leaf_data_of(bytes, at::bytes, 0) + bit / 8;
-    const std::uint64_t others = get(bytes, byte, 4) & ~(((std::uint64_t{1} << width) - 1) << bit % 8);
-    put(bytes, byte, others | value << bit % 8, 4);
-    repair_checksum(bytes);
-    return bytes;
-}
-OpenStatus status_with_bits(const Bytes& bytes, unsigned bit, unsigned width, std::uint64_t value) {
-    return status_of(with_bits(bytes, bit, width, value));
-}
-
-/// Tests that a blob opens and has the triangles of its leaves.
-void check_triangles(const PlainBlob& blob) {
-    std::vector<GridTriangle> expected;
-    for (const PlainChild& child : blob.nodes[0].children)
-        for (const GridTriangle& triangle : child.leaf->corners()) expected.push_back(triangle);
-    const Bytes bytes = encode(blob);
-    const Blob opened = open(bytes);
-    REQUIRE(opened);
-    REQUIRE(opened.triangle_count() == expected.size());
-    const auto is_at = [](const Vec3& point, const GridPoint& corner) {  // a step of 1 from 0 0 0
-        return point.x == static_cast<float>(corner[0]) && point.y == static_cast<float>(corner[1]) &&
-               point.z == static_cast<float>(corner[2]);
-    };
-    (void)for_each_triangle(opened, [&](TriangleId triangle, const Triangle& corners) {
-        const GridTriangle& same = expected[triangle.index];
-        CHECK((is_at(corners.a, same.a) && is_at(corners.b, same.b) && is_at(corners.c, same.c)));
-        return Visit::next;
-    });
 }
 
 TEST_CASE("open: joints of a predicted strip are in order and have triangles on both sides") {
