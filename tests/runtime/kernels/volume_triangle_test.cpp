@@ -103,94 +103,94 @@ struct Counts {
     }
 };
 
-TEST_CASE("kernel: axis-aligned boxes and triangles overlap as in exact arithmetic") {
+/// Compares the kernel with exact arithmetic at shapes and triangles of each number of bits: `make(bits, triangle)`
+/// draws a shape, and `meet(rounded, bits, triangle)` decides about it.
+template <class Shape, class Make, class Meet>
+void decide(const char* name, Maker& maker, std::initializer_list<unsigned> sizes, std::uint64_t small_ones,
+            std::uint64_t large_ones, Make make, Meet meet) {
     std::uint64_t decided = 0;
-    Maker maker{Random(3)};
-    for (const unsigned bits : {1u, 2u, 3u, 12u, 24u}) {
+    for (const unsigned bits : sizes) {
         Counts counts;
         const detail::BlobData asset = lattice_asset(bits);
-        for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
+        for (std::uint64_t i = 0; i < scaled(bits <= 4 ? small_ones : large_ones); ++i) {
             const LatticeTriangle triangle = maker.triangle(bits);
-            const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(3));
-            Box box = {maker.point(bits, fraction), {}};
-            box.max = box.min;
-            for (float* c : {&box.max.x, &box.max.y, &box.max.z})
-                if (maker.random.below(4) != 0) *c += std::fabs(maker.steps(bits, fraction));
-            if (maker.random.below(4) == 0) box.min.y = -INFINITY;
-            if (maker.random.coin()) {  // around a corner, or up to it
-                const Vec3 corner = to_vec3(triangle.corner[maker.random.below(3)]);
-                if (maker.random.coin()) box.min.x = box.max.x - std::fabs(box.max.x - corner.x);
-                box.min.z = std::min(box.min.z, corner.z);
-                box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y), std::max(box.max.z, corner.z)};
-            }
-            detail::Rounded<Box> rounded;
-            const QueryStatus status = round_volume(asset, box, rounded);
+            detail::Rounded<Shape> rounded;
+            const QueryStatus status = round_volume(asset, make(bits, triangle), rounded);
             if (status == QueryStatus::not_found) continue;  // clearly apart
             REQUIRE(status == QueryStatus::ok);
-            const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
-            const bool expected = meet_in_truth(to_integer3(rounded.center), half, detail::Rounded<Box>::fraction_bits,
-                                                bits + 8, triangle);
             CAPTURE(describe(triangle));
+            const bool expected = meet(rounded, bits, triangle);
             ++decided;
             REQUIRE(meets(rounded, triangle) == expected);
             counts.add(expected);
         }
         counts.check();
     }
-    MESSAGE(decisions_made("box and triangle", decided));
+    MESSAGE(decisions_made(name, decided));
+}
+
+TEST_CASE("kernel: axis-aligned boxes and triangles overlap as in exact arithmetic") {
+    Maker maker{Random(3)};
+    const auto make = [&](unsigned bits, const LatticeTriangle& triangle) {
+        const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(3));
+        Box box = {maker.point(bits, fraction), {}};
+        box.max = box.min;
+        for (float* c : {&box.max.x, &box.max.y, &box.max.z})
+            if (maker.random.below(4) != 0) *c += std::fabs(maker.steps(bits, fraction));
+        if (maker.random.below(4) == 0) box.min.y = -INFINITY;
+        if (maker.random.coin()) {  // around a corner, or up to it
+            const Vec3 corner = to_vec3(triangle.corner[maker.random.below(3)]);
+            if (maker.random.coin()) box.min.x = box.max.x - std::fabs(box.max.x - corner.x);
+            box.min.z = std::min(box.min.z, corner.z);
+            box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y), std::max(box.max.z, corner.z)};
+        }
+        return box;
+    };
+    const auto meet = [](const detail::Rounded<Box>& box, unsigned bits, const LatticeTriangle& triangle) {
+        const Integer3 half[3] = {{box.half[0], 0, 0}, {0, box.half[1], 0}, {0, 0, box.half[2]}};
+        return meet_in_truth(to_integer3(box.center), half, detail::Rounded<Box>::fraction_bits, bits + 8, triangle);
+    };
+    decide<Box>("box and triangle", maker, {1, 2, 3, 12, 24}, 20'000, 1'000, make, meet);
 }
 
 TEST_CASE("kernel: oriented boxes and triangles overlap as in exact arithmetic") {
-    std::uint64_t decided = 0;
     Maker maker{Random(4)};
-    for (const unsigned bits : {1u, 2u, 3u, 12u, 16u, 24u}) {
-        Counts counts;
-        const detail::BlobData asset = lattice_asset(bits);
-        std::uint64_t flat = 0;
-        for (std::uint64_t i = 0; i < scaled(bits <= 3 ? 20'000 : 1'000); ++i) {
-            const LatticeTriangle triangle = maker.triangle(bits);
-            const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(2));
-            OrientedBox box = {maker.point(bits, fraction), {}};
-            for (Vec3& half : box.half_axes) half = maker.point(bits, fraction);
-            const auto kind = maker.random.below(8);
-            if (kind == 0) {  // in the triangle's plane, or on it
-                box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
-                box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
-                if (maker.random.coin()) box.half_axes[2] = {};
-                box.center = to_vec3(triangle.corner[0]);
-                box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
-                box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
-                box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
-            } else if (kind == 1) {
-                box.half_axes[2] = {};
-            } else if (kind == 2) {
-                box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
-            } else if (kind == 3) {
-                box.half_axes[1] = box.half_axes[2] = {};
-            } else if (kind == 4) {
-                box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
-            } else if (kind == 5) {  // touching by a corner
-                box.center = to_vec3(triangle.corner[1]);
-                box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
-                box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
-                box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
-            }
-            detail::Rounded<OrientedBox> rounded;
-            const QueryStatus status = round_volume(asset, box, rounded);
-            if (status == QueryStatus::not_found) continue;  // clearly apart
-            REQUIRE(status == QueryStatus::ok);
-            flat += rounded.face_reach.is_zero() ? 1u : 0u;
-            const bool expected =
-                meet_in_truth(rounded.center, rounded.half, rounded.fraction_bits, bits + 8, triangle);
-            CAPTURE(describe(triangle));
-            ++decided;
-            REQUIRE(meets(rounded, triangle) == expected);
-            counts.add(expected);
+    const auto make = [&](unsigned bits, const LatticeTriangle& triangle) {
+        const int fraction = bits == 24 ? 0 : -static_cast<int>(maker.random.below(2));
+        OrientedBox box = {maker.point(bits, fraction), {}};
+        for (Vec3& half : box.half_axes) half = maker.point(bits, fraction);
+        const auto kind = maker.random.below(8);
+        if (kind == 0) {  // in the triangle's plane, or on it
+            box.half_axes[0] = difference(triangle.corner[1], triangle.corner[0]);
+            box.half_axes[1] = difference(triangle.corner[2], triangle.corner[0]);
+            if (maker.random.coin()) box.half_axes[2] = {};
+            box.center = to_vec3(triangle.corner[0]);
+            box.center.x += 3.0f * box.half_axes[0].x - box.half_axes[2].x;
+            box.center.y += 3.0f * box.half_axes[0].y - box.half_axes[2].y;
+            box.center.z += 3.0f * box.half_axes[0].z - box.half_axes[2].z;
+        } else if (kind == 1) {
+            box.half_axes[2] = {};
+        } else if (kind == 2) {
+            box.half_axes[1] = box.half_axes[2] = box.half_axes[0];
+        } else if (kind == 3) {
+            box.half_axes[1] = box.half_axes[2] = {};
+        } else if (kind == 4) {
+            box.half_axes[0] = box.half_axes[1] = box.half_axes[2] = {};
+        } else if (kind == 5) {  // touching by a corner
+            box.center = to_vec3(triangle.corner[1]);
+            box.center.x += box.half_axes[0].x + box.half_axes[1].x + box.half_axes[2].x;
+            box.center.y += box.half_axes[0].y + box.half_axes[1].y + box.half_axes[2].y;
+            box.center.z += box.half_axes[0].z + box.half_axes[1].z + box.half_axes[2].z;
         }
-        counts.check();
-        CHECK(flat > 0);
-    }
-    MESSAGE(decisions_made("oriented box and triangle", decided));
+        return box;
+    };
+    std::set<unsigned> flat;
+    const auto meet = [&](const detail::Rounded<OrientedBox>& box, unsigned bits, const LatticeTriangle& triangle) {
+        if (box.face_reach.is_zero()) flat.insert(bits);
+        return meet_in_truth(box.center, box.half, box.fraction_bits, bits + 8, triangle);
+    };
+    decide<OrientedBox>("oriented box and triangle", maker, {1, 2, 3, 12, 16, 24}, 20'000, 1'000, make, meet);
+    CHECK(flat.size() == 6);
 }
 
 TEST_CASE("kernel: an oriented box along the axes is the box of the same bounds") {
@@ -244,49 +244,39 @@ bool meet_in_truth(const detail::Rounded<ConvexVolume>& set, const LatticeTriang
 }
 
 TEST_CASE("kernel: half-spaces and triangles overlap as in exact arithmetic") {
-    std::uint64_t decided = 0;
     Maker maker{Random(6)};
-    for (const unsigned bits : {1u, 2u, 4u, 16u, 24u}) {
-        Counts counts;
-        const detail::BlobData asset = lattice_asset(bits);
-        for (std::uint64_t i = 0; i < scaled(bits <= 4 ? 4'000 : 800); ++i) {
-            const LatticeTriangle triangle = maker.triangle(bits);
-            std::vector<Plane> planes(1 + maker.random.below(maker.random.below(8) == 0 ? 32 : 6));
-            const bool round = maker.random.coin();
-            const auto weight = [&] { return static_cast<float>(maker.random.below(3)) * 0.5f; };
-            // Through a point of the triangle or near it, so that planes touch.
-            const float v = weight(), w = weight() * (1.0f - 0.5f * v);
-            const Vec3 a = to_vec3(triangle.corner[0]);
-            const Vec3 ab = difference(triangle.corner[1], triangle.corner[0]);
-            const Vec3 ac = difference(triangle.corner[2], triangle.corner[0]);
-            const Vec3 on = {a.x + v * ab.x + w * ac.x, a.y + v * ab.y + w * ac.y, a.z + v * ab.z + w * ac.z};
-            for (Plane& plane : planes) {
-                do
-                    plane.normal = round ? Vec3{static_cast<float>(maker.random.between(-2, 2)),
-                                                static_cast<float>(maker.random.between(-2, 2)),
-                                                static_cast<float>(maker.random.between(-1, 1))}
-                                         : maker.random.in_cube(1.0f);
-                while (plane.normal == Vec3{});
-                plane.offset = plane.normal.x * on.x + plane.normal.y * on.y + plane.normal.z * on.z;
-                if (maker.random.below(3) == 0) plane.offset += maker.steps(bits, -2) * maker.random.unit();
-            }
-            if (planes.size() > 1 && maker.random.below(4) == 0) {
-                const Plane& first = planes[0];
-                planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
-            }
-            detail::Rounded<ConvexVolume> set;
-            REQUIRE(round_volume(asset, ConvexVolume{planes}, set) == QueryStatus::ok);
-            REQUIRE(set.plane_count == planes.size());
-            const bool expected = meet_in_truth(set, triangle);
-            CAPTURE(describe(triangle));
-            CAPTURE(planes.size());
-            ++decided;
-            REQUIRE(meets(set, triangle) == expected);
-            counts.add(expected);
+    std::vector<Plane> planes;
+    const auto make = [&](unsigned bits, const LatticeTriangle& triangle) {
+        planes.assign(1 + maker.random.below(maker.random.below(8) == 0 ? 32 : 6), Plane{});
+        const bool round = maker.random.coin();
+        const auto weight = [&] { return static_cast<float>(maker.random.below(3)) * 0.5f; };
+        // Through a point of the triangle or near it, so that planes touch.
+        const float v = weight(), w = weight() * (1.0f - 0.5f * v);
+        const Vec3 a = to_vec3(triangle.corner[0]);
+        const Vec3 ab = difference(triangle.corner[1], triangle.corner[0]);
+        const Vec3 ac = difference(triangle.corner[2], triangle.corner[0]);
+        const Vec3 on = {a.x + v * ab.x + w * ac.x, a.y + v * ab.y + w * ac.y, a.z + v * ab.z + w * ac.z};
+        for (Plane& plane : planes) {
+            do
+                plane.normal = round ? Vec3{static_cast<float>(maker.random.between(-2, 2)),
+                                            static_cast<float>(maker.random.between(-2, 2)),
+                                            static_cast<float>(maker.random.between(-1, 1))}
+                                     : maker.random.in_cube(1.0f);
+            while (plane.normal == Vec3{});
+            plane.offset = plane.normal.x * on.x + plane.normal.y * on.y + plane.normal.z * on.z;
+            if (maker.random.below(3) == 0) plane.offset += maker.steps(bits, -2) * maker.random.unit();
         }
-        counts.check();
-    }
-    MESSAGE(decisions_made("half-spaces and triangle", decided));
+        if (planes.size() > 1 && maker.random.below(4) == 0) {
+            const Plane& first = planes[0];
+            planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
+        }
+        return ConvexVolume{planes};
+    };
+    const auto meet = [&](const detail::Rounded<ConvexVolume>& set, unsigned, const LatticeTriangle& triangle) {
+        REQUIRE(set.plane_count == planes.size());
+        return meet_in_truth(set, triangle);
+    };
+    decide<ConvexVolume>("half-spaces and triangle", maker, {1, 2, 4, 16, 24}, 4'000, 800, make, meet);
 }
 
 TEST_CASE("rounding: a plane gets a normal of 24 bits and the nearest offset") {

@@ -8,7 +8,9 @@
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 
-#include "oracle/rational.hpp"
+#include <Eigen/Geometry>
+
+#include "oracle/exact_geometry.hpp"
 #include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests::rounding_error_test {
@@ -16,26 +18,20 @@ namespace {
 
 using oracle::Rational;
 
-using Exact = std::array<Rational, 3>;
+using Exact = oracle::Point;
 
-Exact exact(const Vec3& v) { return {Rational::of(v.x), Rational::of(v.y), Rational::of(v.z)}; }
-Exact minus(const Exact& a, const Exact& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Exact cross(const Exact& a, const Exact& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Rational square(const Exact& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+Exact exact(const Vec3& v) { return Exact(Rational::of(v.x), Rational::of(v.y), Rational::of(v.z)); }
+Rational square(const Exact& a) { return a.dot(a); }
 
 /// A place in lattice steps, exactly.
 Exact in_steps(const detail::BlobData& blob, const Vec3& world) {
-    const Rational per_unit = Rational::of(1, -blob.step_exponent);
-    const Exact at = exact(world);
-    return {(at[0] - Rational::of(blob.origin[0])) * per_unit, (at[1] - Rational::of(blob.origin[1])) * per_unit,
-            (at[2] - Rational::of(blob.origin[2])) * per_unit};
+    const Vec3 origin = {blob.origin[0], blob.origin[1], blob.origin[2]};
+    return (exact(world) - exact(origin)) * Rational::of(1, -blob.step_exponent);
 }
 template <class Units>
 Exact from_units(const Units& units, int fraction_bits) {
-    return {Rational::of(std::int64_t{units[0]}, -fraction_bits), Rational::of(std::int64_t{units[1]}, -fraction_bits),
-            Rational::of(std::int64_t{units[2]}, -fraction_bits)};
+    return Exact(Rational(std::int64_t{units[0]}), Rational(std::int64_t{units[1]}), Rational(std::int64_t{units[2]})) *
+           Rational::of(1, -fraction_bits);
 }
 Exact from_units(const detail::Integer3& units, int fraction_bits) {
     const std::int64_t all[3] = {units.x, units.y, units.z};
@@ -73,12 +69,13 @@ constexpr int exponents[] = {0, 4, 12};
 /// The square of how far a point of a sweep moves when it is rounded, at its start or at its end, whichever is more: in
 /// between it moves by a mean of both. The point starts at `start` + `off`, which no float need hold.
 Rational squared_move(const detail::BlobData& blob, const detail::LatticeSweep& sweep, const Vec3& start,
-                      const Vec3& displacement, const detail::Integer3& rounded_start, const Exact& off = {}) {
-    Exact moved = minus(in_steps(blob, start), from_units(rounded_start, sweep.fraction_bits));
-    for (std::size_t k = 0; k < 3; ++k) moved[k] += off[k] * Rational::of(1, -blob.step_exponent);
+                      const Vec3& displacement, const detail::Integer3& rounded_start,
+                      const Exact& off = Exact(0, 0, 0)) {
+    Exact moved = in_steps(blob, start) - from_units(rounded_start, sweep.fraction_bits);
+    const Rational per_unit = Rational::of(1, -blob.step_exponent);
+    moved += off * per_unit;
     const Rational at_start = square(moved);
-    const Exact way = exact(displacement), rounded_way = from_units(sweep.displacement, sweep.fraction_bits);
-    for (std::size_t k = 0; k < 3; ++k) moved[k] += way[k] * Rational::of(1, -blob.step_exponent) - rounded_way[k];
+    moved += exact(displacement) * per_unit - from_units(sweep.displacement, sweep.fraction_bits);
     return std::max(at_start, square(moved));
 }
 
@@ -109,12 +106,12 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                 detail::RoundedPoint point{};
                 REQUIRE(detail::round_point(data, a, infinity, point) == QueryStatus::ok);
                 points.check(data, rounding_error(blob, a),
-                             square(minus(in_steps(data, a), from_units(point.origin, point.fraction_bits))));
+                             square(in_steps(data, a) - from_units(point.origin, point.fraction_bits)));
                 detail::RoundedSegment segment{};
                 REQUIRE(detail::round_segment(data, {a, b}, segment) == QueryStatus::ok);
                 const auto moved_end =
-                    std::max(square(minus(in_steps(data, a), from_units(segment.from, segment.fraction_bits))),
-                             square(minus(in_steps(data, b), from_units(segment.to, segment.fraction_bits))));
+                    std::max(square(in_steps(data, a) - from_units(segment.from, segment.fraction_bits)),
+                             square(in_steps(data, b) - from_units(segment.to, segment.fraction_bits)));
                 segments.check(data, rounding_error(blob, Segment{a, b}), moved_end);
                 detail::Rounded<Triangle> corners;
                 const QueryStatus of_corners = detail::round_volume(data, Triangle{a, b, c}, corners);
@@ -122,9 +119,8 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                 if (of_corners == QueryStatus::ok) {
                     Rational most;
                     for (int k = 0; k < 3; ++k)
-                        most = std::max(most,
-                                        square(minus(in_steps(data, places[k]),
-                                                     from_units(corners.triangle.corner[k], corners.fraction_bits))));
+                        most = std::max(most, square(in_steps(data, places[k]) -
+                                                     from_units(corners.triangle.corner[k], corners.fraction_bits)));
                     triangles.check(data, rounding_error(blob, Triangle{a, b, c}), most);
                 }
                 const OrientedBox world = {a, {difference(b, a), difference(c, a), {a.x - c.z, b.y - c.x, c.z - a.y}}};
@@ -134,14 +130,11 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                 if (status != QueryStatus::ok) continue;
                 Rational most;
                 for (unsigned corner = 0; corner < 8; ++corner) {
-                    Exact moved = minus(in_steps(data, world.center), from_units(box.center, box.fraction_bits));
+                    Exact moved = in_steps(data, world.center) - from_units(box.center, box.fraction_bits);
                     for (unsigned half = 0; half < 3; ++half) {
-                        const Exact along = exact(world.half_axes[half]);
-                        const Exact rounded = from_units(box.half[half], box.fraction_bits);
-                        for (std::size_t k = 0; k < 3; ++k) {
-                            const Rational change = along[k] * Rational::of(1, -data.step_exponent) - rounded[k];
-                            moved[k] += (corner >> half & 1u) != 0 ? change : -change;
-                        }
+                        const Exact change = exact(world.half_axes[half]) * Rational::of(1, -data.step_exponent) -
+                                             from_units(box.half[half], box.fraction_bits);
+                        moved += (corner >> half & 1u) != 0 ? change : Exact(-change);
                     }
                     most = std::max(most, square(moved));
                 }
@@ -199,11 +192,10 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
                 if (is_answered(world, hull)) {
                     Rational most;
                     for (unsigned corner = 0; corner < 8; ++corner) {
-                        Exact off = {0, 0, 0};
+                        Exact off(0, 0, 0);
                         for (unsigned half = 0; half < 3; ++half) {
                             const Exact along = exact(world.half_axes[half]);
-                            for (std::size_t k = 0; k < 3; ++k)
-                                off[k] += (corner >> half & 1u) != 0 ? along[k] : -along[k];
+                            off += (corner >> half & 1u) != 0 ? along : Exact(-along);
                         }
                         most = std::max(most, squared_move(data, hull, a, way, point_of(hull, corner), off));
                     }
@@ -298,7 +290,7 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
                             is_in_box =
                                 is_in_box && place[j].sign() >= 0 && place[j] <= Rational(std::int64_t{data.extent[j]});
                         }
-                        if (is_in_box) most = std::max(most, square(cross(minus(place, origin), way)) / square(way));
+                        if (is_in_box) most = std::max(most, square((place - origin).cross(way)) / square(way));
                     }
                 }
                 rays.check(data, rounding_error(blob, world), most);
