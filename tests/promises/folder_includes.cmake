@@ -138,7 +138,7 @@ check_folder_includes(tests
   "runtime/contacts: ${support} support/exact oracle"
   "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"
-  "runtime/scenes: ${support}"
+  "runtime/scenes: ${support} platform"
   "runtime/moving_scenes: ${support} runtime/scenes"
   "runtime/deformation: ${support} runtime/moving_scenes runtime/pairs"
   "runtime/batches: ${support}"
