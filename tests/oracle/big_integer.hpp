@@ -1,55 +1,62 @@
-// Whole numbers of up to 2,048 bits: plain schoolbook arithmetic, and an exception instead of a wrong digit.
+// Whole numbers of any size: those of GMP, with the names that tests use.
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <utility>
+
+#include <gmpxx.h>
 
 namespace espalier::oracle {
 
 class BigInteger {
 public:
     BigInteger() = default;
-    BigInteger(std::int64_t value);  // NOLINT(google-explicit-constructor): loses nothing
+    BigInteger(std::int64_t value) : value_(static_cast<long>(value)) {  // NOLINT(google-explicit-constructor)
+        static_assert(sizeof(long) == sizeof value);
+    }
+    explicit BigInteger(mpz_class value) : value_(std::move(value)) {}
 
-    [[nodiscard]] bool is_zero() const { return size_ == 0; }
-    [[nodiscard]] bool is_negative() const { return negative_; }
+    [[nodiscard]] const mpz_class& value() const { return value_; }
+    [[nodiscard]] bool is_zero() const { return sign() == 0; }
+    [[nodiscard]] bool is_negative() const { return sign() < 0; }
     /// -1, 0 or 1.
-    [[nodiscard]] int sign() const { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
+    [[nodiscard]] int sign() const { return sgn(value_); }
     /// Of the magnitude; 0 for zero.
-    [[nodiscard]] int bit_length() const;
-    /// How often 2 divides it; 0 for zero.
-    [[nodiscard]] int trailing_zeros() const;
+    [[nodiscard]] int bit_length() const {
+        return is_zero() ? 0 : static_cast<int>(mpz_sizeinbase(value_.get_mpz_t(), 2));
+    }
     /// Decimal, for messages.
-    [[nodiscard]] std::string to_string() const;
+    [[nodiscard]] std::string to_string() const { return value_.get_str(); }
 
-    BigInteger operator-() const;
+    BigInteger operator-() const { return BigInteger(mpz_class(-value_)); }
     /// Times or divided by a power of two; the division drops bits of the magnitude.
-    [[nodiscard]] BigInteger shifted_left(int bits) const;
-    [[nodiscard]] BigInteger shifted_right(int bits) const;
+    [[nodiscard]] BigInteger shifted_left(int bits) const { return BigInteger(mpz_class(value_ << shift(bits))); }
+    [[nodiscard]] BigInteger shifted_right(int bits) const {
+        BigInteger result;
+        mpz_tdiv_q_2exp(result.value_.get_mpz_t(), value_.get_mpz_t(), shift(bits));
+        return result;
+    }
 
-    friend BigInteger operator+(const BigInteger& a, const BigInteger& b);
-    friend BigInteger operator-(const BigInteger& a, const BigInteger& b) { return a + -b; }
-    friend BigInteger operator*(const BigInteger& a, const BigInteger& b);
-    friend bool operator==(const BigInteger& a, const BigInteger& b) { return (a <=> b) == 0; }
-    friend std::strong_ordering operator<=>(const BigInteger& a, const BigInteger& b);
+    friend BigInteger operator+(const BigInteger& a, const BigInteger& b) {
+        return BigInteger(mpz_class(a.value_ + b.value_));
+    }
+    friend BigInteger operator-(const BigInteger& a, const BigInteger& b) {
+        return BigInteger(mpz_class(a.value_ - b.value_));
+    }
+    friend BigInteger operator*(const BigInteger& a, const BigInteger& b) {
+        return BigInteger(mpz_class(a.value_ * b.value_));
+    }
+    friend bool operator==(const BigInteger& a, const BigInteger& b) { return a.value_ == b.value_; }
+    friend std::strong_ordering operator<=>(const BigInteger& a, const BigInteger& b) {
+        return cmp(a.value_, b.value_) <=> 0;
+    }
 
 private:
-    static constexpr unsigned capacity = 64;
+    static mp_bitcnt_t shift(int bits) { return static_cast<mp_bitcnt_t>(bits); }
 
-    void push(std::uint32_t limb);
-    void trim();
-    static int compare_magnitudes(const BigInteger& a, const BigInteger& b);
-    static BigInteger add_magnitudes(const BigInteger& a, const BigInteger& b);
-    static BigInteger subtract_magnitudes(const BigInteger& larger, const BigInteger& smaller);
-
-    std::array<std::uint32_t, capacity> limbs_;  // the lowest first; those from size_ on hold nothing
-    unsigned size_ = 0;
-    bool negative_ = false;
+    mpz_class value_;
 };
-
-/// The largest number that divides both; of magnitudes, 0 only for two zeros.
-BigInteger greatest_common_divisor(BigInteger a, BigInteger b);
 
 }  // namespace espalier::oracle

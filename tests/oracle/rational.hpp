@@ -15,39 +15,42 @@ namespace espalier::oracle {
 /// Always in lowest terms, the denominator positive.
 class Rational {
 public:
-    Rational() : denominator_(1) {}
-    Rational(std::int64_t value) : numerator_(value), denominator_(1) {}  // NOLINT(google-explicit-constructor)
-    Rational(int value) : Rational(std::int64_t{value}) {}                // NOLINT(google-explicit-constructor)
+    Rational() = default;
+    Rational(std::int64_t value) : value_(static_cast<long>(value)) {}  // NOLINT(google-explicit-constructor)
+    Rational(int value) : value_(value) {}                              // NOLINT(google-explicit-constructor)
     /// Throws std::domain_error when the denominator is zero.
     Rational(const BigInteger& numerator, const BigInteger& denominator);
-
     /// Exactly the float. Throws std::domain_error for infinities and NaN.
     static Rational of(float value);
     /// Exactly value * 2^exponent.
     static Rational of(std::int64_t value, int exponent);
 
-    [[nodiscard]] const BigInteger& numerator() const { return numerator_; }
-    [[nodiscard]] const BigInteger& denominator() const { return denominator_; }
-    [[nodiscard]] int sign() const { return numerator_.sign(); }
+    [[nodiscard]] BigInteger numerator() const { return BigInteger(value_.get_num()); }
+    [[nodiscard]] BigInteger denominator() const { return BigInteger(value_.get_den()); }
+    [[nodiscard]] int sign() const { return sgn(value_); }
     /// The largest e with 2^e <= |this|. Throws std::domain_error for zero.
     [[nodiscard]] int exponent() const;
-    [[nodiscard]] std::string to_string() const;
+    [[nodiscard]] std::string to_string() const { return value_.get_str(); }
 
-    Rational operator-() const;
-    Rational& operator+=(const Rational& other) { return *this = *this + other; }
-    Rational& operator-=(const Rational& other) { return *this = *this - other; }
-    Rational& operator*=(const Rational& other) { return *this = *this * other; }
+    Rational operator-() const { return Rational(mpq_class(-value_)); }
+    Rational& operator+=(const Rational& other) { return value_ += other.value_, *this; }
+    Rational& operator-=(const Rational& other) { return value_ -= other.value_, *this; }
+    Rational& operator*=(const Rational& other) { return value_ *= other.value_, *this; }
     Rational& operator/=(const Rational& other) { return *this = *this / other; }
-    friend Rational operator+(const Rational& a, const Rational& b);
-    friend Rational operator-(const Rational& a, const Rational& b) { return a + -b; }
-    friend Rational operator*(const Rational& a, const Rational& b);
+    friend Rational operator+(const Rational& a, const Rational& b) { return Rational(mpq_class(a.value_ + b.value_)); }
+    friend Rational operator-(const Rational& a, const Rational& b) { return Rational(mpq_class(a.value_ - b.value_)); }
+    friend Rational operator*(const Rational& a, const Rational& b) { return Rational(mpq_class(a.value_ * b.value_)); }
+    /// Throws std::domain_error for a division by zero.
     friend Rational operator/(const Rational& a, const Rational& b);
-    friend bool operator==(const Rational& a, const Rational& b) = default;  // lowest terms are unique
-    friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+    friend bool operator==(const Rational& a, const Rational& b) { return a.value_ == b.value_; }
+    friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+        return cmp(a.value_, b.value_) <=> 0;
+    }
 
 private:
-    BigInteger numerator_;
-    BigInteger denominator_;
+    explicit Rational(mpq_class value) : value_(std::move(value)) {}
+
+    mpq_class value_;
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Rational& a) { return out << a.to_string(); }

@@ -1,10 +1,11 @@
-// The oracle is only as good as its arithmetic: claims about BigInteger and Rational.
+// The oracle is only as good as its arithmetic: claims about what it adds to that of GMP.
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "rational.hpp"
 #include "support/base/random.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 using espalier::oracle::BigInteger;
 using espalier::oracle::error_in_ulp;
-using espalier::oracle::greatest_common_divisor;
 using espalier::oracle::Rational;
 
 /// A number of a random number of bits, both signs.
@@ -28,54 +28,23 @@ BigInteger some_integer(Random& random, int limbs) {
     return random.coin() ? -result : result;
 }
 
-TEST_CASE("oracle: big integers equal those of the machine where it has enough bits") {
+TEST_CASE("oracle: big integers shift and compare as those of the machine where it has enough bits") {
     Random random(1);
     for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
         const auto a = static_cast<std::int32_t>(random.next() >> (32 + random.below(32)));
         const auto b = static_cast<std::int32_t>(random.next() >> (32 + random.below(32)));
-        REQUIRE(BigInteger(a) + BigInteger(b) == BigInteger(std::int64_t{a} + b));
+        const auto shift = static_cast<int>(random.below(31));
         REQUIRE(BigInteger(a) - BigInteger(b) == BigInteger(std::int64_t{a} - b));
-        REQUIRE(BigInteger(a) * BigInteger(b) == BigInteger(std::int64_t{a} * b));
         REQUIRE((BigInteger(a) < BigInteger(b)) == (a < b));
-        REQUIRE(BigInteger(a).to_string() == std::to_string(a));
+        REQUIRE(BigInteger(a).shifted_left(shift) == BigInteger(std::int64_t{a} * (std::int64_t{1} << shift)));
+        REQUIRE(BigInteger(a).shifted_right(shift) == BigInteger(std::int64_t{a} / (std::int64_t{1} << shift)));
+        REQUIRE(BigInteger(a).bit_length() ==
+                static_cast<int>(std::bit_width(std::uint64_t(std::abs(std::int64_t{a})))));
     }
     CHECK(BigInteger(std::numeric_limits<std::int64_t>::min()).to_string() == "-9223372036854775808");
 }
 
-TEST_CASE("oracle: big integers obey the laws of a ring far beyond 64 bits") {
-    Random random(2);
-    for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-        const BigInteger a = some_integer(random, 1 + static_cast<int>(random.below(15)));
-        const BigInteger b = some_integer(random, 1 + static_cast<int>(random.below(15)));
-        const BigInteger c = some_integer(random, 1 + static_cast<int>(random.below(15)));
-        REQUIRE((a + b) * c == a * c + b * c);
-        REQUIRE((a * b) * c == a * (b * c));
-        REQUIRE((a + b) - b == a);
-        REQUIRE(a * b - b * a == BigInteger(0));
-        const int shift = static_cast<int>(random.below(200));
-        REQUIRE(a.shifted_left(shift).shifted_right(shift) == a);
-        REQUIRE(a.shifted_left(32) == a * BigInteger(std::int64_t{1} << 32));
-        REQUIRE(((a < b) == (a - b).is_negative()));
-    }
-    CHECK_THROWS_AS((void)BigInteger(1).shifted_left(2048), std::overflow_error);
-}
-
-TEST_CASE("oracle: the greatest common divisor of multiples contains the common factor") {
-    Random random(3);
-    for (std::uint64_t i = 0; i < scaled(500); ++i) {
-        const auto p = static_cast<std::int64_t>(random.below(100'000)) + 1;
-        const auto q = static_cast<std::int64_t>(random.below(100'000)) + 1;
-        const auto expected = [](std::int64_t x, std::int64_t y) {
-            while (y != 0) x = std::exchange(y, x % y);
-            return x;
-        };
-        const BigInteger factor = some_integer(random, 6) + BigInteger(1).shifted_left(200);
-        REQUIRE(greatest_common_divisor(factor * BigInteger(p), factor * BigInteger(-q)) ==
-                factor * BigInteger(expected(p, q)));
-    }
-}
-
-TEST_CASE("oracle: rationals obey the laws of a field and keep lowest terms") {
+TEST_CASE("oracle: rationals obey the laws of a field") {
     Random random(4);
     for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
         const auto some = [&] {
@@ -88,7 +57,6 @@ TEST_CASE("oracle: rationals obey the laws of a field and keep lowest terms") {
         REQUIRE((a - b) + b == a);
         if (b.sign() != 0) REQUIRE((a / b) * b == a);
         REQUIRE((a < b) == ((a - b).sign() < 0));
-        REQUIRE(greatest_common_divisor(a.numerator(), a.denominator()) == BigInteger(1));
     }
     CHECK(Rational(6, 1) / Rational(-4, 1) == Rational(-3, 2));
     CHECK_THROWS_AS(Rational(1) / Rational(0), std::domain_error);

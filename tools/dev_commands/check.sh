@@ -8,7 +8,7 @@ single_file_compiles() {
 
 check() {
     local single_file
-    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev python3
+    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev libgmp-dev python3
     check_cmake
     build build/check espalier_unit_tests --preset check
     single_file_compiles &

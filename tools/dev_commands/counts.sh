@@ -19,7 +19,7 @@ add_up_calls() {
 counts() {
     local folder=${1-} log=$PWD/build/release/claims.log
     [[ -z $folder || -d $folder ]] || fail "there is no folder $folder"
-    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev python3 >&2
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev libgmp-dev python3 >&2
     check_cmake
     build build/release espalier_tests --preset release >&2
     : >"$log"

@@ -1,7 +1,7 @@
 # Extreme sizes, places and forms, by the hundred million.
 extremes() {
     local log=$PWD/build/release/extremes.log
-    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev python3 >&2
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" doctest-dev libeigen3-dev libgmp-dev python3 >&2
     check_cmake
     build build/release espalier_tests --preset release >&2
     : >"$log"

@@ -11,7 +11,7 @@ fuzz() {
     seconds=${1-60}
     [[ $seconds =~ ^[0-9]+$ ]] || fail "fuzz [--afl | --small-code | --minimise] [SECONDS [TARGET...]]: '$seconds' is no number"
     [[ $# -le 1 ]] || fuzz_targets=("${@:2}")
-    install_missing "${build_packages[@]}" "${tool_packages[@]}" clang llvm libclang-rt-dev doctest-dev libeigen3-dev python3
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" clang llvm libclang-rt-dev doctest-dev libeigen3-dev libgmp-dev python3
     [[ $engine != afl ]] || install_missing afl++
     check_cmake
     local folder=build/fuzz/libfuzzer${small_code:+_small} compiler=clang++

@@ -131,7 +131,7 @@ prove_fuzz() { tools/dev fuzz 45; }
 # Every benchmark builds, and what can be tested of one in a moment is right.
 prove_bench() {
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev \
-        doctest-dev libeigen3-dev python3
+        doctest-dev libeigen3-dev libgmp-dev python3
     check_cmake
     build build/bench espalier_benches -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_UNITY=ON
     run_tests build/bench --label-regex '^bench$'

@@ -2,7 +2,7 @@
 
 wasm_package() {
     local build=$PWD/build/wasm machine
-    install_missing "${build_packages[@]}" "${wasm_tools[@]}" "${javascript_packages[@]}" doctest-dev libeigen3-dev python3
+    install_missing "${build_packages[@]}" "${wasm_tools[@]}" "${javascript_packages[@]}" doctest-dev libeigen3-dev libgmp-dev python3
     install_missing $(wasm_packages)
     check_cmake
     # The modules, and the programs that give the golden bits.

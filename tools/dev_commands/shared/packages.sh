@@ -2,7 +2,7 @@
 
 build_packages=(g++ cmake ninja-build)
 tool_packages=(libassimp-dev libcli11-dev libdraco-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev)
-test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3)
+test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev libgmp-dev python3)
 # Tests run these or compile with them; configuring and building do not need them.
 late_test_packages=(jq assimp-testmodels gltfpack qemu-user g++-i686-linux-gnu g++-s390x-linux-gnu)
 package_test_packages=(make pkgconf dpkg-dev file gzip)
