@@ -17,6 +17,10 @@ public:
         static_assert(sizeof(long) == sizeof value);
     }
     explicit BigInteger(mpz_class value) : value_(std::move(value)) {}
+    /// high * 2^64 + low.
+    static BigInteger of_words(std::int64_t high, std::uint64_t low) {
+        return BigInteger(high).shifted_left(64) + BigInteger(mpz_class(static_cast<unsigned long>(low)));
+    }
 
     [[nodiscard]] const mpz_class& value() const { return value_; }
     [[nodiscard]] bool is_zero() const { return sign() == 0; }
@@ -31,12 +35,9 @@ public:
     [[nodiscard]] std::string to_string() const { return value_.get_str(); }
 
     BigInteger operator-() const { return BigInteger(mpz_class(-value_)); }
-    /// Times or divided by a power of two; the division drops bits of the magnitude.
-    [[nodiscard]] BigInteger shifted_left(int bits) const { return BigInteger(mpz_class(value_ << shift(bits))); }
-    [[nodiscard]] BigInteger shifted_right(int bits) const {
-        BigInteger result;
-        mpz_tdiv_q_2exp(result.value_.get_mpz_t(), value_.get_mpz_t(), shift(bits));
-        return result;
+    /// Times a power of two.
+    [[nodiscard]] BigInteger shifted_left(int bits) const {
+        return BigInteger(mpz_class(value_ << static_cast<mp_bitcnt_t>(bits)));
     }
 
     friend BigInteger operator+(const BigInteger& a, const BigInteger& b) {
@@ -54,8 +55,6 @@ public:
     }
 
 private:
-    static mp_bitcnt_t shift(int bits) { return static_cast<mp_bitcnt_t>(bits); }
-
     mpz_class value_;
 };
 

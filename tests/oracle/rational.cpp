@@ -30,6 +30,12 @@ int Rational::exponent() const {
     return absolute(*this) < of(1, guess) ? guess - 1 : guess;
 }
 
+Rational Rational::floor() const {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), value_.get_num_mpz_t(), value_.get_den_mpz_t());
+    return Rational(mpq_class(whole));
+}
+
 Rational operator/(const Rational& a, const Rational& b) {
     if (b.sign() == 0) throw std::domain_error("Rational: division by zero");
     return Rational(mpq_class(a.value_ / b.value_));

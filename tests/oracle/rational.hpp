@@ -30,6 +30,10 @@ public:
     [[nodiscard]] int sign() const { return sgn(value_); }
     /// The largest e with 2^e <= |this|. Throws std::domain_error for zero.
     [[nodiscard]] int exponent() const;
+    /// The largest whole number that is not above it.
+    [[nodiscard]] Rational floor() const;
+    /// To the next double toward zero.
+    [[nodiscard]] double rounded() const { return value_.get_d(); }
     [[nodiscard]] std::string to_string() const { return value_.get_str(); }
 
     Rational operator-() const { return Rational(mpq_class(-value_)); }

@@ -13,14 +13,10 @@ using detail::Unsigned256;
 using oracle::BigInteger;
 using oracle::Rational;
 
-BigInteger exact(std::uint64_t value) {
-    return BigInteger(static_cast<std::int64_t>(value >> 32)).shifted_left(32) +
-           BigInteger(static_cast<std::int64_t>(value & 0xFFFFFFFFu));
-}
-BigInteger exact(Int128 value) { return BigInteger(value.high).shifted_left(64) + exact(value.low); }
+BigInteger exact(Int128 value) { return BigInteger::of_words(value.high, value.low); }
 BigInteger exact(const Unsigned256& value) {
     BigInteger result = 0;
-    for (int i = 3; i >= 0; --i) result = result.shifted_left(64) + exact(value.word[i]);
+    for (int i = 3; i >= 0; --i) result = result.shifted_left(64) + BigInteger::of_words(0, value.word[i]);
     return result;
 }
 

@@ -47,13 +47,7 @@ GridTriangle triangle_near(Random& random, unsigned bits, const GridTriangle& t)
 
 bool has_area(const GridTriangle& t) { return oracle::normal_of(exact_triangle(t)) != oracle::Point(0, 0, 0); }
 
-/// From its digits.
-double rounded(const oracle::Rational& number) {
-    const std::string digits = number.to_string();
-    const std::size_t slash = digits.find('/');
-    return std::stod(digits) / (slash == std::string::npos ? 1.0 : std::stod(digits.substr(slash + 1)));
-}
-Point rounded(const oracle::Point& p) { return {rounded(p[0]), rounded(p[1]), rounded(p[2])}; }
+Point rounded(const oracle::Point& p) { return {p[0].rounded(), p[1].rounded(), p[2].rounded()}; }
 
 /// Where sides of one triangle cross the other's plane within it.
 void add_crossings(const GridTriangle& p, const GridTriangle& q, Points& points) {

@@ -117,9 +117,7 @@ oracle::WholePoint<Number> whole(const Integer3& a) {
 Rational rational(const BigInteger& numerator, const BigInteger& denominator) { return {numerator, denominator}; }
 __extension__ using Int = __int128;
 BigInteger big(Int a) {
-    const auto high = static_cast<std::int64_t>(a >> 62);
-    return BigInteger(high).shifted_left(62) +
-           BigInteger(static_cast<std::int64_t>(a - (static_cast<Int>(high) << 62)));
+    return BigInteger::of_words(static_cast<std::int64_t>(a >> 64), static_cast<std::uint64_t>(a));
 }
 Rational rational(Int numerator, Int denominator) { return {big(numerator), big(denominator)}; }
 

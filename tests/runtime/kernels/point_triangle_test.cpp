@@ -13,11 +13,7 @@ using detail::PointDistance;
 using detail::RoundedPoint;
 using oracle::BigInteger;
 
-Rational exact(detail::Int128 value) {
-    const BigInteger low = BigInteger(static_cast<std::int64_t>(value.low >> 32)).shifted_left(32) +
-                           BigInteger(static_cast<std::int64_t>(value.low & 0xFFFFFFFFu));
-    return {BigInteger(value.high).shifted_left(64) + low, 1};
-}
+Rational exact(detail::Int128 value) { return {BigInteger::of_words(value.high, value.low), 1}; }
 
 Rational exact_square(const PointDistance& distance, int fraction_bits) {
     Rational numerator = exact(distance.numerator);

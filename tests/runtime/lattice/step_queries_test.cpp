@@ -61,11 +61,7 @@ std::optional<oracle::Crossing> crossing_in_truth(const LatticeSegment& segment,
 }
 
 Rational quotient(const detail::Crossing& crossing) {
-    const auto whole = [](const detail::Int128& a) {
-        return BigInteger(a.high).shifted_left(64) +
-               BigInteger(static_cast<std::int64_t>(a.low >> 32)).shifted_left(32) +
-               BigInteger(static_cast<std::int64_t>(a.low & 0xFFFFFFFFu));
-    };
+    const auto whole = [](const detail::Int128& a) { return BigInteger::of_words(a.high, a.low); };
     return {whole(crossing.numerator), whole(crossing.denominator)};
 }
 

@@ -8,7 +8,6 @@
 namespace espalier::tests::steps_test {
 namespace {
 
-using oracle::BigInteger;
 using oracle::Rational;
 
 /// Subnormal ones count as zero.
@@ -16,22 +15,6 @@ float normal(float x) { return std::fpclassify(x) == FP_SUBNORMAL ? 0.0f : x; }
 
 Rational exact_steps(float origin, float world, int step_exponent) {
     return (Rational::of(normal(world)) - Rational::of(normal(origin))) * Rational::of(1, -step_exponent);
-}
-
-Rational rounded_down(const Rational& a) {
-    const BigInteger magnitude = a.sign() < 0 ? -a.numerator() : a.numerator();
-    // The quotient, bit by bit.
-    BigInteger quotient, rest;
-    for (int bit = magnitude.bit_length() - 1; bit >= 0; --bit) {
-        rest = rest.shifted_left(1);
-        if (!(magnitude.shifted_right(bit) == magnitude.shifted_right(bit + 1).shifted_left(1))) rest = rest + 1;
-        quotient = quotient.shifted_left(1);
-        if (rest < a.denominator()) continue;
-        rest = rest - a.denominator();
-        quotient = quotient + 1;
-    }
-    if (a.sign() < 0) quotient = rest.is_zero() ? -quotient : -quotient - 1;
-    return {quotient, 1};
 }
 
 bool is_in_range(const Rational& steps) { return oracle::absolute(steps) <= Rational(max_lattice_coordinate); }
@@ -87,7 +70,7 @@ TEST_CASE("lattice: a point converts to the nearest lattice point and ties go up
             continue;
         }
         const Rational place = exact_steps(lattice.origin.x, x, lattice.step_exponent) + Rational::of(1, -1);
-        const Rational expected = rounded_down(place);
+        const Rational expected = place.floor();
         REQUIRE(status == (is_in_range(expected) ? QueryStatus::ok : QueryStatus::out_of_range));
         if (status != QueryStatus::ok) {
             ++refused;
@@ -120,8 +103,8 @@ TEST_CASE("lattice: a box converts to the smallest box in whole steps that holds
             REQUIRE(status == QueryStatus::invalid_argument);
             continue;
         }
-        const Rational min = rounded_down(exact_steps(lattice.origin.x, low, lattice.step_exponent));
-        const Rational max = -rounded_down(-exact_steps(lattice.origin.x, high, lattice.step_exponent));
+        const Rational min = exact_steps(lattice.origin.x, low, lattice.step_exponent).floor();
+        const Rational max = -(-exact_steps(lattice.origin.x, high, lattice.step_exponent)).floor();
         REQUIRE(status == (is_in_range(min) && is_in_range(max) ? QueryStatus::ok : QueryStatus::out_of_range));
         if (status != QueryStatus::ok) {
             ++refused;
