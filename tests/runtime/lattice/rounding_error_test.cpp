@@ -277,7 +277,7 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
                 const Exact origin = in_steps(data, from), way = exact(world.direction);
                 const Exact rounded_origin = from_units(ray.origin, ray.fraction_bits);
                 Rational most;
-                for (std::size_t k = 0; k < 3; ++k) {
+                for (int k = 0; k < 3; ++k) {
                     if (ray.direction[k] == 0) continue;
                     for (const std::int64_t plane : {std::int64_t{0}, std::int64_t{data.extent[k]}}) {
                         const Rational tau =
@@ -285,7 +285,7 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
                         if (tau.sign() < 0) continue;
                         Exact place = rounded_origin;
                         bool is_in_box = true;
-                        for (std::size_t j = 0; j < 3; ++j) {
+                        for (int j = 0; j < 3; ++j) {
                             place[j] += tau * Rational(std::int64_t{ray.direction[j]});
                             is_in_box =
                                 is_in_box && place[j].sign() >= 0 && place[j] <= Rational(std::int64_t{data.extent[j]});
