@@ -1,17 +1,14 @@
 // In place of import/assimp in a build whose ESPALIER_COMMAND_PARTS has no assimp.
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "import/assimp/importer.hpp"
+#include "import/base/importers.hpp"
 
 namespace espalier::tools {
 
 void import_with_assimp(const std::string& path, const ImportOptions&, Imported&) {
-    throw CommandError(
-        ExitCode::unsupported,
-        text("'", printable(path), "' cannot be imported: it is no OBJ, PLY, STL, RAW or glTF, and this ",
-             "build reads no other format, because it has no assimp. Convert it, for example to glTF, ",
-             "or use a build with assimp."),
-        {.file = path});
+    throw_file_error(ExitCode::unsupported, path, " cannot be imported: it is no OBJ, PLY, STL, RAW or glTF, and this ",
+                     "build reads no other format, because it has no assimp. Convert it, for example to glTF, ",
+                     "or use a build with assimp.");
 }
 
 }  // namespace espalier::tools

@@ -1,5 +1,5 @@
 // In place of import/gltf/data/draco.cpp in a build whose ESPALIER_COMMAND_PARTS has no draco.
-#include "import/gltf/data/draco.hpp"
+#include "import/gltf/data/compression.hpp"
 
 namespace espalier::tools {
 

@@ -11,7 +11,7 @@
 #include <baker/input/zero_area.hpp>
 
 #include "baking.hpp"
-#include "base/lengths.hpp"
+#include "base/choices.hpp"
 #include "base/numbers.hpp"
 
 namespace espalier::tools {
@@ -24,15 +24,15 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
     constexpr const char* option = "--expect-size";
     const std::size_t dots = words.find("..");
     if (dots == std::string::npos) {
-        throw CommandError(ExitCode::usage, text(option, " '", printable(words),
-                                                 "': write the least and the largest size with '..' between: "
-                                                 "0.1m..10m."));
+        throw_error(ExitCode::usage, option, " '", printable(words),
+                    "': write the least and the largest size with '..' between: "
+                    "0.1m..10m.");
     }
     BakePolicy::SizeRange range{parse_length(words.substr(0, dots), option),
                                 parse_length(words.substr(dots + 2), option), words};
     if (range.least < 0.0 || range.most < range.least) {
-        throw CommandError(ExitCode::usage, text(option, " '", printable(words),
-                                                 "': the least size is zero or more, and the largest no smaller."));
+        throw_error(ExitCode::usage, option, " '", printable(words),
+                    "': the least size is zero or more, and the largest no smaller.");
     }
     return range;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
-#include "layout/blob_layout.hpp"
+#include "layout/places.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -204,9 +204,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
 std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported) {
     std::vector<Warning> warnings;
     const std::string file = only_input(imported);
-    const auto add = [&](const char* kind, const std::string& message) {
-        warnings.push_back({kind, message, file, {}, {}});
-    };
+    const auto add = [&](const char* kind, const std::string& message) { warnings.push_back({kind, message, file}); };
     for (const BakeWarning& warning : report.warnings) add(name_of_kind(warning.kind), warning.message);
     if (report.tree.triangles == 0 || policy.expected_size) return warnings;
     const double extent = report.bounds.extent;

@@ -11,8 +11,8 @@
 #include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
 #include "policy.hpp"
-#include "report/console.hpp"
-#include "report/json_output.hpp"
+#include "report/diagnostics.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 

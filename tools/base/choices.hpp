@@ -1,11 +1,18 @@
-// The names that options take, each list in the order in which help shows it.
+// The values that options take, as people write them: names, lists of them, numbers, lengths and amounts of bytes.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <espalier/bake.hpp>
+
+#include "exit_code.hpp"
+#include "numbers.hpp"
 
 namespace espalier::tools {
 
@@ -49,10 +56,48 @@ constexpr bool go_together(Profile profile, Builder builder) {
 /// The name that stands for the value; it is in the list.
 template <class Value>
 const std::string& name_in(const Choices<Value>& choices, Value value) {
-    for (const auto& choice : choices) {
-        if (choice.second == value) return choice.first;
-    }
-    return choices.front().first;
+    return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
+        ->first;
 }
+
+/// The parts between commas, each once, in the order in which they come first.
+std::vector<std::string> split_list(const std::string& input);
+
+/// Numbers from `low` to `high`. Throws CommandError (usage) that names `option`.
+std::vector<unsigned> parse_whole_numbers(const std::string& input, std::string_view option, unsigned low,
+                                          unsigned high);
+std::vector<float> parse_numbers(const std::string& input, std::string_view option, float low, float high);
+
+/// Names out of `choices`, or "all". Throws CommandError (usage) that names `option`.
+template <class Value>
+std::vector<Value> parse_names(const std::string& input, std::string_view option, const Choices<Value>& choices) {
+    std::vector<Value> result;
+    for (const std::string& name : split_list(input)) {
+        std::string names = "all";
+        bool is_known = false;
+        for (const auto& choice : choices) {
+            names += ", " + choice.first;
+            if (name != choice.first && name != "all") continue;
+            result.push_back(choice.second);
+            is_known = true;
+        }
+        if (!is_known) {
+            throw_error(ExitCode::usage, option, ": '", printable(name), "' is none of ", names,
+                        ", with commas between.");
+        }
+    }
+    return result;
+}
+
+/// Metres in one of the unit: m, km, cm, mm, um, in, ft. Nothing for any other name.
+std::optional<double> metres_in(std::string_view unit);
+
+/// The length in units of the asset, of which each is a metre unless the user scaled it. Throws CommandError (usage)
+/// that names `option` when the text is no finite length.
+double parse_length(const std::string& text, std::string_view option);
+
+/// K is 1024 bytes, M 1024 K, G 1024 M; "KiB" and "KB" mean the same as K, and so on. Fractions are rounded down.
+/// Throws CommandError (usage) that names `option` when the text is no such amount, or none above zero.
+std::uint64_t parse_byte_size(const std::string& input, std::string_view option);
 
 }  // namespace espalier::tools

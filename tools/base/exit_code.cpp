@@ -2,15 +2,14 @@
 
 #include <cstring>
 
-#include "numbers.hpp"
-
 namespace espalier::tools {
 
-void fail_to_read(const std::string& path, int error) {
-    throw CommandError(
-        ExitCode::file_access,
-        text("cannot read '", printable(path), "': ", std::strerror(error), ". Check the path and the rights on it."),
-        {.file = path});
+void fail_to_read(const std::string& path, const char* reason) {
+    throw CommandError(ExitCode::file_access,
+                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
+                       {.file = path});
 }
+
+void fail_to_read(const std::string& path, int error) { fail_to_read(path, std::strerror(error)); }
 
 }  // namespace espalier::tools

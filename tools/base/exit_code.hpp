@@ -8,14 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "numbers.hpp"
+
 namespace espalier::tools {
 
 struct Warning {
-    std::string kind;     ///< one lower-case word or several joined by '_'; part of the command's interface
-    std::string message;  ///< whole sentences: what was found, where, and what to do
-    std::string file;     ///< empty for a warning about the whole bake
-    std::optional<std::uint32_t> mesh;
-    std::optional<std::uint64_t> triangle;
+    std::string kind;       ///< one lower-case word or several joined by '_'; part of the command's interface
+    std::string message;    ///< whole sentences: what was found, where, and what to do
+    std::string file = {};  ///< empty for a warning about the whole bake
+    std::optional<std::uint32_t> mesh = {};
+    std::optional<std::uint64_t> triangle = {};
 };
 
 enum class ExitCode : int {
@@ -32,25 +34,11 @@ inline constexpr const char* exit_code_help =
     "Exit status: 0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported, "
     "6 query refused or answered in part.";
 
-/// The name of an exit status other than ok: "invalid_input".
+/// The name of an exit status: "invalid_input".
 constexpr const char* name_of(ExitCode code) {
-    switch (code) {
-        case ExitCode::ok:
-            return "ok";
-        case ExitCode::usage:
-            return "usage";
-        case ExitCode::file_access:
-            return "file_access";
-        case ExitCode::invalid_input:
-            return "invalid_input";
-        case ExitCode::internal:
-            return "internal";
-        case ExitCode::unsupported:
-            return "unsupported";
-        case ExitCode::no_answer:
-            return "no_answer";
-    }
-    return "internal";
+    constexpr const char* names[] = {"ok",       "usage",       "file_access", "invalid_input",
+                                     "internal", "unsupported", "no_answer"};
+    return names[static_cast<int>(code)];
 }
 
 /// Details of an error for scripts, in addition to exit status and message. All of them may be empty.
@@ -77,7 +65,20 @@ private:
     ErrorDetails details_;
 };
 
-/// Throws CommandError (file_access) with the reason, a value of errno.
+/// Throws CommandError with the parts as its message.
+template <class... Parts>
+[[noreturn]] void throw_error(ExitCode code, const Parts&... parts) {
+    throw CommandError(code, text(parts...));
+}
+
+/// Throws CommandError about a file, whose name in quotes and the parts are its message.
+template <class... Parts>
+[[noreturn]] void throw_file_error(ExitCode code, const std::string& path, const Parts&... parts) {
+    throw CommandError(code, text('\'', printable(path), '\'', parts...), {.file = path});
+}
+
+/// Throws CommandError (file_access) with a reason, which may be a value of errno.
+[[noreturn]] void fail_to_read(const std::string& path, const char* reason);
 [[noreturn]] void fail_to_read(const std::string& path, int error);
 
 }  // namespace espalier::tools

@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/numbers.hpp"
-#include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "usage_error.hpp"
 
 namespace espalier::tools {

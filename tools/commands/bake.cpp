@@ -6,19 +6,15 @@
 #include <vector>
 
 #include "bake/baking.hpp"
-#include "bake/deformation.hpp"
-#include "bake/lattice_step.hpp"
+#include "bake/options.hpp"
 #include "bake/outputs.hpp"
 #include "bake/policy.hpp"
-#include "bake/reordered_mesh.hpp"
 #include "bake/report.hpp"
-#include "bake/source_options.hpp"
-#include "base/lengths.hpp"
+#include "base/choices.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
-#include "files/output_names.hpp"
+#include "files/outputs.hpp"
 #include "files/blob_file.hpp"
-#include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "scenes/baking.hpp"
 #include "scenes/report.hpp"
@@ -33,7 +29,7 @@ namespace {
 double error_bound(const std::string& length, const char* option) {
     const double bound = parse_length(length, option);
     if (bound <= 0.0) {
-        throw CommandError(ExitCode::usage, text(option, ' ', printable(length), ": it must be above zero."));
+        throw_error(ExitCode::usage, option, ' ', printable(length), ": it must be above zero.");
     }
     return bound;
 }
@@ -54,9 +50,9 @@ BuildOptions build_options(const BakeArguments& arguments) {
     if (arguments.builder) build.builder = *arguments.builder;
     if (arguments.duplicate_budget) {
         if (build.builder != Builder::spatial_splits) {
-            throw CommandError(ExitCode::usage,
-                               "--duplicate-budget needs --builder spatial_splits: the other builders store each "
-                               "triangle once.");
+            throw_error(ExitCode::usage,
+                        "--duplicate-budget needs --builder spatial_splits: the other builders store each "
+                        "triangle once.");
         }
         build.duplicate_budget = *arguments.duplicate_budget;
     }
@@ -124,8 +120,8 @@ void refuse_options_of_blobs(const BakeArguments& arguments) {
                                                   {"--max-error", arguments.max_error.has_value()}};
     for (const auto& [option, is_given] : given) {
         if (!is_given) continue;
-        throw CommandError(ExitCode::usage, text(option, " is for one blob, and --instances makes a scene of several. ",
-                                                 "Leave one of them out."));
+        throw_error(ExitCode::usage, option, " is for one blob, and --instances makes a scene of several. ",
+                    "Leave one of them out.");
     }
 }
 

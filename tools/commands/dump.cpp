@@ -8,9 +8,7 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "layout/blob_listing.hpp"
-#include "layout/byte_listing.hpp"
-#include "layout/scene_listing.hpp"
+#include "layout/listing.hpp"
 
 namespace espalier::tools {
 

@@ -10,11 +10,10 @@
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/embedding.hpp"
-#include "files/output_file.hpp"
-#include "files/output_names.hpp"
+#include "files/outputs.hpp"
 #include "platform/paths.hpp"
-#include "report/console.hpp"
-#include "report/json_output.hpp"
+#include "report/diagnostics.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -28,17 +27,16 @@ EmbeddingLanguage language_of(const std::string& output) {
     const std::string ending = text_of(path_of(output).extension());
     if (ending == ".c" || ending == ".cpp") return EmbeddingLanguage::c;
     if (ending == ".S") return EmbeddingLanguage::assembler;
-    throw CommandError(ExitCode::usage,
-                       text("-o '", printable(output), "': its ending selects the language: .c or .cpp ",
-                            "for an array, .S for assembler."));
+    throw_error(ExitCode::usage, "-o '", printable(output), "': its ending selects the language: .c or .cpp ",
+                "for an array, .S for assembler.");
 }
 
 std::string symbol_of(const EmbedArguments& arguments) {
     std::string symbol = arguments.symbol.empty() ? text_of(path_of(arguments.output).stem()) : arguments.symbol;
     if (is_variable_name(symbol)) return symbol;
-    throw CommandError(ExitCode::usage,
-                       text("'", printable(symbol), "' cannot name a variable in C and C++. Give --symbol a name of ",
-                            "letters, digits and single underscores, that starts with a letter and is no keyword."));
+    throw_error(ExitCode::usage, "'", printable(symbol),
+                "' cannot name a variable in C and C++. Give --symbol a name of ",
+                "letters, digits and single underscores, that starts with a letter and is no keyword.");
 }
 
 std::string section_of(const EmbedArguments& arguments, const std::string& symbol) {
@@ -48,23 +46,23 @@ std::string section_of(const EmbedArguments& arguments, const std::string& symbo
                (character >= '0' && character <= '9') || character == '.' || character == '_';
     });
     if (is_plain) return arguments.section;
-    throw CommandError(ExitCode::usage, text("--section '", printable(arguments.section),
-                                             "': a section's name has letters, digits, dots and underscores."));
+    throw_error(ExitCode::usage, "--section '", printable(arguments.section),
+                "': a section's name has letters, digits, dots and underscores.");
 }
 
 unsigned alignment_of(const EmbedArguments& arguments) {
     const unsigned alignment = arguments.alignment;
     if (alignment != 0 && alignment <= largest_alignment && (alignment & (alignment - 1)) == 0) return alignment;
-    throw CommandError(ExitCode::usage, text("--alignment ", alignment, ": an alignment is a power of two up to ",
-                                             largest_alignment, '.'));
+    throw_error(ExitCode::usage, "--alignment ", alignment, ": an alignment is a power of two up to ",
+                largest_alignment, '.');
 }
 
 /// As the assembler finds it in an include folder.
 std::string blob_name(const EmbedArguments& arguments) {
     std::string name = text_of(path_of(arguments.blob).filename());
     if (name == printable(name)) return name;
-    throw CommandError(ExitCode::usage, text("'", printable(name), "': a name with control characters cannot stand in ",
-                                             "assembler. Rename the blob, or write C."));
+    throw_error(ExitCode::usage, "'", printable(name), "': a name with control characters cannot stand in ",
+                "assembler. Rename the blob, or write C.");
 }
 
 /// Throws CommandError when the bytes are neither a blob nor a scene that opens.
@@ -95,8 +93,8 @@ ExitCode run_embed(const EmbedArguments& arguments) {
     const std::vector<std::byte> bytes = read_file(arguments.blob);
     require_sound(arguments.blob, bytes);
     if (bytes.size() > most_bytes) {
-        throw CommandError(ExitCode::unsupported, text("'", printable(arguments.blob), "' has more than ", most_bytes,
-                                                       " bytes, too many to link. Map it from a file."));
+        throw_error(ExitCode::unsupported, "'", printable(arguments.blob), "' has more than ", most_bytes,
+                    " bytes, too many to link. Map it from a file.");
     }
     embedding.bytes = bytes;
     if (!arguments.header.empty()) {

@@ -6,17 +6,15 @@
 #include <espalier/deformation.hpp>
 
 #include "bake/policy.hpp"
-#include "bake/source_options.hpp"
+#include "bake/baking.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "files/output_file.hpp"
-#include "files/output_names.hpp"
-#include "import/base/positions.hpp"
-#include "layout/blob_layout.hpp"
-#include "report/console.hpp"
+#include "files/outputs.hpp"
+#include "import/base/imported.hpp"
+#include "layout/places.hpp"
 #include "report/diagnostics.hpp"
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -34,10 +32,8 @@ struct Refitted {
 
 void require_deformable(const RefitArguments& arguments, const Blob& blob) {
     if (blob.is_deformable()) return;
-    throw CommandError(
-        ExitCode::unsupported,
-        text("'", printable(arguments.blob), "' is not deformable. Bake it with 'espalier bake --deformable'."),
-        {.file = arguments.blob});
+    throw_file_error(ExitCode::unsupported, arguments.blob,
+                     " is not deformable. Bake it with 'espalier bake --deformable'.");
 }
 
 /// Throws CommandError (invalid_input) for a pose that refit() refuses.
@@ -45,11 +41,9 @@ void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const 
                  const std::vector<Vec3>& positions, const RefitResult& result) {
     const std::string blob = text('\'', printable(arguments.blob), '\'');
     if (positions.size() != mesh.position_count()) {
-        throw CommandError(
-            ExitCode::invalid_input,
-            text("'", printable(arguments.pose), "' has ", counted(positions.size(), "vertex"), ", and the mesh of ",
-                 blob, " has ", mesh.position_count(), ". A pose has all vertices of the mesh, in the same order."),
-            {.file = arguments.pose});
+        throw_file_error(ExitCode::invalid_input, arguments.pose, " has ", counted(positions.size(), "vertex"),
+                         ", and the mesh of ", blob, " has ", mesh.position_count(),
+                         ". A pose has all vertices of the mesh, in the same order.");
     }
     const Vec3& position = positions[result.position];
     if (result.status == QueryStatus::out_of_range) {
@@ -73,9 +67,9 @@ Refitted refitted(const RefitArguments& arguments, const BlobFile& file, const I
     static_cast<void>(seal(mesh, refitted.bytes));
     refitted.blob = open(refitted.bytes);
     if (!refitted.blob) {
-        throw CommandError(ExitCode::internal, text("the refitted blob is refused by this program's own reader: ",
-                                                    describe(refitted.blob.status()),
-                                                    ". Nothing was written; please report the blob and the pose."));
+        throw_error(ExitCode::internal,
+                    "the refitted blob is refused by this program's own reader: ", describe(refitted.blob.status()),
+                    ". Nothing was written; please report the blob and the pose.");
     }
     return refitted;
 }

@@ -12,15 +12,11 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "files/output_file.hpp"
-#include "files/output_names.hpp"
+#include "files/outputs.hpp"
 #include "render/camera.hpp"
-#include "render/image.hpp"
 #include "render/shading.hpp"
-#include "render/subject.hpp"
-#include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -41,9 +37,8 @@ PictureSize picture_size(const std::string& input) {
     const auto height = times ? std::from_chars(width.ptr + 1, end, size.height) : width;
     const auto sound = [](unsigned side) { return side >= 1 && side <= largest_side; };
     if (!times || height.ec != std::errc{} || height.ptr != end || !sound(size.width) || !sound(size.height)) {
-        throw CommandError(ExitCode::usage,
-                           text("--size '", printable(input),
-                                "': write width and height such as 1280x720, each from 1 to ", largest_side, '.'));
+        throw_error(ExitCode::usage, "--size '", printable(input),
+                    "': write width and height such as 1280x720, each from 1 to ", largest_side, '.');
     }
     return size;
 }

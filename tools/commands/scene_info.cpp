@@ -12,11 +12,10 @@
 
 #include "base/numbers.hpp"
 #include "files/blob_file.hpp"
-#include "layout/blob_layout.hpp"
-#include "layout/scene_layout.hpp"
+#include "layout/places.hpp"
 #include "layout/tree_quality.hpp"
-#include "report/console.hpp"
-#include "report/json_output.hpp"
+#include "report/diagnostics.hpp"
+#include "report/json.hpp"
 #include "scenes/plan.hpp"
 
 namespace espalier::tools {

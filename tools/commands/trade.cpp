@@ -7,20 +7,16 @@
 #include <runtime/lanes/select.hpp>
 
 #include "bake/policy.hpp"
-#include "bake/source_options.hpp"
+#include "bake/baking.hpp"
 #include "base/choices.hpp"
-#include "base/lists.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
-#include "files/output_file.hpp"
-#include "files/output_names.hpp"
+#include "files/outputs.hpp"
 #include "platform/paths.hpp"
-#include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/json_output.hpp"
-#include "trade/chart.hpp"
-#include "trade/measure.hpp"
+#include "report/json.hpp"
 #include "trade/point.hpp"
+#include "trade/measure.hpp"
 
 namespace espalier::tools {
 

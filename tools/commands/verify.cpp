@@ -9,14 +9,13 @@
 #include <espalier/bake.hpp>
 
 #include "bake/policy.hpp"
-#include "bake/source_options.hpp"
+#include "bake/baking.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "import/files.hpp"
-#include "report/console.hpp"
 #include "report/diagnostics.hpp"
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 #include "source_check.hpp"
 
 namespace espalier::tools {

@@ -27,8 +27,7 @@ std::vector<std::byte> read_file(const std::string& path) {
     for (std::size_t count = chunk; count == chunk;) {
         const std::size_t have = bytes.size();
         if (have > largest_blob) {
-            throw CommandError(ExitCode::unsupported,
-                               text("'", printable(path), "' is larger than 4 GiB, which no blob is."), {.file = path});
+            throw_file_error(ExitCode::unsupported, path, " is larger than 4 GiB, which no blob is.");
         }
         bytes.resize(have + chunk);
         count = file.read(std::span(bytes).subspan(have));
@@ -64,10 +63,8 @@ BlobFile open_blob_file(const std::string& path) { return open_blob(path, read_f
 
 BlobFile open_blob(const std::string& path, std::vector<std::byte> bytes) {
     if (is_scene(bytes)) {
-        throw CommandError(
-            ExitCode::unsupported,
-            text("'", printable(path), "' is a scene, and a blob is needed here. Bake one without --instances."),
-            {.file = path});
+        throw_file_error(ExitCode::unsupported, path,
+                         " is a scene, and a blob is needed here. Bake one without --instances.");
     }
     BlobFile file;
     file.bytes = std::move(bytes);
@@ -100,9 +97,9 @@ SceneFile open_scene_file(const std::string& path, std::span<const std::byte> by
 SceneFile opened_scene(const std::string& path, std::span<const std::byte> bytes) {
     SceneFile file = try_open_scene(bytes);
     if (file.scene) return file;
-    throw CommandError(ExitCode::internal,
-                       text("the scene baked for '", printable(path), "' is refused by this program's own reader: ",
-                            describe(file.scene.status()), ". Nothing was written; please report the files."));
+    throw_error(ExitCode::internal, "the scene baked for '", printable(path),
+                "' is refused by this program's own reader: ", describe(file.scene.status()),
+                ". Nothing was written; please report the files.");
 }
 
 }  // namespace espalier::tools

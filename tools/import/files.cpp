@@ -11,10 +11,8 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "import/assimp/importer.hpp"
-#include "import/gltf/importer.hpp"
+#include "import/base/importers.hpp"
 #include "import/guards/limit_guard.hpp"
-#include "import/readers/readers.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
@@ -24,7 +22,7 @@ namespace {
 
 void require_readable(const std::string& path) {
     if (path == "-") {
-        throw CommandError(ExitCode::usage, "-: a mesh needs the name of a file, by whose ending it is read.");
+        throw_error(ExitCode::usage, "-: a mesh needs the name of a file, by whose ending it is read.");
     }
     std::error_code error;
     const auto status = std::filesystem::status(path_of(path), error);
@@ -38,8 +36,7 @@ void require_readable(const std::string& path) {
     } else if (const InputFile file(path_of(path)); file.error() != 0) {
         reason = std::strerror(file.error());
     } else if (file.size() == 0) {
-        throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' is empty. Export it again."),
-                           {.file = path});
+        throw_file_error(ExitCode::invalid_input, path, " is empty. Export it again.");
     }
     if (reason == nullptr) return;
     throw CommandError(ExitCode::file_access,
@@ -53,10 +50,8 @@ using Import = void(const std::string& path, const ImportOptions& options, Impor
 /// has three of its own, and assimp joins and sorts those of the other formats.
 void require_kept_vertices(Import* import, const std::string& path) {
     if (import == import_obj || import == import_ply) return;
-    throw CommandError(ExitCode::unsupported,
-                       text("'", printable(path), "' is read without the order of its vertices, by which poses of a ",
-                            "deformable mesh match. Export it as OBJ, PLY or glTF."),
-                       {.file = path});
+    throw_file_error(ExitCode::unsupported, path, " is read without the order of its vertices, by which poses of a ",
+                     "deformable mesh match. Export it as OBJ, PLY or glTF.");
 }
 
 /// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
@@ -67,10 +62,8 @@ Import* importer_of(const std::string& path) {
     if (file.error() != 0) fail_to_read(path, file.error());
     const std::string_view content(begin, sizeof(begin));
     if (content.starts_with("ESPL") || content.starts_with("ESPS")) {
-        throw CommandError(ExitCode::unsupported,
-                           text("'", printable(path), "' is a ", content[3] == 'L' ? "blob" : "scene",
-                                " already. Give the mesh that it was baked from."),
-                           {.file = path});
+        throw_file_error(ExitCode::unsupported, path, " is a ", content[3] == 'L' ? "blob" : "scene",
+                         " already. Give the mesh that it was baked from.");
     }
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
     std::string ending = text_of(path_of(path).extension());
@@ -112,9 +105,7 @@ void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
     file.warnings.push_back({"up_axis_kept",
                              text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
                                   axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
-                             file.path,
-                             {},
-                             {}});
+                             file.path});
 }
 
 }  // namespace

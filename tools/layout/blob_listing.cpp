@@ -1,4 +1,4 @@
-#include "blob_listing.hpp"
+#include "listing.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -11,9 +11,7 @@
 #include <runtime/blob/id_steps.hpp>
 
 #include "base/numbers.hpp"
-#include "blob_layout.hpp"
-#include "byte_listing.hpp"
-#include "node_listing.hpp"
+#include "places.hpp"
 
 namespace espalier::tools {
 

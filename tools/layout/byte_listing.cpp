@@ -1,12 +1,11 @@
-#include "byte_listing.hpp"
+#include "listing.hpp"
 
 #include <algorithm>
 #include <iostream>
 #include <string>
 
 #include "base/numbers.hpp"
-#include "blob_layout.hpp"
-#include "report/console.hpp"
+#include "places.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

@@ -1,4 +1,4 @@
-#include "node_listing.hpp"
+#include "listing.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,7 +7,7 @@
 #include <espalier/format.hpp>
 
 #include "base/numbers.hpp"
-#include "blob_layout.hpp"
+#include "places.hpp"
 
 namespace espalier::tools {
 

@@ -1,13 +1,9 @@
-#include "scene_listing.hpp"
+#include "listing.hpp"
 
 #include <espalier/format.hpp>
 
 #include "base/numbers.hpp"
-#include "blob_listing.hpp"
-#include "blob_layout.hpp"
-#include "byte_listing.hpp"
-#include "node_listing.hpp"
-#include "scene_layout.hpp"
+#include "places.hpp"
 
 namespace espalier::tools {
 

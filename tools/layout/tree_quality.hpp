@@ -6,7 +6,7 @@
 
 #include <espalier/blob.hpp>
 
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "base/choices.hpp"
 #include "base/numbers.hpp"
-#include "call.hpp"
-#include "report/console.hpp"
+#include "kinds.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -34,6 +34,21 @@ std::string triangle_text(const Blob& blob, TriangleId triangle) {
     return result;
 }
 
+/// As they are spelled in status.hpp.
+const Choices<QueryStatus> statuses{{"ok", QueryStatus::ok},
+                                    {"stopped", QueryStatus::stopped},
+                                    {"invalid_argument", QueryStatus::invalid_argument},
+                                    {"out_of_range", QueryStatus::out_of_range},
+                                    {"not_closed", QueryStatus::not_closed},
+                                    {"work_limit", QueryStatus::work_limit},
+                                    {"output_full", QueryStatus::output_full},
+                                    {"not_found", QueryStatus::not_found},
+                                    {"not_open", QueryStatus::not_open},
+                                    {"no_data", QueryStatus::no_data},
+                                    {"no_room", QueryStatus::no_room},
+                                    {"stale_handle", QueryStatus::stale_handle},
+                                    {"not_refitted", QueryStatus::not_refitted}};
+
 }  // namespace
 
 Record& Record::title(std::string_view line) {
@@ -53,6 +68,9 @@ Record& Record::put(const char* key, Json json, std::string_view line) {
 Record& Record::add(const char* key, float value) { return put(key, json_number(value), shortest(value)); }
 Record& Record::add(const char* key, Vec3 value) { return put(key, json_point(value), shortest(value)); }
 Record& Record::add(const char* key, const std::string& value) { return put(key, value, value); }
+Record& Record::add(const char* key, Side value) {
+    return add(key, std::string(value == Side::front ? "front" : "back"));
+}
 Record& Record::add_count(const char* key, std::uint64_t value) { return put(key, value, tools::text(value)); }
 
 Record& Record::add(const char* key, const Box& value) {
@@ -122,6 +140,11 @@ Record& Record::triangle(const BakedScene& scene, InstanceId instance, TriangleI
     return this->triangle(mesh_at(scene, instance).value, triangle, place);
 }
 
+Record& Record::triangle(const QueryCall& call, TriangleId triangle, std::string_view before, InstanceId instance) {
+    if (const BakedScene* scene = call.scene()) return this->triangle(*scene, instance, triangle, before);
+    return this->triangle(call.blob(), triangle, before);
+}
+
 std::string Record::text() const {
     std::string result = title_;
     for (const std::string& line : lines_) result += (result.empty() ? "  " : "\n  ") + line;
@@ -159,37 +182,7 @@ Answer& Answer::counted_list(const char* name, const char* singular, const std::
 
 QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
 
-const char* name_of(QueryStatus status) {
-    switch (status) {
-        case QueryStatus::ok:
-            return "ok";
-        case QueryStatus::stopped:
-            return "stopped";
-        case QueryStatus::invalid_argument:
-            return "invalid_argument";
-        case QueryStatus::out_of_range:
-            return "out_of_range";
-        case QueryStatus::not_closed:
-            return "not_closed";
-        case QueryStatus::work_limit:
-            return "work_limit";
-        case QueryStatus::output_full:
-            return "output_full";
-        case QueryStatus::not_found:
-            return "not_found";
-        case QueryStatus::not_open:
-            return "not_open";
-        case QueryStatus::no_data:
-            return "no_data";
-        case QueryStatus::no_room:
-            return "no_room";
-        case QueryStatus::stale_handle:
-            return "stale_handle";
-        case QueryStatus::not_refitted:
-            return "not_refitted";
-    }
-    return "unknown";
-}
+QueryStatus refusal(QueryStatus status) { return is_refused(status) ? status : QueryStatus::ok; }
 
 ExitCode print_answer(const char* kind, const Answer& answer, const std::string& reason) {
     const bool is_whole = answer.status == QueryStatus::ok || answer.status == QueryStatus::output_full;
@@ -198,7 +191,7 @@ ExitCode print_answer(const char* kind, const Answer& answer, const std::string&
     if (answer.record.as_json()) {
         Json document = json_document();
         document["query"] = kind;
-        document["status"] = name_of(answer.status);
+        document["status"] = name_in(statuses, answer.status);
         if (is_answer) document.update(answer.record.json());
         if (is_answer && answer.list_name != nullptr) {
             Json& list = document[answer.list_name] = Json::array();

@@ -12,7 +12,7 @@
 #include <espalier/statistics.hpp>
 
 #include "base/exit_code.hpp"
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -30,6 +30,7 @@ public:
     }
     Record& add(const char* key, float value);
     Record& add(const char* key, Vec3 value);
+    Record& add(const char* key, Side value);
     Record& add(const char* key, const std::string& value);
     Record& add(const char* key, const Box& value);
     Record& add_count(const char* key, std::uint64_t value);
@@ -44,6 +45,9 @@ public:
 
     /// "instance 4 of mesh 0, triangle 5" is the title, after `before`.
     Record& triangle(const BakedScene& scene, InstanceId instance, TriangleId triangle, std::string_view before = "");
+    /// One of these, of the blob or of an instance of the scene that the query is of.
+    Record& triangle(const QueryCall& call, TriangleId triangle, std::string_view before,
+                     InstanceId instance = no_instance);
     /// Names an instance: "instance 4 of mesh 0" is the title.
     Record& instance(const BakedScene& scene, InstanceId instance);
 
@@ -68,6 +72,8 @@ struct Answer {
     const char* list_name = nullptr;  ///< the key of the list in JSON; without one there is no list
     std::vector<Record> list;
 
+    /// Appends a record to the list.
+    Record& add() { return list.emplace_back(record.as_json()); }
     /// A key that is true or false, and the words for it.
     Answer& yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no);
     /// Whether the list is as long as --limit allows; then counted_list reports that there are more.
@@ -83,8 +89,8 @@ private:
 
 /// The status of an answer that has words for a miss: that nothing was found is an answer like any other.
 QueryStatus complete(QueryStatus status);
-/// A status as it is spelled in status.hpp.
-const char* name_of(QueryStatus status);
+/// The status of a refused query, else ok. What the record of a refused query holds is not printed.
+QueryStatus refusal(QueryStatus status);
 
 /// Prints the answer to stdout, of a refused query the status alone and that in JSON only. Returns no_answer and
 /// reports the reason on stderr when the query was refused or answered in part.

@@ -15,14 +15,13 @@ const Choices<EdgeKind> edge_choices{{"flat", EdgeKind::flat},
                                      {"boundary", EdgeKind::boundary}};
 
 Answer bounds_answer(QueryCall& call) {
-    if (const BakedScene* scene = call.scene()) {
-        Answer answer(call);
-        answer.record.title("bounds").add("box", scene->bounds());
-        return answer;
-    }
     const Blob& blob = call.blob();
     Answer answer(call);
     Record& record = answer.record.title("bounds");
+    if (call.scene() != nullptr) {
+        record.add("box", call.scene()->bounds());
+        return answer;
+    }
     record.add("box", Box{blob.bounds().min, blob.bounds().max});
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         Record inner(record.as_json());
@@ -88,17 +87,17 @@ Feature feature_named(const std::string& name) {
         if (name == choice.first) return choice.second;
         names += (names.empty() ? "" : ", ") + choice.first;
     }
-    throw CommandError(ExitCode::usage, text("feature: '", printable(name), "' is none of ", names, '.'));
+    throw_error(ExitCode::usage, "feature: '", printable(name), "' is none of ", names, '.');
 }
 
 Answer contact_answer(QueryCall& call) {
     const TriangleId triangle = call.next_triangle();
-    const Feature feature = feature_named(call.next_name());
+    const Feature feature = feature_named(call.next<std::string>());
     const Vec3 normal = call.next<Vec3>();
     Answer answer(call);
     if (!call.blob().has_edge_flags()) {
-        throw CommandError(ExitCode::unsupported, text("'", printable(call.options().blob),
-                                                       "' stores no edge flags: bake it with --flat-angle."));
+        throw_error(ExitCode::unsupported, "'", printable(call.options().blob),
+                    "' stores no edge flags: bake it with --flat-angle.");
     }
     const Vec3 fixed = fix_internal_edge_normal(call.blob(), triangle, feature, normal);
     answer.yes_or_no("fixed", fixed != normal, "fixed, on an internal edge", "unchanged");
@@ -117,7 +116,7 @@ Answer triangles_answer(QueryCall& call) {
             next = triangle.index;
             return Visit::stop;
         }
-        add_corners(answer.list.emplace_back(options.json).triangle(call.blob(), triangle), corners);
+        add_corners(answer.add().triangle(call.blob(), triangle), corners);
         return Visit::next;
     });
     return answer.counted_list("triangles", "triangle", &next);

@@ -1,20 +1,20 @@
-#include "call.hpp"
+#include "kinds.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 #include <utility>
 
-#include "base/lengths.hpp"
+#include "base/choices.hpp"
 #include "base/numbers.hpp"
-#include "kinds.hpp"
 
 namespace espalier::tools {
 
 float number_argument(const std::string& input, std::string_view name) {
     const std::optional<float> value = parse_float(input);
-    if (!value) throw CommandError(ExitCode::usage, text(name, ": '", printable(input), "' is no number."));
+    if (!value) throw_error(ExitCode::usage, name, ": '", printable(input), "' is no number.");
     return *value;
 }
 
@@ -34,8 +34,7 @@ std::uint32_t mask_argument(const std::string& input) {
     std::uint32_t mask = 0;
     const auto [stopped, error] = std::from_chars(begin, end, mask, is_hexadecimal ? 16 : 10);
     if (error == std::errc() && stopped == end) return mask;
-    throw CommandError(ExitCode::usage,
-                       text("--mask: '", printable(input), "' is no number of 32 bits. Write it as 6 or as 0x6."));
+    throw_error(ExitCode::usage, "--mask: '", printable(input), "' is no number of 32 bits. Write it as 6 or as 0x6.");
 }
 
 /// An option of which blobs and scenes do not all take the same.
@@ -65,8 +64,8 @@ QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : a
     const std::size_t given = arguments.words.size();
     const std::optional<std::vector<const QueryWord*>> words = words_of(kind, given);
     if (!words) {
-        throw CommandError(ExitCode::usage, text("query ", kind.name, " takes ", counted(word_count(kind), "argument"),
-                                                 ": ", words_text(kind), "; here are ", given, '.'));
+        throw_error(ExitCode::usage, "query ", kind.name, " takes ", counted(word_count(kind), "argument"), ": ",
+                    words_text(kind), "; here are ", given, '.');
     }
     std::size_t next = 0;
     for (const QueryWord* word : *words)
@@ -103,107 +102,29 @@ void QueryCall::open_asset(const QueryKind& kind) {
 }
 
 void QueryCall::read_word(const std::string& input, const QueryWord& word) {
-    switch (word.type) {
-        case QueryWord::Type::length:
-            numbers_.push_back(length_argument(input, word.name));
-            return;
-        case QueryWord::Type::number:
-            numbers_.push_back(number_argument(input, word.name));
-            return;
-        case QueryWord::Type::index: {
-            const std::optional<double> value = parse_double(input);
-            if (!value || !(*value >= 0.0 && *value <= 4294967295.0) || *value != std::floor(*value)) {
-                throw CommandError(ExitCode::usage,
-                                   text(word.name, ": '", printable(input), "' is no whole number from 0 on."));
-            }
-            indices_.push_back(static_cast<std::uint32_t>(*value));
-            return;
-        }
-        case QueryWord::Type::steps: {
-            const std::optional<double> value = parse_double(input);
-            if (!value || !(*value >= -2147483648.0 && *value <= 2147483647.0) || *value != std::floor(*value)) {
-                throw CommandError(ExitCode::usage, text(word.name, ": '", printable(input),
-                                                         "' is no whole number of lattice steps of 32 bits."));
-            }
-            steps_.push_back(static_cast<std::int32_t>(*value));
-            return;
-        }
-        case QueryWord::Type::name:
-            names_.push_back(input);
-            return;
-    }
+    using Type = QueryWord::Type;
+    const auto whole = [&]<class Whole>(Whole least, const char* problem) {
+        const std::optional<double> value = parse_double(input);
+        const bool is_within = value && *value >= double(least) && *value <= double(std::numeric_limits<Whole>::max());
+        if (!is_within || *value != std::floor(*value))
+            throw_error(ExitCode::usage, word.name, ": '", printable(input), problem);
+        words_.emplace_back(static_cast<Whole>(*value));
+    };
+    if (word.type == Type::length) words_.emplace_back(length_argument(input, word.name));
+    if (word.type == Type::number) words_.emplace_back(number_argument(input, word.name));
+    if (word.type == Type::index) whole(std::uint32_t{0}, "' is no whole number from 0 on.");
+    if (word.type == Type::steps)
+        whole(std::numeric_limits<std::int32_t>::min(), "' is no whole number of lattice steps of 32 bits.");
+    if (word.type == Type::name) words_.emplace_back(input);
 }
-
-float QueryCall::next_number() { return numbers_.at(number_++); }
-
-template <>
-Vec3 QueryCall::next() {
-    const float x = next_number(), y = next_number(), z = next_number();
-    return {x, y, z};
-}
-
-template <>
-LatticePoint QueryCall::next() {
-    LatticePoint result;
-    for (std::int32_t* coordinate : {&result.x, &result.y, &result.z}) *coordinate = steps_.at(step_++);
-    return result;
-}
-
-template <>
-Sphere QueryCall::next() {
-    const auto center = next<Vec3>();
-    return {center, next_number()};
-}
-
-template <>
-Capsule QueryCall::next() {
-    const auto from = next<Vec3>(), to = next<Vec3>();
-    return {from, to, next_number()};
-}
-
-template <>
-Box QueryCall::next() {
-    const auto min = next<Vec3>();
-    return {min, next<Vec3>()};
-}
-
-template <>
-LatticeBox QueryCall::next() {
-    const auto min = next<LatticePoint>();
-    return {min, next<LatticePoint>()};
-}
-
-template <>
-OrientedBox QueryCall::next() {
-    OrientedBox box;
-    box.center = next<Vec3>();
-    for (Vec3& half_axis : box.half_axes) half_axis = next<Vec3>();
-    return box;
-}
-
-template <>
-Cone QueryCall::next() {
-    const auto apex = next<Vec3>(), axis = next<Vec3>();
-    return {apex, axis, next_number()};
-}
-
-template <>
-Triangle QueryCall::next() {
-    const auto a = next<Vec3>(), b = next<Vec3>();
-    return {a, b, next<Vec3>()};
-}
-
-std::uint32_t QueryCall::next_index() { return indices_.at(index_++); }
 
 TriangleId QueryCall::next_triangle() {
-    const TriangleId triangle{next_index()};
+    const TriangleId triangle{next<std::uint32_t>()};
     if (triangle.index >= blob().triangle_count()) {
-        throw CommandError(ExitCode::usage, text("triangle ", triangle.index, ": the blob has ",
-                                                 counted(blob().triangle_count(), "triangle"), ", counted from 0."));
+        throw_error(ExitCode::usage, "triangle ", triangle.index, ": the blob has ",
+                    counted(blob().triangle_count(), "triangle"), ", counted from 0.");
     }
     return triangle;
 }
-
-const std::string& QueryCall::next_name() { return names_.at(name_++); }
 
 }  // namespace espalier::tools

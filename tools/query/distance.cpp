@@ -11,106 +11,70 @@ namespace {
 
 float max_distance(const QueryCall& call) { return length_argument(call.options().max_distance, "--max-distance"); }
 
-/// Adds the values of a closest point; of a segment or a box its own point too.
-void add_closest_values(Record& record, const ClosestPoint& nearest, bool has_shape) {
+/// Adds a closest point, in the instance if the query is of a scene; of a segment or a box its own point too.
+void add_nearest(Record& record, const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false,
+                 InstanceId instance = no_instance) {
+    record.triangle(call, nearest.triangle, "nearest ", instance);
     record.add("distance", nearest.distance).add("point", nearest.point);
     if (has_shape) record.add("on_shape", nearest.on_shape);
     record.add("feature", name_in(feature_choices, nearest.feature)).add("u", nearest.u).add("v", nearest.v);
-    record.add("face_normal", nearest.face_normal)
-        .add("side", std::string(nearest.side == Side::front ? "front" : "back"));
+    record.add("face_normal", nearest.face_normal).add("side", nearest.side);
 }
 
-void add_nearest(Record& record, const Blob& blob, const ClosestPoint& nearest, bool has_shape = false) {
-    add_closest_values(record.triangle(blob, nearest.triangle, "nearest "), nearest, has_shape);
-}
-
-Answer nearest_in_scene(const QueryCall& call, const BakedScene& scene, Vec3 point) {
-    const InScene<ClosestPoint> nearest = closest_point(scene, point, max_distance(call), call.mask());
-    Answer answer(call);
-    if (is_refused(nearest->status)) {
-        answer.status = nearest->status;
-        return answer;
-    }
+Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false,
+                      InstanceId instance = no_instance) {
+    Answer answer(call, refusal(nearest.status));
     answer.record.title("nothing within that distance").add_silently("found", bool(nearest));
-    if (nearest)
-        add_closest_values(answer.record.triangle(scene, nearest.instance, nearest->triangle, "nearest "), *nearest,
-                           false);
-    return answer;
-}
-
-Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false) {
-    Answer answer(call);
-    if (is_refused(nearest.status)) {
-        answer.status = nearest.status;
-        return answer;
-    }
-    answer.record.add_silently("found", bool(nearest));
-    if (nearest) add_nearest(answer.record, call.blob(), nearest, has_shape);
-    else answer.record.title("nothing within that distance");
+    if (nearest) add_nearest(answer.record, call, nearest, has_shape, instance);
     return answer;
 }
 
 Answer distance_bounds_answer(const QueryCall& call, Vec3 point, float limit) {
     const float accuracy = length_argument(call.options().accuracy, "--accuracy");
-    Answer answer(call);
     QueryCounters counters;
     const Result<DistanceBounds> bounds = distance_bounds(call.blob(), point, limit, Accuracy{accuracy}, &counters);
-    if (is_refused(bounds.status)) {
-        answer.status = bounds.status;
-        return answer;
-    }
-    answer.record.add_silently("found", bool(bounds));
+    Answer answer(call, refusal(bounds.status));
+    answer.record.title("nothing within that distance").add_silently("found", bool(bounds));
     if (bounds) answer.record.title("distance").add("lower", bounds->lower).add("upper", bounds->upper);
-    else answer.record.title("nothing within that distance");
     return answer.work(counters);
 }
 
 Answer closest_point_answer(QueryCall& call) {
     const Vec3 point = call.next<Vec3>();
-    if (const BakedScene* scene = call.scene()) return nearest_in_scene(call, *scene, point);
     const float limit = max_distance(call);
+    if (const BakedScene* scene = call.scene()) {
+        const InScene<ClosestPoint> nearest = closest_point(*scene, point, limit, call.mask());
+        return nearest_answer(call, *nearest, false, nearest.instance);
+    }
     if (!call.options().accuracy.empty()) return distance_bounds_answer(call, point, limit);
     if (!call.options().first) return nearest_answer(call, closest_point(call.blob(), point, limit));
-    Answer answer(call);
     std::vector<ClosestPoint> places(std::min(*call.options().first, call.blob().triangle_count()));
     const Filled filled = closest_triangles(call.blob(), point, places, limit);
-    answer.status = filled.status;
-    if (is_refused(filled.status)) return answer;
-    for (const ClosestPoint& each : filled.in(places))
-        add_nearest(answer.list.emplace_back(call.options().json), call.blob(), each);
+    Answer answer(call, filled.status);
+    for (const ClosestPoint& each : filled.in(places)) add_nearest(answer.add(), call, each);
     return answer.counted_list("triangles", "triangle");
 }
 
-Answer closest_point_segment_answer(QueryCall& call) {
-    Segment segment;
-    segment.from = call.next<Vec3>();
-    segment.to = call.next<Vec3>();
-    return nearest_answer(call, closest_point(call.blob(), segment, max_distance(call)), true);
-}
-
-Answer closest_point_box_answer(QueryCall& call) {
-    const auto box = call.next<Box>();
-    return nearest_answer(call, closest_point(call.blob(), box, max_distance(call)), true);
+/// Of a segment or a box.
+template <class Shape>
+Answer closest_point_shape_answer(QueryCall& call) {
+    const auto shape = call.next<Shape>();
+    return nearest_answer(call, closest_point(call.blob(), shape, max_distance(call)), true);
 }
 
 Answer contains_answer(QueryCall& call) {
-    Answer answer(call);
     const YesNo inside = contains(call.blob(), call.next<Vec3>());
-    if (is_refused(inside.status())) answer.status = inside.status();
-    else answer.yes_or_no("inside", inside.yes(), "inside", "outside");
-    return answer;
+    return Answer(call, refusal(inside.status())).yes_or_no("inside", inside.yes(), "inside", "outside");
 }
 
 Answer winding_number_answer(QueryCall& call) {
-    const Vec3 point = call.next<Vec3>();
-    const std::uint32_t directions = call.next_index();
+    const auto point = call.next<Vec3>();
+    const auto directions = call.next<std::uint32_t>();
     if (directions < 2 || directions > max_winding_directions)
-        throw CommandError(ExitCode::usage,
-                           text("directions is ", directions, "; it must be from 2 to ", max_winding_directions));
-    Answer answer(call);
+        throw_error(ExitCode::usage, "directions is ", directions, "; it must be from 2 to ", max_winding_directions);
     const Result<float> winding = winding_number(call.blob(), point, directions);
-    if (winding.status != QueryStatus::ok) answer.status = winding.status;
-    else answer.record.add("winding", *winding);
+    Answer answer(call, winding.status);
+    answer.record.add("winding", *winding);
     return answer;
 }
 
@@ -130,9 +94,9 @@ QueryKinds distance_kinds() {
                option_max_distance | option_first | option_accuracy, closest_point_answer,
                option_max_distance | option_mask),
         family("closest-point-segment", "The closest pair of points of a segment and the surface",
-               {point_word("from"), point_word("to")}, option_max_distance, closest_point_segment_answer),
+               {point_word("from"), point_word("to")}, option_max_distance, closest_point_shape_answer<Segment>),
         family("closest-point-box", "The closest pair of points of an axis-aligned box and the surface",
-               {point_word("min"), point_word("max")}, option_max_distance, closest_point_box_answer),
+               {point_word("min"), point_word("max")}, option_max_distance, closest_point_shape_answer<Box>),
         family("contains", "Whether a point is inside of a closed surface", {point_word("point")}, 0, contains_answer),
         family(
             "winding-number",

@@ -48,7 +48,7 @@ const QueryKinds& query_kinds() {
     static const QueryKinds kinds = [] {
         QueryKinds all;
         for (const QueryKinds& family : {ray_kinds(), overlap_kinds(), distance_kinds(), contact_kinds(), sweep_kinds(),
-                                         pair_kinds(), blob_kinds(), scene_kinds(), scene_pair_kinds()}) {
+                                         pair_kinds(), blob_kinds(), scene_kinds()}) {
             all.insert(all.end(), family.begin(), family.end());
         }
         return all;
@@ -78,23 +78,16 @@ bool holds(Range range, std::span<const double> values) {
 }
 
 const char* describe(Range range) {
-    switch (range) {
-        case Range::finite:
-            return "finite";
-        case Range::number:
-            return "a number, which may be inf or -inf";
-        case Range::size:
-            return "0 or more, which may be inf";
-        case Range::finite_size:
-            return "0 or more, and finite";
-        case Range::direction:
-            return "finite, and long enough not to round to length zero";
-        case Range::apart:
-            return "finite, and another point than the one before";
-        case Range::factor:
-            return "above 0, and finite";
-    }
-    return "";
+    constexpr const char* words[] = {
+        "finite",
+        "a number, which may be inf or -inf",
+        "0 or more, which may be inf",
+        "0 or more, and finite",
+        "finite, and long enough not to round to length zero",
+        "finite, and another point than the one before",
+        "above 0, and finite",
+    };
+    return words[static_cast<std::size_t>(range)];
 }
 
 }  // namespace espalier::tools

@@ -1,19 +1,100 @@
-// The kinds of `espalier query`: a table from which the command line and its help are made. Each family of kinds has a
-// file of its own, <family>.cpp.
+// The kinds of `espalier query`: a table from which the command line and its help are made, and a question as it stands
+// on the command line, read and checked. Each family of kinds has a file of its own, <family>.cpp.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
+
+#include <espalier/espalier.hpp>
 
 #include "answer.hpp"
 #include "base/verb_arguments.hpp"
-#include "call.hpp"
+#include "files/blob_file.hpp"
 
 namespace espalier::tools {
+
+struct QueryKind;
+struct QueryWord;
+
+/// A float from a length with a unit, or from a bare number, which may be inf or nan. Throws CommandError (usage).
+float length_argument(const std::string& input, std::string_view name);
+/// The same without units.
+float number_argument(const std::string& input, std::string_view name);
+
+/// Returns a word as it was typed: verb.cpp marks negative numbers by a space.
+std::string typed(const std::string& word);
+
+class QueryCall {
+public:
+    /// Reads all words, then opens the blob or the scene. Throws CommandError, also when that does not answer the kind
+    /// or one of the options.
+    QueryCall(const QueryKind& kind, const QueryArguments& arguments);
+
+    /// Returns the blob; a default one for a query of a scene.
+    [[nodiscard]] const Blob& blob() const { return file_.blob; }
+    /// Returns the scene, if the query is of one.
+    [[nodiscard]] const BakedScene* scene() const { return scene_.scene ? &scene_.scene : nullptr; }
+    /// Returns the blob, or the mesh of an instance of the scene.
+    [[nodiscard]] Blob mesh_of(InstanceId instance) const {
+        return scene() == nullptr ? blob() : mesh_at(*scene(), instance).value;
+    }
+    /// Returns the mask for queries of a scene.
+    [[nodiscard]] std::uint32_t mask() const { return mask_; }
+    [[nodiscard]] const QueryArguments& options() const { return arguments_; }
+
+    /// Returns the next word, in the order of the kind's table, as a float, an index, a number of steps or a name, or
+    /// the words of a point or a shape: its members in their order.
+    template <class Value>
+    Value next() {
+        if constexpr (std::is_same_v<Value, Vec3>) return made<Vec3, float, float, float>();
+        else if constexpr (std::is_same_v<Value, Triangle>) return made<Triangle, Vec3, Vec3, Vec3>();
+        else if constexpr (std::is_same_v<Value, Segment>) return made<Segment, Vec3, Vec3>();
+        else if constexpr (std::is_same_v<Value, Box>) return made<Box, Vec3, Vec3>();
+        else if constexpr (std::is_same_v<Value, OrientedBox>)
+            return {next<Vec3>(), {next<Vec3>(), next<Vec3>(), next<Vec3>()}};
+        else if constexpr (std::is_same_v<Value, Sphere>) return made<Sphere, Vec3, float>();
+        else if constexpr (std::is_same_v<Value, Plane>) return made<Plane, Vec3, float>();
+        else if constexpr (std::is_same_v<Value, Capsule>) return made<Capsule, Vec3, Vec3, float>();
+        else if constexpr (std::is_same_v<Value, Cone>) return made<Cone, Vec3, Vec3, float>();
+        else if constexpr (std::is_same_v<Value, LatticePoint>)
+            return made<LatticePoint, std::int32_t, std::int32_t, std::int32_t>();
+        else if constexpr (std::is_same_v<Value, LatticeBox>) return made<LatticeBox, LatticePoint, LatticePoint>();
+        else if constexpr (std::is_same_v<Value, LatticeSegment>)
+            return made<LatticeSegment, LatticePoint, LatticePoint>();
+        else return std::get<Value>(words_.at(at_++));
+    }
+    /// Returns all words that are left.
+    template <class Value>
+    std::vector<Value> rest() {
+        std::vector<Value> values;
+        while (at_ < words_.size()) values.push_back(next<Value>());
+        return values;
+    }
+    /// Returns a triangle of the blob. Throws CommandError (usage) when the blob has no such one.
+    TriangleId next_triangle();
+
+private:
+    void open_asset(const QueryKind& kind);
+    void read_word(const std::string& input, const QueryWord& word);
+    template <class Value, class... Members>
+    Value made() {
+        return Value{next<Members>()...};  // in this order
+    }
+
+    const QueryArguments& arguments_;
+    BlobFile file_;
+    std::vector<std::byte> bytes_of_scene_;
+    SceneFile scene_;
+    std::uint32_t mask_ = 0xFFFFFFFF;
+    std::vector<std::variant<float, std::uint32_t, std::int32_t, std::string>> words_;
+    std::size_t at_ = 0;  // the next one
+};
 
 /// The values of an argument that a query accepts; it refuses others as invalid.
 enum class Range : std::uint8_t {
@@ -129,10 +210,6 @@ QueryKinds sweep_kinds();
 QueryKinds pair_kinds();
 QueryKinds blob_kinds();
 QueryKinds scene_kinds();
-QueryKinds scene_pair_kinds();
-
-/// The heading over kinds of scenes alone.
-inline constexpr const char* scene_family = "What the scene holds; not of blobs";
 
 /// All of them, in the order in which help lists them.
 const QueryKinds& query_kinds();

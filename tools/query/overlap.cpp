@@ -21,32 +21,24 @@ Answer list_overlaps(const QueryCall& call, const Shape& shape) {
     Answer answer(call);
     do {
         page = collect_overlaps(blob, shape, std::span(places).first(std::min(left, places.size())), page.next);
-        for (const TriangleId triangle : page.in(places))
-            answer.list.emplace_back(call.options().json).triangle(blob, triangle);
+        for (const TriangleId triangle : page.in(places)) answer.add().triangle(blob, triangle);
         left -= page.count;
     } while (page.status == QueryStatus::output_full && left > 0);
     answer.status = page.status;
     return answer.counted_list("triangles", "triangle", &page.next.place[0]);
 }
 
-QueryStatus refusal_of(YesNo any) { return is_refused(any.status()) ? any.status() : QueryStatus::ok; }
-
-template <class Shape>
-Answer any_overlap(const QueryCall& call, const Shape& shape) {
-    const YesNo any = overlaps(call.blob(), shape);
-    return Answer(call, refusal_of(any)).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
+Answer any_overlap(const QueryCall& call, YesNo any) {
+    return Answer(call, refusal(any.status())).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
 }
 
 template <SceneShape Shape>
 Answer overlap_in_scene(const QueryCall& call, const BakedScene& scene, const Shape& shape) {
-    if (call.options().any) {
-        const YesNo any = overlaps(scene, shape, call.mask());
-        return Answer(call, refusal_of(any)).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
-    }
+    if (call.options().any) return any_overlap(call, overlaps(scene, shape, call.mask()));
     Answer answer(call);
     const auto visit = [&](InstanceId instance, TriangleId triangle) {
         if (answer.is_full(call)) return Visit::stop;
-        answer.list.emplace_back(call.options().json).triangle(scene, instance, triangle);
+        answer.add().triangle(scene, instance, triangle);
         return Visit::next;
     };
     answer.status = for_each_overlap(scene, shape, visit, call.mask());
@@ -63,12 +55,12 @@ Answer overlap(const QueryCall& call, const Shape& shape) {
             QueryCounters counters;
             const float accuracy = length_argument(call.options().accuracy, "--accuracy");
             const YesNo any = overlaps(call.blob(), shape, Accuracy{accuracy}, &counters);
-            Answer answer(call, refusal_of(any));
+            Answer answer(call, refusal(any.status()));
             answer.yes_or_no("may_overlap", any.yes(), "may overlap", "does not overlap");
             return answer.work(counters);
         }
     }
-    return call.options().any ? any_overlap(call, shape) : list_overlaps(call, shape);
+    return call.options().any ? any_overlap(call, overlaps(call.blob(), shape)) : list_overlaps(call, shape);
 }
 
 template <class Shape>
@@ -77,12 +69,7 @@ Answer overlap_answer(QueryCall& call) {
 }
 
 Answer convex_volume_answer(QueryCall& call) {
-    std::vector<Plane> planes;
-    while (call.has_numbers()) {
-        Plane& plane = planes.emplace_back();
-        plane.normal = call.next<Vec3>();
-        plane.offset = call.next_number();
-    }
+    const auto planes = call.rest<Plane>();
     return overlap(call, ConvexVolume{planes});
 }
 

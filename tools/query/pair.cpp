@@ -22,7 +22,7 @@ espalier::Transform stated_placement(const QueryArguments& options) {
 struct Other {
     explicit Other(QueryCall& call)
         : transform(stated_placement(call.options())),
-          file(open_blob_file(call.next_name())),
+          file(open_blob_file(call.next<std::string>())),
           limit(call.options().work_limit) {}
     [[nodiscard]] PlacedBlob placed() const { return {file.blob, transform}; }
 
@@ -60,7 +60,7 @@ Answer pair_contacts_answer(QueryCall& call) {
     Answer answer(call);
     const auto visit = [&](const PairContact& pair) {
         if (answer.is_full(call)) return Visit::stop;
-        Record& record = answer.list.emplace_back(call.options().json).title("contact");
+        Record& record = answer.add().title("contact");
         add_pair(record, call, other, pair.a, pair.b);
         return Visit::next;
     };
@@ -74,7 +74,7 @@ Answer touches_answer(QueryCall& call) {
     Answer answer(call);
     const auto visit = [&](const PairTouch& touch) {
         if (answer.is_full(call)) return Visit::stop;
-        Record& record = answer.list.emplace_back(call.options().json).title("touch");
+        Record& record = answer.add().title("touch");
         add_pair(record, call, other, touch.a, touch.b);
         record.add("depth", touch.depth).add("normal", touch.normal);
         record.add("points", std::span<const Vec3>(touch.points).first(touch.count));
@@ -100,7 +100,7 @@ Answer distance_answer(QueryCall& call) {
 
 Answer within_answer(QueryCall& call) {
     const Other other(call);
-    const YesNo within = within_distance(call.blob(), other.placed(), call.next_number(), other.limit);
+    const YesNo within = within_distance(call.blob(), other.placed(), call.next<float>(), other.limit);
     Answer answer(call, complete(within.status()));
     if (answer.status == QueryStatus::ok)
         answer.yes_or_no("within", within.yes(), "within that distance", "farther apart");

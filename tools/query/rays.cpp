@@ -18,36 +18,28 @@ Vec3 point_at(const Ray& ray, float t) {
             along(ray.origin.z, ray.direction.z)};
 }
 
-std::string name_of(Side side) { return side == Side::front ? "front" : "back"; }
-
-/// Adds the values of a hit of a triangle of that blob.
-void add_hit_values(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
-    record.add("t", hit.t).add("point", point_at(ray, hit.t)).add("normal", hit.normal).add("side", name_of(hit.side));
-    record.add("u", hit.u).add("v", hit.v);
-    if (const OriginalHit original = original_hit(blob, hit)) {
+/// Adds a hit, in the instance if the query is of a scene.
+void add_hit(Record& record, const QueryCall& call, const Ray& ray, const RayHit& hit,
+             InstanceId instance = no_instance) {
+    record.triangle(call, hit.triangle, "hit ", instance).add("t", hit.t).add("point", point_at(ray, hit.t));
+    record.add("normal", hit.normal).add("side", hit.side).add("u", hit.u).add("v", hit.v);
+    if (const OriginalHit original = original_hit(call.mesh_of(instance), hit)) {
         record.add("original_u", original.u).add("original_v", original.v);
     }
-}
-
-void add_hit(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
-    add_hit_values(record.triangle(blob, hit.triangle, "hit "), blob, ray, hit);
-}
-
-void add_hit(Record& record, const BakedScene& scene, const Ray& ray, const RayHit& hit, InstanceId instance) {
-    add_hit_values(record.triangle(scene, instance, hit.triangle, "hit "), mesh_at(scene, instance).value, ray, hit);
 }
 
 /// Lists all hits, or the crossings among them.
 Answer all_hits(const QueryCall& call, const Ray& ray) {
     Answer answer(call);
-    const auto add = [&](const RayHit& hit) {
-        add_hit(answer.list.emplace_back(call.options().json), call.blob(), ray, hit);
-    };
+    const auto add = [&](const RayHit& hit) { add_hit(answer.add(), call, ray, hit); };
+    const auto add_in_scene = [&](InstanceId id, const RayHit& hit) { add_hit(answer.add(), call, ray, hit, id); };
     if (call.options().crossings) {
         answer.status = for_each_crossing(call.blob(), ray, add);
         return answer.counted_list("crossings", "crossing");
     }
-    answer.status = for_each_hit(call.blob(), ray, add);
+    const BakedScene* scene = call.scene();
+    answer.status =
+        scene == nullptr ? for_each_hit(call.blob(), ray, add) : for_each_hit(*scene, ray, add_in_scene, call.mask());
     return answer.counted_list("hits", "hit");
 }
 
@@ -55,36 +47,27 @@ Answer first_hits(const QueryCall& call, const Ray& ray, std::uint32_t places) {
     std::vector<RayHit> hits(std::min(places, call.blob().triangle_count()));
     const Filled found = closest_hits(call.blob(), ray, hits);
     Answer answer(call, found.status);
-    for (const RayHit& hit : found.in(hits))
-        add_hit(answer.list.emplace_back(call.options().json), call.blob(), ray, hit);
+    for (const RayHit& hit : found.in(hits)) add_hit(answer.add(), call, ray, hit);
     return answer.counted_list("hits", "hit");
+}
+
+/// Begins the answer with the first hit.
+template <class Hit>
+Answer first_hit(const QueryCall& call, const Hit& hit) {
+    Answer answer(call, complete(hit.status));
+    answer.record.title("no hit").add_silently("hit", bool(hit));
+    return answer;
 }
 
 Answer is_occluded(const QueryCall& call, YesNo occluded) {
     return Answer(call, complete(occluded.status())).yes_or_no("occluded", occluded.yes(), "occluded", "not occluded");
 }
 
-Answer cast_in_scene(const QueryCall& call, const BakedScene& scene, const Ray& ray) {
-    if (call.options().any) return is_occluded(call, occluded(scene, ray, call.mask()));
-    Answer answer(call);
-    if (call.options().all) {
-        const auto visit = [&](InstanceId instance, const RayHit& hit) {
-            add_hit(answer.list.emplace_back(call.options().json), scene, ray, hit, instance);
-        };
-        answer.status = for_each_hit(scene, ray, visit, call.mask());
-        return answer.counted_list("hits", "hit");
-    }
-    const InScene<RayHit> found = raycast(scene, ray, call.mask());
-    answer.status = complete(found->status);
-    answer.record.title("no hit").add_silently("hit", bool(found));
-    if (found) add_hit(answer.record, scene, ray, *found, found.instance);
-    return answer;
-}
-
 Answer cast(const QueryCall& call, Ray ray) {
     const QueryArguments& options = call.options();
+    const BakedScene* scene = call.scene();
     ray.culling = options.culling;
-    if (const BakedScene* scene = call.scene()) return cast_in_scene(call, *scene, ray);
+    if (options.any && scene != nullptr) return is_occluded(call, occluded(*scene, ray, call.mask()));
     if (options.all || options.crossings) return all_hits(call, ray);
     if (options.first) return first_hits(call, ray, *options.first);
     if (options.any) return is_occluded(call, occluded(call.blob(), ray));
@@ -95,10 +78,10 @@ Answer cast(const QueryCall& call, Ray ray) {
         Answer answer(call, complete(may_be.status()));
         return answer.yes_or_no("may_be_occluded", may_be.yes(), "may be occluded", "not occluded").work(counters);
     }
-    const RayHit hit = raycast(call.blob(), ray);
-    Answer answer(call, complete(hit.status));
-    answer.record.title("no hit").add_silently("hit", bool(hit));
-    if (hit) add_hit(answer.record, call.blob(), ray, hit);
+    const auto found =
+        scene == nullptr ? InScene<RayHit>{raycast(call.blob(), ray), no_instance} : raycast(*scene, ray, call.mask());
+    Answer answer = first_hit(call, *found);
+    if (*found) add_hit(answer.record, call, ray, *found, found.instance);
     return answer;
 }
 
@@ -112,22 +95,19 @@ Answer ray_answer(QueryCall& call) {
 }
 
 Answer segment_answer(QueryCall& call) {
-    const Vec3 from = call.next<Vec3>();
-    return cast(call, Ray::between(from, call.next<Vec3>()));
+    const auto [from, to] = call.next<Segment>();
+    return cast(call, Ray::between(from, to));
 }
 
 Answer lattice_segment_answer(QueryCall& call) {
-    LatticeSegment segment;
-    segment.from = call.next<LatticePoint>();
-    segment.to = call.next<LatticePoint>();
+    const auto segment = call.next<LatticeSegment>();
     if (call.options().any) return is_occluded(call, occluded(call.blob(), segment));
     const LatticeHit hit = raycast(call.blob(), segment);
-    Answer answer(call, complete(hit.status));
-    answer.record.title("no hit").add_silently("hit", bool(hit));
+    Answer answer = first_hit(call, hit);
     if (!hit) return answer;
     answer.record.triangle(call.blob(), hit.triangle, "hit ");
     answer.record.add("t", std::ldexp(static_cast<float>(hit.t), -31)).add_count("t_fixed_point", hit.t);
-    answer.record.add("side", name_of(hit.side));
+    answer.record.add("side", hit.side);
     return answer;
 }
 

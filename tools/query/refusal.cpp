@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "call.hpp"
 
 namespace espalier::tools {
 

@@ -2,7 +2,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "image.hpp"
+#include "shading.hpp"
 
 namespace espalier::tools {
 
@@ -15,8 +15,7 @@ std::vector<std::byte> Image::png() const {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(description);
     std::vector<std::byte> bytes(size);
     if (png_image_write_to_memory(&description, bytes.data(), &size, 0, pixels_.data(), 0, nullptr) == 0) {
-        throw CommandError(ExitCode::internal,
-                           text("the picture could not be made into a PNG: ", description.message, '.'));
+        throw_error(ExitCode::internal, "the picture could not be made into a PNG: ", description.message, '.');
     }
     bytes.resize(size);
     return bytes;

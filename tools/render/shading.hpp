@@ -1,13 +1,50 @@
-// What a pixel looks like.
+// What pixels look like, and pictures of them: linear light in, PNG out.
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include <espalier/ray.hpp>
 
 #include "camera.hpp"
-#include "image.hpp"
-#include "subject.hpp"
 
 namespace espalier::tools {
+
+/// Linear light, 0 black to 1 white.
+struct Colour {
+    float red = 0.0f;
+    float green = 0.0f;
+    float blue = 0.0f;
+};
+
+Colour operator+(Colour a, Colour b);
+Colour operator*(float factor, Colour colour);
+Colour mix(Colour a, Colour b, float share_of_b);
+
+class Image {
+public:
+    Image(unsigned width, unsigned height);
+    [[nodiscard]] unsigned width() const { return width_; }
+    [[nodiscard]] unsigned height() const { return height_; }
+    /// Row 0 is the top. Different pixels may be set from different threads.
+    void set(unsigned column, unsigned row, Colour colour);
+    /// The bytes of a PNG file, 8 bits a channel, sRGB. Throws CommandError (internal), and (unsupported) in a build
+    /// without libpng.
+    [[nodiscard]] std::vector<std::byte> png() const;
+
+private:
+    unsigned width_;
+    unsigned height_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+/// Calls `row` once for each number below `rows`, from several threads, in no order; `done`, from this thread only,
+/// with the share that is begun. `threads` 0 takes as many as the machine has.
+void for_each_row(unsigned rows, unsigned threads, const std::function<void(unsigned)>& row,
+                  const std::function<void(double)>& done);
 
 /// Two lights that stand with the eye, the stronger one casting shadows, over a gradient.
 class Shading {

@@ -1,16 +1,51 @@
-// Warnings and errors, for people and for scripts: a failed verb prints one line on stderr, and with --json one
-// document on stdout.
+// Messages, warnings and errors. People read them on stderr, so that stdout stays data; scripts get one document on
+// stdout.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/exit_code.hpp"
-#include "json_output.hpp"
+#include "json.hpp"
 
 namespace espalier::tools {
+
+class Console {
+public:
+    explicit Console(bool quiet = false) : quiet_(quiet) {}
+    /// Prints a line, unless quiet.
+    void say(const std::string& line) const;
+    /// Prints a line, also if quiet.
+    static void warn(const Warning& warning);
+
+private:
+    bool quiet_;
+};
+
+/// One line that overwrites itself: on a terminal only, and only once the work has lasted a second.
+class Progress {
+public:
+    explicit Progress(bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void show(const char* stage, double done);
+    /// Clears the line, which the next call of show writes again.
+    void hide();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    bool enabled_;
+    bool shown_ = false;
+    Clock::time_point next_;
+};
+
+/// Sends what was printed to stdout on its way. Throws CommandError (file_access) when it could not be written, as on a
+/// full disk: data that is silently cut short is worse than none.
+void finish_standard_output();
 
 /// Prints warnings and adds them to the list.
 void give(std::span<const Warning> found, std::vector<Warning>& warnings);

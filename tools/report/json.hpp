@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include <espalier/types.hpp>
+
 namespace espalier::tools {
 
 /// A value. The members of an object keep the order in which they were added.
@@ -75,5 +77,19 @@ private:
 };
 
 bool is_utf8(const std::string& text);
+
+/// Raised when a key is taken away or changes its meaning; keys may be added without.
+inline constexpr int json_schema = 1;
+
+/// An object that starts with the schema.
+Json json_document();
+/// A float as the shortest decimal that reads back as the same float; null for what JSON cannot say (inf, nan).
+Json json_number(float value);
+Json json_point(Vec3 value);
+Json json_box(Vec3 min, Vec3 max);
+/// Returns the document as it is printed, with a line's end.
+std::string json_text(const Json& document);
+/// To stdout, and checks that it got there.
+void print_json(const Json& document);
 
 }  // namespace espalier::tools

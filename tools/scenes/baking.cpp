@@ -14,7 +14,6 @@
 #include "bake/baking.hpp"
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "repeats.hpp"
 #include "plan.hpp"
 #include "report.hpp"
 
@@ -139,11 +138,10 @@ private:
         for (const std::uint32_t place : plan_.merged) {
             triangles += imported_.meshes[imported_.places[place].mesh].triangles.size();
             if (triangles <= format::max_triangles) continue;
-            throw CommandError(
-                ExitCode::unsupported,
-                text(words_for_place(imported_, imported_.places[place]), ": with it more than ", format::max_triangles,
-                     " triangles are merged, the most a blob can hold. Give --instances all, or bake the "
-                     "files in parts."));
+            throw_error(ExitCode::unsupported, words_for_place(imported_, imported_.places[place]),
+                        ": with it more than ", format::max_triangles,
+                        " triangles are merged, the most a blob can hold. Give --instances all, or bake the "
+                        "files in parts.");
         }
         Imported merged;
         for (const std::uint32_t place : plan_.merged)
@@ -188,8 +186,8 @@ private:
         SceneBakeResult result = bake_scene(blobs, instances_);
         if (!result) {
             const bool is_ours = result.status == BakeStatus::internal || result.status == BakeStatus::invalid_mesh;
-            throw CommandError(is_ours ? ExitCode::internal : ExitCode::unsupported,
-                               "the scene cannot be made: " + result.message + ". Nothing was written.");
+            throw_error(is_ours ? ExitCode::internal : ExitCode::unsupported,
+                        "the scene cannot be made: " + result.message + ". Nothing was written.");
         }
         scene_.bytes = std::move(result.bytes);
         scene_.report = result.report;

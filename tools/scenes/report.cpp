@@ -7,7 +7,7 @@
 
 #include "bake/report.hpp"
 #include "base/numbers.hpp"
-#include "layout/blob_layout.hpp"
+#include "layout/places.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

@@ -13,8 +13,8 @@
 #include "base/verb_arguments.hpp"
 #include "base/exit_code.hpp"
 #include "import/base/imported.hpp"
-#include "report/console.hpp"
-#include "report/json_output.hpp"
+#include "report/diagnostics.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 

@@ -1,4 +1,4 @@
-#include "chart.hpp"
+#include "point.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,7 @@
 
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
-#include "chart_panel.hpp"
-#include "svg.hpp"
+#include "drawing.hpp"
 
 namespace espalier::tools {
 

@@ -16,7 +16,6 @@
 #include "bake/baking.hpp"
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
-#include "sample_queries.hpp"
 
 namespace espalier::tools {
 
@@ -196,7 +195,7 @@ std::vector<TradePoint> measure_trade(const Imported& imported, const BakeOption
                                       const Done& done) {
     const SampleQueries queries = make_sample_queries(imported, space.rays);
     if (queries.rays.empty()) {
-        throw CommandError(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
+        throw_error(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
     }
     std::vector<TradePoint> points = combinations(space);
     std::vector<Contestant> contestants;

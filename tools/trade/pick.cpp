@@ -10,7 +10,7 @@
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "sample_queries.hpp"
+#include "measure.hpp"
 
 namespace espalier::tools {
 
@@ -157,17 +157,15 @@ private:
     [[noreturn]] void refuse() const {
         const auto has_fewer_bytes = [](const Candidate& a, const Candidate& b) { return a.bytes < b.bytes; };
         const Candidate& smallest = *std::min_element(tried_.begin(), tried_.end(), has_fewer_bytes);
-        throw CommandError(
-            ExitCode::unsupported,
-            text(goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"), " has ",
-                 counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
-                 rounded(smallest.max_error),
-                 !loss_.empty() ? text(". A coarser lattice ", loss_, ": allow more bytes, or bake a simpler mesh.")
-                 : goal_.may_coarsen
-                     ? std::string(". There is no coarser lattice: allow more bytes, or bake a simpler mesh.")
-                     : std::string(
-                           ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
-                           "without --tolerance, --step and --lattice-of gives up bits until it fits.")));
+        throw_error(
+            ExitCode::unsupported, goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"),
+            " has ", counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
+            rounded(smallest.max_error),
+            !loss_.empty() ? text(". A coarser lattice ", loss_, ": allow more bytes, or bake a simpler mesh.")
+            : goal_.may_coarsen
+                ? std::string(". There is no coarser lattice: allow more bytes, or bake a simpler mesh.")
+                : std::string(". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
+                              "without --tolerance, --step and --lattice-of gives up bits until it fits."));
     }
 
     const Imported& imported_;

@@ -11,7 +11,7 @@
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
 
-#include "report/json_output.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -72,5 +72,9 @@ std::vector<bool> pareto_front(const std::vector<TradePoint>& points, const Time
 std::string trade_csv(const std::string& mesh, const std::vector<TradePoint>& points);
 /// The same, as a list of objects.
 Json trade_json(const std::vector<TradePoint>& points);
+
+/// SVG: bytes a triangle against the time of each query, coloured by lattice, with the Pareto front of each lattice as
+/// a line, and the front's numbers below. `conditions` describes how it was measured.
+std::string trade_chart(const std::string& mesh, const std::string& conditions, const std::vector<TradePoint>& points);
 
 }  // namespace espalier::tools

@@ -1,4 +1,4 @@
-#include "sample_queries.hpp"
+#include "measure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hidden_defects.hpp"
+#include "steps.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -111,7 +111,7 @@ void require_last_line(ImportedFile& file, const char* end) {
     if (last_line(file) == end) return;
     file.warnings.push_back({"missing_end",
                              text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"),
-                             file.path, std::nullopt, std::nullopt});
+                             file.path});
 }
 
 std::uint32_t big_endian(std::string_view bytes) {
@@ -136,11 +136,9 @@ void check_lwo(const ImportedFile& file) {
             lists = 0;
         }
         if (id == "POLS" && ++lists > 1) {
-            throw CommandError(ExitCode::unsupported,
-                               text("'", printable(file.path), "', layer ", layer,
-                                    ": it has more than one list of polygons (POLS), and the importer would keep only "
-                                    "the last. Export it as glTF or OBJ."),
-                               {.file = file.path});
+            throw_file_error(ExitCode::unsupported, file.path, ", layer ", layer,
+                             ": it has more than one list of polygons (POLS), and the importer would keep only "
+                             "the last. Export it as glTF or OBJ.");
         }
         chunks.remove_prefix(std::min<std::uint64_t>(chunks.size(), 8 + size + size % 2));
     }
@@ -166,7 +164,7 @@ void check_ac3d(ImportedFile& file) {
     file.warnings.push_back({"surface_count",
                              text("'", printable(file.path), "': it has ", counted(found, "surface"),
                                   ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."),
-                             file.path, std::nullopt, std::nullopt});
+                             file.path});
 }
 
 constexpr std::string_view spaces = " \t\r\n";

@@ -1,4 +1,4 @@
-#include "importer.hpp"
+#include "import/base/importers.hpp"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -14,12 +14,9 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "hidden_defects.hpp"
+#include "steps.hpp"
 #include "import/guards/crash_guard.hpp"
 #include "platform/paths.hpp"
-#include "log.hpp"
-#include "opened_files.hpp"
-#include "scene.hpp"
 
 namespace espalier::tools {
 
@@ -92,20 +89,16 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (files.error != 0) fail_to_read(files.unreadable, files.error);
     if (scene == nullptr && !is_known_ending) {
-        throw CommandError(ExitCode::unsupported,
-                           text("'", printable(path), "' cannot be imported: ",
-                                ending.empty() ? std::string("its name has no ending")
-                                               : text("there is no importer for '", printable(ending), "' files"),
-                                ", and its content is of no format that is known. Convert it, for example to glTF."),
-                           {.file = path});
+        throw_file_error(ExitCode::unsupported, path, " cannot be imported: ",
+                         ending.empty() ? std::string("its name has no ending")
+                                        : text("there is no importer for '", printable(ending), "' files"),
+                         ", and its content is of no format that is known. Convert it, for example to glTF.");
     }
     if (scene == nullptr) {
-        throw CommandError(
-            ExitCode::invalid_input,
-            text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
-                 missing.empty() ? std::string(" If the file is whole, try another format, such as glTF.")
-                                 : text(" The importer looked for '", printable(missing[0]), "', which is missing.")),
-            {.file = path});
+        throw_file_error(ExitCode::invalid_input, path, " cannot be imported: ", sentence(importer.GetErrorString()),
+                         missing.empty()
+                             ? std::string(" If the file is whole, try another format, such as glTF.")
+                             : text(" The importer looked for '", printable(missing[0]), "', which is missing."));
     }
     read_scene(*scene, options, file, imported);
     find_hidden_defects(file);
@@ -114,27 +107,27 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
                                  text("'", printable(path),
                                       "': its importer states that the scene is incomplete: "
                                       "triangles may be missing."),
-                                 path, std::nullopt, std::nullopt});
+                                 path});
     }
     if (!is_known_ending && !ending.empty()) {
         file.warnings.push_back({"unknown_ending",
                                  text("'", printable(path), "': there is no importer for '", printable(ending),
                                       "' files; by its content it was read by the ", file.format, '.'),
-                                 path, std::nullopt, std::nullopt});
+                                 path});
     }
     if (!log.losses().empty()) {
         file.warnings.push_back(
             {"importer_report",
              text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ", "'",
                   log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."),
-             path, std::nullopt, std::nullopt});
+             path});
     }
     for (const std::string& name : missing) {
         if (!importer.IsExtensionSupported(ending_of(name)) || !is_referred_to(name, file)) continue;
         file.warnings.push_back({"missing_file",
                                  text("'", printable(path), "' refers to '", printable(name),
                                       "', which is missing: what it contains was left out."),
-                                 path, std::nullopt, std::nullopt});
+                                 path});
     }
     imported.files.push_back(std::move(file));
 }

@@ -1,4 +1,4 @@
-#include "log.hpp"
+#include "steps.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "opened_files.hpp"
+#include "steps.hpp"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/IOStream.hpp>

@@ -1,4 +1,4 @@
-#include "scene.hpp"
+#include "steps.hpp"
 
 #include <assimp/commonMetaData.h>
 #include <assimp/mesh.h>
@@ -15,7 +15,6 @@
 #include "base/numbers.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/base/text_file.hpp"
-#include "hidden_defects.hpp"
 
 namespace espalier::tools {
 
@@ -72,11 +71,9 @@ private:
             const Placement placement = combine(placed.parent, placement_of(node.mTransformation));
             for (unsigned i = 0; node.mMeshes != nullptr && i < node.mNumMeshes; ++i) {
                 if (node.mMeshes[i] >= scene_.mNumMeshes || scene_.mMeshes[node.mMeshes[i]] == nullptr) {
-                    throw CommandError(
-                        ExitCode::invalid_input,
-                        text("'", printable(file_.path), "', node '", printable(node.mName.C_Str()), "': names mesh ",
-                             node.mMeshes[i], " of ", scene_.mNumMeshes, ". The file is broken; export it again."),
-                        {.file = file_.path});
+                    throw_file_error(ExitCode::invalid_input, file_.path, ", node '", printable(node.mName.C_Str()),
+                                     "': names mesh ", node.mMeshes[i], " of ", scene_.mNumMeshes,
+                                     ". The file is broken; export it again.");
                 }
                 add_mesh(node.mMeshes[i], placement);
             }
@@ -87,7 +84,7 @@ private:
     }
 
     void warn(const char* kind, const std::string& message) {
-        file_.warnings.push_back({kind, text("'", printable(file_.path), "': ", message), file_.path, {}, {}});
+        file_.warnings.push_back({kind, text("'", printable(file_.path), "': ", message), file_.path});
     }
 
     /// A mesh that was imported for its first place, and what of it was left out.
@@ -195,10 +192,8 @@ private:
                 stated.empty() ? std::string("AMF, whose default is the millimetre") : text("AMF unit ", stated);
             return;
         }
-        throw CommandError(ExitCode::invalid_input,
-                           text("'", printable(file_.path), "': its unit '", printable(stated),
-                                "' is none of AMF. State the unit with --unit."),
-                           {.file = file_.path});
+        throw_file_error(ExitCode::invalid_input, file_.path, ": its unit '", printable(stated),
+                         "' is none of AMF. State the unit with --unit.");
     }
 
     void find_stated_up() {

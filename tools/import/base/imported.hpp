@@ -2,6 +2,7 @@
 // each file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -92,5 +93,19 @@ struct Imported {
 
 /// Returns the name of a mesh in messages: "level.obj, mesh 3 (walls)". `name` comes from the file, or is empty.
 std::string words_for_mesh(const ImportedFile& file, std::uint32_t number, std::string_view name);
+
+/// Returns the positions of all meshes in a row.
+std::vector<Vec3> positions_in_a_row(const Imported& imported);
+
+/// Returns the number of the first position in the row with a coordinate that is NaN or infinite.
+std::optional<std::size_t> first_not_finite(const std::vector<Vec3>& positions);
+
+/// Returns the first coordinate that is not finite, "x = NaN".
+std::string words_for_not_finite(Vec3 position);
+
+/// Throws CommandError (invalid_input): "pose.obj, mesh 0, vertex 17 PROBLEM". `position` is the number in the row, and
+/// `kind` that of ErrorDetails.
+[[noreturn]] void refuse_position(const Imported& imported, std::size_t position, const std::string& problem,
+                                  const std::string& kind = {});
 
 }  // namespace espalier::tools

@@ -1,5 +1,6 @@
 #include "mesh_collector.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <espalier/format.hpp>
@@ -13,6 +14,16 @@ namespace {
 
 /// One instance is left for the meshes that are merged.
 constexpr std::uint64_t most_places = format::scene::max_instances - 1;
+
+ImportedFile new_record(const std::string& path, const char* format, const ImportOptions& options) {
+    ImportedFile record;
+    record.path = path;
+    record.opened.push_back(path);
+    record.format = format;
+    record.metres_per_unit = options.metres_per_unit.value_or(1.0);
+    record.unit_origin = options.metres_per_unit ? "--unit" : "not stated";
+    return record;
+}
 
 }  // namespace
 
@@ -29,14 +40,14 @@ Placement MeshCollector::asset_placement() const {
 
 void MeshCollector::require_room(std::uint64_t triangles, std::string_view words) const {
     if (triangles <= format::max_triangles && triangles_ + triangles <= format::max_triangles) return;
-    throw CommandError(ExitCode::unsupported, text(words, ": with it the files have more than ", format::max_triangles,
-                                                   " triangles, the most a blob can hold. Bake them in parts."));
+    throw_error(ExitCode::unsupported, words, ": with it the files have more than ", format::max_triangles,
+                " triangles, the most a blob can hold. Bake them in parts.");
 }
 
 void MeshCollector::require_places(std::uint64_t places, std::string_view words) const {
     if (places <= most_places && imported_.places.size() + places <= most_places) return;
-    throw CommandError(ExitCode::unsupported, text(words, ": with it the files place meshes more than ", most_places,
-                                                   " times, the most that a scene can hold. Bake them in parts."));
+    throw_error(ExitCode::unsupported, words, ": with it the files place meshes more than ", most_places,
+                " times, the most that a scene can hold. Bake them in parts.");
 }
 
 ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles) {
@@ -75,6 +86,32 @@ void MeshCollector::add_place(std::uint32_t mesh, const ImportedMesh& numbered, 
 
 std::string words_for_mesh(const ImportedFile& file, std::uint32_t number, std::string_view name) {
     return text(printable(file.path), ", mesh ", number, name.empty() ? "" : text(" (", printable(name), ")"));
+}
+
+UnitlessFile::UnitlessFile(const std::string& path, const char* format, const ImportOptions& options,
+                           Imported& imported)
+    : imported_(imported), record_(new_record(path, format, options)), meshes_(options, record_, imported) {}
+
+void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
+                       std::vector<std::uint32_t> materials) {
+    ImportedMesh mesh = meshes_.begin(name, triangles.size());
+    const Placement placement = meshes_.asset_placement();
+    const Placement applied = meshes_.applied(placement);
+    for (Vec3& position : positions) position = applied(position);
+    materials.resize(triangles.size());
+    mesh.positions = std::move(positions);
+    mesh.triangles = std::move(triangles);
+    mesh.materials = std::move(materials);
+    meshes_.add(std::move(mesh), placement);
+}
+
+void UnitlessFile::warn(const char* kind, const std::string& message) {
+    record_.warnings.push_back({kind, text(printable(path()), message), path()});
+}
+
+void UnitlessFile::finish() {
+    record_.materials = std::max<std::uint64_t>(1, record_.materials);
+    imported_.files.push_back(std::move(record_));
 }
 
 }  // namespace espalier::tools

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/placement.hpp"
 #include "imported.hpp"
@@ -46,6 +48,30 @@ private:
     Imported& imported_;
     std::uint64_t first_material_ = 0;
     std::uint64_t triangles_ = 0;  ///< of the meshes so far, each counted once
+};
+
+/// The record and the meshes of one file. The unit is the options', else a metre.
+class UnitlessFile {
+public:
+    UnitlessFile(const std::string& path, const char* format, const ImportOptions& options, Imported& imported);
+    UnitlessFile(const UnitlessFile&) = delete;
+    UnitlessFile& operator=(const UnitlessFile&) = delete;
+
+    [[nodiscard]] ImportedFile& record() { return record_; }
+    [[nodiscard]] const std::string& path() const { return record_.path; }
+    /// Adds a mesh in the file's units and axes. Materials are numbers of the file, one for each triangle, or none:
+    /// material 0. Throws CommandError (unsupported) beyond the triangles that a blob can hold.
+    void add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
+             std::vector<std::uint32_t> materials);
+    /// Appends a warning that begins with the file's name.
+    void warn(const char* kind, const std::string& message);
+    /// Appends the record to the import, after the last mesh.
+    void finish();
+
+private:
+    Imported& imported_;
+    ImportedFile record_;
+    MeshCollector meshes_;
 };
 
 }  // namespace espalier::tools

@@ -96,8 +96,7 @@ std::string utf8_text(std::string bytes) {
 }
 
 void refuse_line(const std::string& path, std::uint64_t line, const std::string& problem) {
-    throw CommandError(ExitCode::invalid_input, text('\'', printable(path), "', line ", line, ": ", problem),
-                       {.file = path});
+    throw_file_error(ExitCode::invalid_input, path, ", line ", line, ": ", problem);
 }
 
 bool Lines::next(std::string_view& line) {

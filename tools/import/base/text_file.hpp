@@ -1,13 +1,30 @@
-// The parts of a text file: its lines, their words, and words as numbers. No locale changes what they mean.
+// The parts of a file: numbers in its bytes, or lines, words and words as numbers. No locale changes what they mean.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace espalier::tools {
+
+template <class Number>
+Number stored_number(const char* bytes, std::endian order) {
+    std::array<char, sizeof(Number)> copy;
+    std::memcpy(copy.data(), bytes, sizeof(Number));
+    if (order != std::endian::native) std::reverse(copy.begin(), copy.end());
+    return std::bit_cast<Number>(copy);
+}
+
+template <class Number>
+Number little_endian(const char* bytes) {
+    return stored_number<Number>(bytes, std::endian::little);
+}
 
 /// Returns all bytes of a file. Throws CommandError (file_access) when it cannot be read.
 std::string read_bytes(const std::string& path);

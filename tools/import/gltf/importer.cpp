@@ -1,4 +1,4 @@
-#include "importer.hpp"
+#include "import/base/importers.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,6 @@
 #include "import/guards/crash_guard.hpp"
 #include "nodes.hpp"
 #include "primitive.hpp"
-#include "skin.hpp"
 
 namespace espalier::tools {
 
@@ -51,7 +50,7 @@ public:
             file_.warnings.push_back({"trailing_bytes",
                                       text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
                                            " after the last chunk were not read. Export it again."),
-                                      file_.path, std::nullopt, std::nullopt});
+                                      file_.path});
         }
         file_.unit_origin = options.metres_per_unit ? "--unit" : "glTF is in metres";
     }
@@ -235,7 +234,7 @@ private:
                   nodes_.left_out.front(),
                   ", is in no scene or in another one than the default scene, and is left out. Export the scenes one "
                   "by one to bake them."),
-             file_.path, std::nullopt, std::nullopt});
+             file_.path});
     }
 
     /// Meshes that no node of any scene names.
@@ -251,7 +250,7 @@ private:
                                   text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
                                        unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
                                        " Give it a node in the scene to bake it."),
-                                  file_.path, std::nullopt, std::nullopt});
+                                  file_.path});
     }
 
     void warn_about(const Found& found, const char* kind, const char* what) {

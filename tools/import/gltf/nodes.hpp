@@ -1,9 +1,10 @@
-// The nodes of a glTF file: where each stands, and which of them the default scene has.
+// The nodes of a glTF file: where each stands, which of them the default scene has, and where skins put vertices.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/placement.hpp"
@@ -37,5 +38,18 @@ std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& acc
 
 /// Returns how many there will be, by what the accessors claim.
 std::uint64_t count_gltf_instances(const GltfObject& node, GltfAccessors& accessors);
+
+/// One placement for each joint of a skin: from the mesh's space to the asset's. The node of the mesh has no part in
+/// it, as the specification requires.
+std::vector<Placement> joint_placements(const GltfObject& root, std::size_t skin, const GltfNodes& nodes,
+                                        const Placement& asset, GltfAccessors& accessors);
+
+/// JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ... of a primitive.
+using GltfInfluences = std::vector<std::pair<GltfAccessor, GltfAccessor>>;
+
+/// Returns the mean of the joints' placements by the weights of a vertex, which need not add up to 1. A vertex without
+/// weight stays where the mesh has it: `asset`. Throws CommandError when a weight belongs to no joint.
+Placement skinned_placement(const GltfInfluences& influences, std::size_t vertex, const std::vector<Placement>& joints,
+                            const Placement& asset, const GltfObject& primitive);
 
 }  // namespace espalier::tools

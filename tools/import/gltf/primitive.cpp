@@ -9,7 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "import/base/polygon.hpp"
-#include "import/gltf/data/draco.hpp"
+#include "import/gltf/data/compression.hpp"
 
 namespace espalier::tools {
 

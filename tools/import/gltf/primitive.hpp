@@ -10,7 +10,7 @@
 #include "import/base/imported.hpp"
 #include "import/gltf/data/accessors.hpp"
 #include "import/gltf/data/json.hpp"
-#include "skin.hpp"
+#include "nodes.hpp"
 
 namespace espalier::tools {
 

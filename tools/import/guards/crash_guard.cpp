@@ -2,7 +2,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "last_words.hpp"
+#include "limit_guard.hpp"
 
 namespace espalier::tools {
 

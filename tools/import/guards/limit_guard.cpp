@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/numbers.hpp"
-#include "last_words.hpp"
+#include "platform/standard_streams.hpp"
 
 namespace espalier::tools {
 
@@ -51,6 +51,13 @@ void require_set(int error, const std::string& path, const char* kind, std::stri
 
 }  // namespace
 
+LastWords last_words(const CommandError& error, const ImportOptions& options) {
+    return {static_cast<int>(error.code()), text("espalier: ", error.what(), '\n'),
+            options.failure_document ? options.failure_document(error) : std::string()};
+}
+
+void end_with(const LastWords& words) { end_process(words.exit_code, words.to_stderr, words.to_stdout); }
+
 NotedAllocations::NotedAllocations() : before_(std::set_new_handler(note_failed_allocation)) {
     allocation_failed = false;
 }
@@ -84,10 +91,9 @@ std::uint64_t default_import_memory() {
     if (!can_limit_memory()) return 0;
     const std::uint64_t memory = machine_memory();
     if (memory != 0) return memory / 2;
-    throw CommandError(
-        ExitCode::unsupported,
-        "--import-memory: the system does not report how much memory the machine has, of which half is the "
-        "limit without this option. Give an amount such as 4G, or none.");
+    throw_error(ExitCode::unsupported,
+                "--import-memory: the system does not report how much memory the machine has, of which half is the "
+                "limit without this option. Give an amount such as 4G, or none.");
 }
 
 }  // namespace espalier::tools

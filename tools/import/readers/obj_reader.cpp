@@ -1,4 +1,4 @@
-#include "readers.hpp"
+#include "import/base/importers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "base/numbers.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/text_file.hpp"
-#include "import/base/unitless_file.hpp"
+#include "import/base/mesh_collector.hpp"
 #include "obj_materials.hpp"
 
 namespace espalier::tools {
@@ -68,10 +68,8 @@ public:
     void read() {
         const std::string content = utf8_text(read_bytes(file_.path()));
         if (const std::size_t zero = content.find('\0'); zero != std::string::npos) {
-            throw CommandError(ExitCode::invalid_input,
-                               text("'", printable(file_.path()), "' is no Wavefront OBJ: byte ", zero,
-                                    " is zero, and OBJ is text. Name the file with its format's ending."),
-                               {.file = file_.path()});
+            throw_file_error(ExitCode::invalid_input, file_.path(), " is no Wavefront OBJ: byte ", zero,
+                             " is zero, and OBJ is text. Name the file with its format's ending.");
         }
         Lines lines(content);
         for (std::string_view line; lines.next(line);) {

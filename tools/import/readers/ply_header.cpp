@@ -1,4 +1,4 @@
-#include "ply_header.hpp"
+#include "ply.hpp"
 
 #include <algorithm>
 
@@ -36,11 +36,9 @@ public:
     PlyHeader read() {
         std::string_view line;
         if (!lines_.next(line) || Words(line).next() != "ply") {
-            throw CommandError(ExitCode::invalid_input,
-                               text("'", printable(path_),
-                                    "' is no PLY: it does not begin with 'ply'. Is it whole, and "
-                                    "named with its format's ending?"),
-                               {.file = path_});
+            throw_file_error(ExitCode::invalid_input, path_,
+                             " is no PLY: it does not begin with 'ply'. Is it whole, and "
+                             "named with its format's ending?");
         }
         bool has_form = false;
         while (lines_.next(line)) {

@@ -1,4 +1,4 @@
-#include "readers.hpp"
+#include "import/base/importers.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "import/base/polygon.hpp"
-#include "import/base/unitless_file.hpp"
-#include "ply_values.hpp"
+#include "import/base/mesh_collector.hpp"
+#include "ply.hpp"
 
 namespace espalier::tools {
 

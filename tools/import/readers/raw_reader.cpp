@@ -1,4 +1,4 @@
-#include "readers.hpp"
+#include "import/base/importers.hpp"
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "import/base/text_file.hpp"
-#include "import/base/unitless_file.hpp"
+#include "import/base/mesh_collector.hpp"
 
 namespace espalier::tools {
 

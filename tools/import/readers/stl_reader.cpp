@@ -1,4 +1,4 @@
-#include "readers.hpp"
+#include "import/base/importers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,8 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "import/base/byte_order.hpp"
 #include "import/base/text_file.hpp"
-#include "import/base/unitless_file.hpp"
+#include "import/base/mesh_collector.hpp"
 
 namespace espalier::tools {
 

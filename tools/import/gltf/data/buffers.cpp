@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/numbers.hpp"
-#include "meshopt.hpp"
+#include "compression.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
 
@@ -105,8 +105,8 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
         if (file.error() != 0) problem = std::strerror(file.error());
     }
     if (problem != nullptr) {
-        throw CommandError(code, text(buffer.words(), ": cannot read '", printable(beside), "': ", problem,
-                                      ". Put the whole file beside the glTF file."));
+        throw_error(code, buffer.words(), ": cannot read '", printable(beside), "': ", problem,
+                    ". Put the whole file beside the glTF file.");
     }
     if (std::find(opened_.begin(), opened_.end(), beside) == opened_.end()) opened_.push_back(beside);
     return bytes;

@@ -23,13 +23,13 @@ constexpr std::uint32_t binary_chunk = 0x004e4942;
 constexpr std::size_t longest_quotation = 160;
 
 [[noreturn]] void fail(const std::string& path, std::string_view problem) {
-    throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' cannot be imported: ", problem));
+    throw_error(ExitCode::invalid_input, "'", printable(path), "' cannot be imported: ", problem);
 }
 
 /// Among others 1.0: assimp reads that, and misplaces nodes that are rotated.
 [[noreturn]] void refuse_version(const std::string& path, const std::string& version) {
-    throw CommandError(ExitCode::unsupported, text("'", printable(path), "' cannot be imported: it is glTF ",
-                                                   printable(version), ", and 2.0 is read. Convert it to glTF 2.0."));
+    throw_error(ExitCode::unsupported, "'", printable(path), "' cannot be imported: it is glTF ", printable(version),
+                ", and 2.0 is read. Convert it to glTF 2.0.");
 }
 
 bool ends_as_gltf(const std::string& path) {

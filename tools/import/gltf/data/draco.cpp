@@ -1,4 +1,4 @@
-#include "draco.hpp"
+#include "compression.hpp"
 
 #include <draco/compression/decode.h>
 

@@ -192,12 +192,10 @@ std::string GltfObject::text_in(const char* key, std::size_t element) const {
 }
 
 void GltfObject::fail(std::string_view problem) const {
-    throw CommandError(ExitCode::invalid_input, text(words_, ": ", problem, ". The file is broken; export it again."));
+    throw_error(ExitCode::invalid_input, words_, ": ", problem, ". The file is broken; export it again.");
 }
 
-void GltfObject::refuse(std::string_view problem) const {
-    throw CommandError(ExitCode::unsupported, text(words_, ": ", problem));
-}
+void GltfObject::refuse(std::string_view problem) const { throw_error(ExitCode::unsupported, words_, ": ", problem); }
 
 const nlohmann::json& GltfObject::list(const char* key) const {
     const nlohmann::json& value = json_->at(key);

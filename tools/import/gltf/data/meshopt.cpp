@@ -1,4 +1,4 @@
-#include "meshopt.hpp"
+#include "compression.hpp"
 
 #include <meshoptimizer.h>
 

@@ -1,0 +1,128 @@
+#include "options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "baking.hpp"
+#include "base/choices.hpp"
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "files/blob_file.hpp"
+#include "import/base/imported.hpp"
+#include "policy.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+std::optional<int> exponent_in(const char* begin, const char* end) {
+    int number = 0;
+    const auto [stopped, error] = std::from_chars(begin, end, number);
+    if (error != std::errc() || stopped != end) return std::nullopt;
+    return number;
+}
+
+std::optional<int> step_exponent(const std::string& input) {
+    if (input.starts_with("2^")) return exponent_in(input.data() + 2, input.data() + input.size());
+    const std::optional<double> step = parse_double(input);
+    if (!step || !std::isfinite(*step) || *step <= 0.0) return std::nullopt;
+    int exponent = 0;
+    if (std::frexp(*step, &exponent) != 0.5) return std::nullopt;
+    return exponent - 1;
+}
+
+/// Returns the float of a length of --range.
+float coordinate_of(const std::string& length) {
+    const auto coordinate = static_cast<float>(parse_length(length, "--range"));
+    if (std::isfinite(coordinate)) return coordinate;
+    throw_error(ExitCode::usage, "--range: '", printable(length), "' is beyond the numbers that a blob has.");
+}
+
+/// Of six words, the low corner and the high one.
+Box parse_range(const std::vector<std::string>& words) {
+    std::array<float, 6> numbers{};
+    std::transform(words.begin(), words.end(), numbers.begin(), coordinate_of);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (numbers[axis] <= numbers[axis + 3]) continue;
+        throw_error(ExitCode::usage, "--range: it goes from ", numbers[axis], " to ", numbers[axis + 3], " on ",
+                    "xyz"[axis], ". Give the low corner of the box, then the high one: X0 Y0 Z0 X1 Y1 Z1.");
+    }
+    return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+void require_as_many(const Imported& meshes, std::size_t expected, const Imported& pose, std::size_t found) {
+    if (found == expected) return;
+    throw CommandError(
+        ExitCode::invalid_input,
+        text("the pose ", names_of_inputs(pose), " has ", counted(found, "vertex"), ", and the mesh ",
+             names_of_inputs(meshes), " has ", expected, ". A pose has all vertices of the mesh, in the same order."),
+        {.file = only_input(pose)});
+}
+
+}  // namespace
+
+int parse_step_exponent(const std::string& input, const char* option) {
+    const std::optional<int> exponent = step_exponent(input);
+    if (exponent) return *exponent;
+    throw_error(ExitCode::usage, option, ": '", printable(input),
+                "' is no power of two. Write a step such as 2^-14, or 0.25, in units of "
+                "the blob.");
+}
+
+Lattice lattice_of_blob(const std::string& path) {
+    const BlobFile file = open_blob_file(path);
+    if (file.blob.triangle_count() != 0) return file.blob.lattice();
+    throw_error(ExitCode::invalid_input, '\'', printable(path),
+                "' is a blob without triangles, which has no lattice: choose "
+                "another blob, or write the step with --step.");
+}
+
+void refuse_options_of_rigid_blobs(const BakeArguments& arguments) {
+    if (!arguments.deformable) return;
+    const auto refuse_if = [](bool is_given, const std::string& option, const char* reason) {
+        if (is_given) throw_error(ExitCode::usage, "--deformable excludes ", option, ": ", reason);
+    };
+    if (arguments.profile)
+        refuse_if(*arguments.profile != Profile::fast, "--profile " + name_in(profile_choices, *arguments.profile),
+                  "the leaves of a deformable blob keep their size, which those of profile fast alone do. Leave "
+                  "--profile out.");
+    refuse_if(arguments.builder == Builder::spatial_splits, "--builder spatial_splits",
+              "it clips triangles as they are in one pose. Choose another builder.");
+    refuse_if(arguments.drop_bad_triangles, "--drop-bad-triangles",
+              "a deformable blob needs the positions of all vertices. Mend the mesh.");
+    refuse_if(arguments.flat_angle.has_value(), "--flat-angle",
+              "edge flags describe one pose, and a deformable blob has many. Use the normals of triangles.");
+    refuse_if(!arguments.bounds.empty(), "--bounds",
+              "stored bounds describe one pose, and a deformable blob has many. Leave them out.");
+    refuse_if(arguments.instancing != Instancing::off, "--instances",
+              "the meshes of a scene are rigid. Bake the blob alone; a moving scene takes it as an instance.");
+}
+
+Deformation deformation_of(const BakeArguments& arguments) {
+    Deformation deformation;
+    if (!arguments.range.empty()) deformation.range = parse_range(arguments.range);
+    return deformation;
+}
+
+Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes) {
+    Poses poses;
+    const std::size_t expected = positions_in_a_row(meshes).size();
+    for (const std::string& path : arguments.poses) {
+        Imported pose = import_with_progress({&path, 1}, options, arguments.quiet);
+        std::vector<Vec3> positions = positions_in_a_row(pose);
+        require_as_many(meshes, expected, pose, positions.size());
+        if (const std::optional<std::size_t> wrong = first_not_finite(positions))
+            refuse_position(pose, *wrong,
+                            text("has ", words_for_not_finite(positions[*wrong]), ". Mend the pose, or leave it out."));
+        poses.files.push_back(std::move(pose.files.front()));
+        poses.positions.push_back(std::move(positions));
+    }
+    return poses;
+}
+
+}  // namespace espalier::tools
