@@ -30,22 +30,10 @@ std::uint64_t import_memory(const std::string& input) {
 }
 
 ExitCode exit_code_of_bake(BakeStatus status) {
-    switch (status) {
-        case BakeStatus::ok:
-            return ExitCode::ok;
-        case BakeStatus::invalid_options:
-            return ExitCode::usage;
-        case BakeStatus::invalid_mesh:
-            return ExitCode::invalid_input;
-        // The mesh is sound and the option is well-formed: together they need more than 24 bits.
-        case BakeStatus::too_fine:
-            return ExitCode::unsupported;
-        case BakeStatus::too_large:
-            return ExitCode::unsupported;
-        case BakeStatus::internal:
-            return ExitCode::internal;
-    }
-    return ExitCode::internal;
+    // too_fine: the mesh is sound and the option is well-formed, and together they need more than 24 bits.
+    constexpr ExitCode codes[] = {ExitCode::ok,          ExitCode::usage,       ExitCode::invalid_input,
+                                  ExitCode::unsupported, ExitCode::unsupported, ExitCode::internal};
+    return codes[static_cast<std::size_t>(status)];
 }
 
 BakeResult sound_or_throw(BakeResult result, const Imported& imported, const BakeOptions& options) {

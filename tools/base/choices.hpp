@@ -35,17 +35,9 @@ inline const Choices<Feature> feature_choices{{"face", Feature::face},         {
 
 /// Largest leaf that a profile can hold; larger limits mean the same.
 constexpr unsigned most_leaf_triangles(Profile profile) {
-    switch (profile) {
-        case Profile::fast:
-            return format::plain_leaf::max_triangles;
-        case Profile::balanced:
-            return format::strip_leaf::max_balanced_entries - 2;
-        case Profile::small:
-            return format::strip_leaf::max_small_entries - 2;
-        case Profile::tiny:
-            return format::predicted_strip::max_entries - 2;
-    }
-    return format::max_leaf_triangles;
+    constexpr unsigned most[] = {format::plain_leaf::max_triangles, format::strip_leaf::max_balanced_entries - 2,
+                                 format::strip_leaf::max_small_entries - 2, format::predicted_strip::max_entries - 2};
+    return most[static_cast<std::size_t>(profile)];
 }
 
 /// Whether `bake` takes the two together.

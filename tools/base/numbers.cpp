@@ -1,7 +1,6 @@
 #include "numbers.hpp"
 
-#include <array>
-#include <cerrno>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 
@@ -52,6 +51,12 @@ std::string counted(unsigned long long count, std::string_view singular) {
     if (count == 1) return text(count, ' ', singular);
     if (singular.ends_with("vertex")) return text(count, ' ', singular.substr(0, singular.size() - 2), "ices");
     return text(count, ' ', singular, 's');
+}
+
+std::string lower_case(std::string_view words) {
+    std::string result(words);
+    for (char& letter : result) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return result;
 }
 
 std::string printable(std::string_view name) {

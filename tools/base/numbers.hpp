@@ -61,6 +61,9 @@ std::string text(const Parts&... parts) {
 /// "1 triangle", "2 triangles"
 std::string counted(unsigned long long count, std::string_view singular);
 
+/// Returns the text with the letters of ASCII in lower case.
+std::string lower_case(std::string_view words);
+
 /// Names come out of files that nobody trusts: control characters, which would steer a terminal, become '?'.
 std::string printable(std::string_view name);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -55,8 +54,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 /// Returns the first of the words, in lower case, that are nearest to `typed` in lower case, by letters inserted, left
 /// out, replaced or exchanged with the next. Empty if none is within a third of its length.
 std::string similar_word(std::string_view typed, std::span<const std::string> words) {
-    std::string lower(typed);
-    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string lower = lower_case(typed);
     std::string nearest;
     std::size_t least = typed.size() / 3 + 1;
     for (const std::string& word : words) {

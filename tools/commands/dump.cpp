@@ -14,7 +14,6 @@ namespace espalier::tools {
 
 namespace {
 
-using Bytes = std::span<const std::byte>;
 using ListHeader = void(Bytes bytes, ByteListing& listing);
 
 ExitCode dump_refused(const DumpArguments& arguments, Bytes bytes, OpenStatus status, ListHeader& list_header) {

@@ -45,21 +45,8 @@ std::string names_of(const TradeArguments& arguments) {
 }
 
 const char* instruction_set_name() {
-    switch (detail::instruction_set()) {
-        case detail::InstructionSet::scalar:
-            return "scalar";
-        case detail::InstructionSet::sse42:
-            return "SSE4.2";
-        case detail::InstructionSet::avx2:
-            return "AVX2";
-        case detail::InstructionSet::avx512:
-            return "AVX-512";
-        case detail::InstructionSet::neon:
-            return "NEON";
-        case detail::InstructionSet::simd128:
-            return "SIMD128";
-    }
-    return "";
+    constexpr const char* names[] = {"scalar", "SSE4.2", "AVX2", "AVX-512", "NEON", "SIMD128"};
+    return names[static_cast<std::size_t>(detail::instruction_set())];
 }
 
 /// How the figures came about.

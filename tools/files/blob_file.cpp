@@ -38,16 +38,10 @@ std::vector<std::byte> read_file(const std::string& path) {
 }
 
 ExitCode exit_code_of(OpenStatus status) {
-    switch (status) {
-        case OpenStatus::ok:
-            return ExitCode::ok;
-        case OpenStatus::unsupported_version:
-        case OpenStatus::unsupported_profile:
-        case OpenStatus::unsupported_feature:
-            return ExitCode::unsupported;
-        default:
-            return ExitCode::invalid_input;
-    }
+    if (status == OpenStatus::ok) return ExitCode::ok;
+    const bool is_newer = status == OpenStatus::unsupported_version || status == OpenStatus::unsupported_profile ||
+                          status == OpenStatus::unsupported_feature;
+    return is_newer ? ExitCode::unsupported : ExitCode::invalid_input;
 }
 
 std::string refusal_text(const std::string& path, OpenStatus status) {

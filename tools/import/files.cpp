@@ -1,6 +1,5 @@
 #include "files.hpp"
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "import/base/importers.hpp"
+#include "import/base/text_file.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "platform/input_file.hpp"
 #include "platform/paths.hpp"
@@ -66,8 +66,7 @@ Import* importer_of(const std::string& path) {
                          " already. Give the mesh that it was baked from.");
     }
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
-    std::string ending = text_of(path_of(path).extension());
-    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string ending = ending_of(path);
     if (ending == ".obj") return import_obj;
     if (ending == ".ply") return import_ply;
     if (ending == ".raw") return import_raw;
@@ -102,10 +101,8 @@ void import_within_limits(const std::string& path, const ImportOptions& options,
 void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
     if (!file.stated_up || options.up) return;
     const std::string axis = axis_name(*file.stated_up);
-    file.warnings.push_back({"up_axis_kept",
-                             text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
-                                  axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
-                             file.path});
+    file.warn("up_axis_kept", text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                                   axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."));
 }
 
 }  // namespace

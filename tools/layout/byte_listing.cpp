@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t bytes_in_a_line = 16;
 constexpr std::size_t hexadecimal_column = 3 * bytes_in_a_line + 1;
 
-std::string in_hexadecimal(std::span<const std::byte> bytes) {
+std::string in_hexadecimal(Bytes bytes) {
     constexpr char digits[] = "0123456789abcdef";
     std::string result;
     for (const std::byte byte : bytes) {
@@ -26,37 +26,27 @@ std::string in_hexadecimal(std::span<const std::byte> bytes) {
     return result;
 }
 
-std::string value_of_field(std::span<const std::byte> bytes, const HeaderField& field) {
-    const auto integer = [&](std::size_t at, std::size_t width) {
-        return width == 1 ? read_u8(bytes, at) : width == 2 ? read_u16(bytes, at) : read_u32(bytes, at);
-    };
-    switch (field.kind) {
-        case HeaderField::Kind::integer:
-            return text(' ', integer(field.at, field.bytes));
-        case HeaderField::Kind::signed_integer:
-            return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
-        case HeaderField::Kind::real:
-            return text(' ', read_f32(bytes, field.at));
-        case HeaderField::Kind::hexadecimal:
-            return text(' ', checksum_text(read_u32(bytes, field.at)));
-        case HeaderField::Kind::text:
-            return text(" \"", printable({reinterpret_cast<const char*>(bytes.data()) + field.at, field.bytes}), '"');
-        case HeaderField::Kind::vector:
-            return text(' ', read_u32(bytes, field.at), ' ', read_u32(bytes, field.at + 4), ' ',
-                        read_u32(bytes, field.at + 8));
-        case HeaderField::Kind::point:
-            return text(' ', read_f32(bytes, field.at), ' ', read_f32(bytes, field.at + 4), ' ',
-                        read_f32(bytes, field.at + 8));
-        case HeaderField::Kind::zero:
-            return {};
+std::string value_of_field(Bytes bytes, const HeaderField& field) {
+    using Kind = HeaderField::Kind;
+    if (field.kind == Kind::zero) return {};
+    if (field.kind == Kind::text)
+        return text(" \"", printable({reinterpret_cast<const char*>(bytes.data()) + field.at, field.bytes}), '"');
+    if (field.kind == Kind::hexadecimal) return text(' ', checksum_text(read_u32(bytes, field.at)));
+    if (field.kind == Kind::signed_integer)
+        return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
+    std::string values;
+    for (std::size_t at = field.at; at < field.at + field.bytes; at += 4) {
+        values +=
+            field.kind == Kind::real
+                ? text(' ', read_f32(bytes, at))
+                : text(' ', read_bits(bytes, 8 * at, 8 * static_cast<unsigned>(std::min<std::size_t>(field.bytes, 4))));
     }
-    return {};
+    return values;
 }
 
 }  // namespace
 
-ByteListing::ByteListing(std::span<const std::byte> bytes, std::size_t limit, bool json)
-    : bytes_(bytes), limit_(limit), json_(json) {}
+ByteListing::ByteListing(Bytes bytes, std::size_t limit, bool json) : bytes_(bytes), limit_(limit), json_(json) {}
 
 void ByteListing::heading(const std::string& text) {
     if (full()) return;
@@ -113,7 +103,7 @@ ExitCode ByteListing::finish(const CommandError* refusal) {
     return refusal == nullptr ? ExitCode::ok : report_failure(*refusal, nullptr);
 }
 
-void list_header(std::span<const std::byte> bytes, std::span<const HeaderField> fields, ByteListing& listing) {
+void list_header(Bytes bytes, std::span<const HeaderField> fields, ByteListing& listing) {
     listing.heading("header");
     for (const HeaderField& field : fields) {
         if (field.at + field.bytes > bytes.size()) {

@@ -19,7 +19,7 @@ namespace espalier::tools {
 class ByteListing {
 public:
     /// Prints as it goes, or collects JSON. `limit` lines at most, 0: all.
-    ByteListing(std::span<const std::byte> bytes, std::size_t limit, bool json);
+    ByteListing(Bytes bytes, std::size_t limit, bool json);
 
     /// A line that stands for no bytes.
     void heading(const std::string& text);
@@ -51,7 +51,7 @@ public:
 private:
     void line(std::size_t count, const std::string& meaning);
 
-    std::span<const std::byte> bytes_;
+    Bytes bytes_;
     std::size_t limit_;
     bool json_;
     std::size_t at_ = 0;
@@ -64,14 +64,15 @@ struct HeaderField {
     std::size_t at;
     std::size_t bytes;
     const char* name;
-    enum class Kind : std::uint8_t { integer, signed_integer, real, hexadecimal, text, vector, point, zero } kind;
+    /// One number of up to 4 bytes, or several of 4.
+    enum class Kind : std::uint8_t { integer, signed_integer, real, hexadecimal, text, zero } kind;
 };
 
 /// Lists the header at the beginning of the bytes, as far as there are bytes: a refused blob may end within it.
-void list_header(std::span<const std::byte> bytes, std::span<const HeaderField> fields, ByteListing& listing);
+void list_header(Bytes bytes, std::span<const HeaderField> fields, ByteListing& listing);
 
 /// Lists the nodes of a blob, from where the listing stands, which is their beginning.
-void list_nodes(std::span<const std::byte> bytes, const Blob& blob, ByteListing& listing);
+void list_nodes(Bytes bytes, const Blob& blob, ByteListing& listing);
 
 /// The words for what leaves are: those of a scene's tree are instances.
 struct PackedNodeWords {
@@ -80,26 +81,25 @@ struct PackedNodeWords {
 };
 
 /// Lists one packed node, from where the listing stands.
-void list_packed_node(std::span<const std::byte> bytes, const NodeFields& node, std::size_t number,
-                      const PackedNodeWords& words, ByteListing& listing);
+void list_packed_node(Bytes bytes, const NodeFields& node, std::size_t number, const PackedNodeWords& words,
+                      ByteListing& listing);
 
 /// From where the listing stands, which is the beginning of the block of node `node`. The blob was opened on `bytes`.
-void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing);
+void list_leaf_block(Bytes bytes, const Blob& blob, std::size_t node, ByteListing& listing);
 
-void list_corners(std::span<const std::byte> bytes, const Blob& blob, const Section& section, ByteListing& listing);
-void list_vertex_sources(std::span<const std::byte> bytes, const Blob& blob, const Section& section,
-                         ByteListing& listing);
+void list_corners(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing);
+void list_vertex_sources(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing);
 
 /// Lists the header of a blob, as far as there are bytes.
-void list_blob_header(std::span<const std::byte> bytes, ByteListing& listing);
+void list_blob_header(Bytes bytes, ByteListing& listing);
 
 /// Lists every byte of a blob, from where the listing stands. The blob was opened on `bytes`.
-void list_blob(std::span<const std::byte> bytes, const Blob& blob, ByteListing& listing);
+void list_blob(Bytes bytes, const Blob& blob, ByteListing& listing);
 
 /// Lists the header of a scene, as far as there are bytes.
-void list_scene_header(std::span<const std::byte> bytes, ByteListing& listing);
+void list_scene_header(Bytes bytes, ByteListing& listing);
 
 /// Lists every byte of a scene, which was opened on `bytes`.
-void list_scene(std::span<const std::byte> bytes, const BakedScene& scene, ByteListing& listing);
+void list_scene(Bytes bytes, const BakedScene& scene, ByteListing& listing);
 
 }  // namespace espalier::tools

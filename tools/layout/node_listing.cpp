@@ -13,8 +13,6 @@ namespace espalier::tools {
 
 namespace {
 
-using Bytes = std::span<const std::byte>;
-
 /// A row of planes for each axis, of `plane_bytes` each.
 void list_planes(Bytes bytes, const char* side, unsigned children, std::size_t row_bytes, std::size_t plane_bytes,
                  ByteListing& listing) {
@@ -48,8 +46,6 @@ void list_plain_node(Bytes bytes, const Blob& blob, std::size_t number, ByteList
     listing.field(1, text(node.leaves, " leaves"));
     listing.field_up_to(node.at + field::bytes, "reserved");
 }
-
-using Bytes = std::span<const std::byte>;
 
 /// Fields of one width, low bits first.
 void list_numbers(Bytes bytes, const std::string& name, unsigned count, unsigned width, ByteListing& listing) {
@@ -162,8 +158,6 @@ void list_predicted_strips(Bytes bytes, const NodeFields& node, std::size_t numb
     }
 }
 
-using Bytes = std::span<const std::byte>;
-
 struct Leaf {
     std::size_t node;
     unsigned number;  ///< among the leaves of the node
@@ -220,7 +214,7 @@ void list_nodes(Bytes bytes, const Blob& blob, ByteListing& listing) {
     }
 }
 
-void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
+void list_leaf_block(Bytes bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
     const NodeFields fields = read_node(bytes, blob, node);
     if (format::has_plain_nodes(blob.profile())) {
         list_plain_leaves(bytes, blob, fields, node, listing);

@@ -7,6 +7,7 @@
 #include <espalier/format.hpp>
 #include <runtime/blob/id_steps.hpp>
 
+#include "base/choices.hpp"
 #include "base/exit_code.hpp"
 
 namespace espalier::tools {
@@ -18,7 +19,7 @@ std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 /// Takes fields off a stream of bits that begins at a byte.
 class BitTaker {
 public:
-    BitTaker(std::span<const std::byte> bytes, std::size_t at) : bytes_(bytes), begin_(at * 8), bit_(begin_) {}
+    BitTaker(Bytes bytes, std::size_t at) : bytes_(bytes), begin_(at * 8), bit_(begin_) {}
     std::uint32_t take(unsigned width) {
         bit_ += width;
         return read_bits(bytes_, bit_ - width, width);
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] std::size_t taken() const { return bit_ - begin_; }
 
 private:
-    std::span<const std::byte> bytes_;
+    Bytes bytes_;
     std::size_t begin_;
     std::size_t bit_;
 };
@@ -65,21 +66,13 @@ std::size_t sum_of(std::span<const ScenePart> parts) {
 
 }  // namespace
 
-std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at) {
-    return std::to_integer<std::uint32_t>(bytes[at]);
-}
-std::uint32_t read_u16(std::span<const std::byte> bytes, std::size_t at) {
-    return read_u8(bytes, at) | read_u8(bytes, at + 1) << 8;
-}
-std::uint32_t read_u24(std::span<const std::byte> bytes, std::size_t at) {
-    return read_u16(bytes, at) | read_u8(bytes, at + 2) << 16;
-}
-std::uint32_t read_u32(std::span<const std::byte> bytes, std::size_t at) {
-    return read_u16(bytes, at) | read_u16(bytes, at + 2) << 16;
-}
-float read_f32(std::span<const std::byte> bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
+std::uint32_t read_u8(Bytes bytes, std::size_t at) { return std::to_integer<std::uint32_t>(bytes[at]); }
+std::uint32_t read_u16(Bytes bytes, std::size_t at) { return read_u8(bytes, at) | read_u8(bytes, at + 1) << 8; }
+std::uint32_t read_u24(Bytes bytes, std::size_t at) { return read_u16(bytes, at) | read_u8(bytes, at + 2) << 16; }
+std::uint32_t read_u32(Bytes bytes, std::size_t at) { return read_u16(bytes, at) | read_u16(bytes, at + 2) << 16; }
+float read_f32(Bytes bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
 
-std::uint32_t read_bits(std::span<const std::byte> bytes, std::size_t bit, unsigned width) {
+std::uint32_t read_bits(Bytes bytes, std::size_t bit, unsigned width) {
     std::uint32_t value = 0;
     for (unsigned i = 0; i < width; ++i, ++bit) value |= ((read_u8(bytes, bit / 8) >> (bit % 8)) & 1u) << i;
     return value;
@@ -140,14 +133,14 @@ const Section& section_named(const std::vector<Section>& sections, std::string_v
     throw_error(ExitCode::internal, "a section is missing: please report this blob.");
 }
 
-NodeFields read_packed_node(std::span<const std::byte> bytes, std::size_t at) {
+NodeFields read_packed_node(Bytes bytes, std::size_t at) {
     namespace field = format::packed_node;
     const std::uint32_t children = read_u32(bytes, at + field::children_at);
     return {at, children & 0xFFFFFFu, (children >> 24) & 15u, children >> 28,
             read_u32(bytes, at + field::leaf_block_at)};
 }
 
-NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node) {
+NodeFields read_node(Bytes bytes, const Blob& blob, std::size_t node) {
     NodeFields fields{};
     fields.at = format::header::bytes + node * format::node_bytes(blob.profile());
     if (format::has_plain_nodes(blob.profile())) {
@@ -163,18 +156,18 @@ NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::si
     return fields;
 }
 
-unsigned read_shift(std::span<const std::byte> bytes, std::size_t at, unsigned axis) {
+unsigned read_shift(Bytes bytes, std::size_t at, unsigned axis) {
     return (read_u16(bytes, at + format::packed_node::shifts_at) >> (5 * axis)) & 31u;
 }
 
-std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t at, unsigned child, unsigned axis) {
+std::uint32_t side_of_child(Bytes bytes, std::size_t at, unsigned child, unsigned axis) {
     namespace field = format::packed_node;
     const std::size_t plane = at + field::row_bytes * axis + child;
     const std::uint32_t planes = read_u8(bytes, plane + field::hi_at) - read_u8(bytes, plane + field::lo_at);
     return planes << read_shift(bytes, at, axis);
 }
 
-LeafFields read_leaf(std::span<const std::byte> bytes, const Blob& blob, std::size_t at, unsigned leaf) {
+LeafFields read_leaf(Bytes bytes, const Blob& blob, std::size_t at, unsigned leaf) {
     namespace field = format::plain_leaf;
     const std::uint32_t descriptor =
         read_u24(bytes, at + format::plain_node::leaves_at + field::descriptor_bytes * leaf);
@@ -197,18 +190,18 @@ PredictedFields read_predicted_strip(std::uint32_t descriptor) {
     return {descriptor & ((1u << field::entries_shift) - 1), (descriptor >> field::entries_shift) + 3};
 }
 
-StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
+StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries) {
     BitTaker stream(bytes, at);
     return read_strip_marks(stream, entries, false);
 }
 
-StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
+StripMarks read_predicted_marks(Bytes bytes, std::size_t at, unsigned entries) {
     BitTaker stream(bytes, at);
     static_cast<void>(stream.take(format::predicted_strip::joints_at));
     return read_strip_marks(stream, entries, true);
 }
 
-std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
+std::uint64_t leaf_count(Bytes bytes, const Blob& blob) {
     std::uint64_t count = 0;
     for (std::size_t node = 0; node < detail::data_of(blob).node_count; ++node) {
         count += read_node(bytes, blob, node).leaves;
@@ -216,19 +209,7 @@ std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
     return count;
 }
 
-const char* name_of(Profile profile) {
-    switch (profile) {
-        case Profile::fast:
-            return "fast";
-        case Profile::balanced:
-            return "balanced";
-        case Profile::small:
-            return "small";
-        case Profile::tiny:
-            return "tiny";
-    }
-    return "unknown";
-}
+const std::string& name_of(Profile profile) { return name_in(profile_choices, profile); }
 
 std::string checksum_text(std::uint32_t checksum) {
     constexpr char digits[] = "0123456789abcdef";
@@ -238,17 +219,12 @@ std::string checksum_text(std::uint32_t checksum) {
 }
 
 std::vector<std::string> feature_names(std::uint32_t features) {
+    constexpr const char* of_bits[] = {"original_ids", "materials_8",  "materials_16",    "closed", "split_references",
+                                       "edge_flags",   "oriented_box", "bounding_sphere", "k_dop",  "deformable"};
+    static_assert(format::feature::known == (1u << std::size(of_bits)) - 1);
     std::vector<std::string> names;
-    if ((features & format::feature::original_ids) != 0) names.emplace_back("original_ids");
-    if ((features & format::feature::materials_8) != 0) names.emplace_back("materials_8");
-    if ((features & format::feature::materials_16) != 0) names.emplace_back("materials_16");
-    if ((features & format::feature::closed) != 0) names.emplace_back("closed");
-    if ((features & format::feature::split_references) != 0) names.emplace_back("split_references");
-    if ((features & format::feature::edge_flags) != 0) names.emplace_back("edge_flags");
-    if ((features & format::feature::oriented_box) != 0) names.emplace_back("oriented_box");
-    if ((features & format::feature::bounding_sphere) != 0) names.emplace_back("bounding_sphere");
-    if ((features & format::feature::k_dop) != 0) names.emplace_back("k_dop");
-    if ((features & format::feature::deformable) != 0) names.emplace_back("deformable");
+    for (std::size_t bit = 0; bit < std::size(of_bits); ++bit)
+        if ((features >> bit & 1u) != 0) names.emplace_back(of_bits[bit]);
     return names;
 }
 
@@ -269,7 +245,7 @@ Json motion_json(const Blob& blob) {
 std::size_t SceneLayout::mesh_bytes() const { return sum_of(std::span(parts).first(mesh_count)); }
 std::size_t SceneLayout::tile_bytes() const { return sum_of(std::span(parts).subspan(mesh_count)); }
 
-SceneLayout layout_of(std::span<const std::byte> bytes, const BakedScene& scene) {
+SceneLayout layout_of(Bytes bytes, const BakedScene& scene) {
     using namespace format::scene;
     SceneLayout layout{};
     layout.mesh_count = scene.meshes().size();

@@ -17,13 +17,15 @@
 
 namespace espalier::tools {
 
-std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at);
-std::uint32_t read_u16(std::span<const std::byte> bytes, std::size_t at);
-std::uint32_t read_u24(std::span<const std::byte> bytes, std::size_t at);
-std::uint32_t read_u32(std::span<const std::byte> bytes, std::size_t at);
-float read_f32(std::span<const std::byte> bytes, std::size_t at);
+using Bytes = std::span<const std::byte>;
+
+std::uint32_t read_u8(Bytes bytes, std::size_t at);
+std::uint32_t read_u16(Bytes bytes, std::size_t at);
+std::uint32_t read_u24(Bytes bytes, std::size_t at);
+std::uint32_t read_u32(Bytes bytes, std::size_t at);
+float read_f32(Bytes bytes, std::size_t at);
 /// A field of up to 32 bits, low bits first.
-std::uint32_t read_bits(std::span<const std::byte> bytes, std::size_t bit, unsigned width);
+std::uint32_t read_bits(Bytes bytes, std::size_t bit, unsigned width);
 
 struct Section {
     const char* name;
@@ -47,15 +49,15 @@ struct NodeFields {
     std::uint32_t leaf_block;
 };
 
-NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node);
+NodeFields read_node(Bytes bytes, const Blob& blob, std::size_t node);
 
 /// The packed node whose bytes begin at `at`.
-NodeFields read_packed_node(std::span<const std::byte> bytes, std::size_t at);
+NodeFields read_packed_node(Bytes bytes, std::size_t at);
 
 /// The shift of an axis of the packed node whose bytes begin at `at`.
-unsigned read_shift(std::span<const std::byte> bytes, std::size_t at, unsigned axis);
+unsigned read_shift(Bytes bytes, std::size_t at, unsigned axis);
 /// How many lattice steps the box of a child of the packed node whose bytes begin at `at` reaches over.
-std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t at, unsigned child, unsigned axis);
+std::uint32_t side_of_child(Bytes bytes, std::size_t at, unsigned child, unsigned axis);
 
 /// The descriptor of a plain leaf, taken apart.
 struct LeafFields {
@@ -66,7 +68,7 @@ struct LeafFields {
 };
 
 /// The leaf with this number among the leaves of the plain node whose bytes begin at `at`.
-LeafFields read_leaf(std::span<const std::byte> bytes, const Blob& blob, std::size_t at, unsigned leaf);
+LeafFields read_leaf(Bytes bytes, const Blob& blob, std::size_t at, unsigned leaf);
 
 /// The descriptor of a strip leaf, taken apart.
 struct StripFields {
@@ -94,13 +96,13 @@ struct StripMarks {
 };
 
 /// The marks that start at byte `at`, of a leaf with so many entries.
-StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries);
+StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries);
 /// The same of a predicted strip; its widths are among the bits.
-StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries);
+StripMarks read_predicted_marks(Bytes bytes, std::size_t at, unsigned entries);
 
-std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob);
+std::uint64_t leaf_count(Bytes bytes, const Blob& blob);
 
-const char* name_of(Profile profile);
+const std::string& name_of(Profile profile);
 /// As eight hexadecimal digits.
 std::string checksum_text(std::uint32_t checksum);
 /// The set bits, by name.
@@ -138,6 +140,6 @@ struct SceneLayout {
     [[nodiscard]] std::size_t tile_bytes() const;
 };
 
-SceneLayout layout_of(std::span<const std::byte> bytes, const BakedScene& scene);
+SceneLayout layout_of(Bytes bytes, const BakedScene& scene);
 
 }  // namespace espalier::tools

@@ -9,8 +9,6 @@ namespace espalier::tools {
 
 namespace {
 
-using Bytes = std::span<const std::byte>;
-
 constexpr HeaderField scene_header_fields[] = {
     {format::scene::magic_at, 4, "magic", HeaderField::Kind::text},
     {format::scene::version_major_at, 2, "format version of scenes, major", HeaderField::Kind::integer},
@@ -25,11 +23,11 @@ constexpr HeaderField scene_header_fields[] = {
     {format::scene::instance_count_at, 4, "instances", HeaderField::Kind::integer},
     {format::scene::node_count_at, 4, "nodes", HeaderField::Kind::integer},
     {format::scene::tile_count_at, 4, "tiles", HeaderField::Kind::integer},
-    {format::scene::origin_at, 12, "origin", HeaderField::Kind::point},
-    {format::scene::extent_at, 12, "extent in steps", HeaderField::Kind::vector},
+    {format::scene::origin_at, 12, "origin", HeaderField::Kind::real},
+    {format::scene::extent_at, 12, "extent in steps", HeaderField::Kind::integer},
     {format::scene::max_error_at, 4, "max error", HeaderField::Kind::real},
-    {format::scene::common_origin_at, 12, "common lattice: origin", HeaderField::Kind::point},
-    {format::scene::common_extent_at, 12, "common lattice: extent in steps", HeaderField::Kind::vector},
+    {format::scene::common_origin_at, 12, "common lattice: origin", HeaderField::Kind::real},
+    {format::scene::common_extent_at, 12, "common lattice: extent in steps", HeaderField::Kind::integer},
     {format::scene::common_step_exponent_at, 2, "common lattice: step exponent", HeaderField::Kind::signed_integer},
     {format::scene::common_step_exponent_at + 2, 2, "reserved", HeaderField::Kind::zero},
     {format::scene::tile_mesh_count_at, 4, "meshes in tiles", HeaderField::Kind::integer},

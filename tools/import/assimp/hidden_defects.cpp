@@ -109,9 +109,8 @@ std::string last_line(const ImportedFile& file) {
 
 void require_last_line(ImportedFile& file, const char* end) {
     if (last_line(file) == end) return;
-    file.warnings.push_back({"missing_end",
-                             text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"),
-                             file.path});
+    file.warn("missing_end",
+              text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"));
 }
 
 std::uint32_t big_endian(std::string_view bytes) {
@@ -161,10 +160,8 @@ void check_ac3d(ImportedFile& file) {
         }
     }
     if (found == stated) return;
-    file.warnings.push_back({"surface_count",
-                             text("'", printable(file.path), "': it has ", counted(found, "surface"),
-                                  ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."),
-                             file.path});
+    file.warn("surface_count", text("'", printable(file.path), "': it has ", counted(found, "surface"),
+                                    ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."));
 }
 
 constexpr std::string_view spaces = " \t\r\n";

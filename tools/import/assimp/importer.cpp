@@ -8,13 +8,13 @@
 #include <assimp/ProgressHandler.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "steps.hpp"
+#include "import/base/text_file.hpp"
 #include "import/guards/crash_guard.hpp"
 #include "platform/paths.hpp"
 
@@ -51,13 +51,6 @@ void remove_replaced_importers(Assimp::Importer& importer) {
             delete replaced;
         }
     }
-}
-
-/// With the dot, in lower case; empty without one.
-std::string ending_of(const std::string& path) {
-    std::string ending = text_of(path_of(path).extension());
-    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return ending;
 }
 
 /// Importers look for a file in several folders, and for files named like the mesh, such as its animation.
@@ -103,31 +96,23 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     read_scene(*scene, options, file, imported);
     find_hidden_defects(file);
     if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-        file.warnings.push_back({"incomplete_scene",
-                                 text("'", printable(path),
-                                      "': its importer states that the scene is incomplete: "
-                                      "triangles may be missing."),
-                                 path});
+        file.warn("incomplete_scene", text("'", printable(path),
+                                           "': its importer states that the scene is incomplete: "
+                                           "triangles may be missing."));
     }
     if (!is_known_ending && !ending.empty()) {
-        file.warnings.push_back({"unknown_ending",
-                                 text("'", printable(path), "': there is no importer for '", printable(ending),
-                                      "' files; by its content it was read by the ", file.format, '.'),
-                                 path});
+        file.warn("unknown_ending", text("'", printable(path), "': there is no importer for '", printable(ending),
+                                         "' files; by its content it was read by the ", file.format, '.'));
     }
     if (!log.losses().empty()) {
-        file.warnings.push_back(
-            {"importer_report",
-             text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ", "'",
-                  log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."),
-             path});
+        file.warn("importer_report",
+                  text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ",
+                       "'", log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."));
     }
     for (const std::string& name : missing) {
         if (!importer.IsExtensionSupported(ending_of(name)) || !is_referred_to(name, file)) continue;
-        file.warnings.push_back({"missing_file",
-                                 text("'", printable(path), "' refers to '", printable(name),
-                                      "', which is missing: what it contains was left out."),
-                                 path});
+        file.warn("missing_file", text("'", printable(path), "' refers to '", printable(name),
+                                       "', which is missing: what it contains was left out."));
     }
     imported.files.push_back(std::move(file));
 }

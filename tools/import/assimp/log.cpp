@@ -1,7 +1,6 @@
 #include "steps.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include <assimp/DefaultLogger.hpp>
@@ -30,62 +29,36 @@ private:
     std::vector<std::string>* losses_;
 };
 
-// All in lower case. assimp has no other way to state that it left something out.
+// All in lower case, with '|' between. assimp has no other way to state that it left something out.
 
 /// A warning with one of these is about a loss; an error needs none.
-constexpr std::string_view loss_words[] = {
-    "ignor",        "skip",         "unable",          "failed",         "cannot",           "unsupported",
-    "overflow",     "missing",      "not found",       "invalid",        "unresolved",       "not supported",
-    "zero indices", "vertex index", "face index",      "vertex setup",   "vertex reference", "face record",
-    "number of",    "face count",   "vertex count",    "unexpected eof", "unexpected end",   "indices per face",
-    "incomplete",   "mesh group",   "may have either", "openings",       "unknown polygon",  "not enough",
-};
+constexpr std::string_view loss_words =
+    "ignor|skip|unable|failed|cannot|unsupported|overflow|missing|not found|invalid|unresolved|not supported|"
+    "zero indices|vertex index|face index|vertex setup|vertex reference|face record|number of|face count|"
+    "vertex count|unexpected eof|unexpected end|indices per face|incomplete|mesh group|may have either|openings|"
+    "unknown polygon|not enough";
 /// These do not change where triangles are, unless a word of `geometry_words` stands beside them.
-constexpr std::string_view look_words[] = {"anim",     "binormal", "bone",     "camera", "color",
-                                           "lamp",     "light",    "material", "normal", "shad",
-                                           "skeleton", "tangent",  "texture",  "uv",     "weight"};
-constexpr std::string_view geometry_words[] = {
-    "external file", "face", "geometr", "instanced node", "mesh", "polygon", "primitive", "triang", "vert"};
-/// Phrases of reports without a loss, though with the words above.
-constexpr std::string_view harmless_words[] = {
-    // looks of vertices and faces
-    "no material assigned",
-    "face material list",
-    "material index overflow",
-    "mapping type",
-    "source surface",
-    "tvertex",
-    "uv-face",
-    "uv channel",
-    "color channel",
-    "vertex color",
-    "vertex data channel",
-    "vertex normal",
-    "vmap/vmad",
-    "bone index overflow",
-    "material specified",
-    // parts of a file that are no geometry
-    "chunk: chan",
-    "chunk: obrq",
-    "chunk: phan",
-    "chunk: rsob",
-    "chunk: shbx",
-    "span chunk",
-    "thumbnail",
-    "content_types",
-    "file of unknown type: 3d/3dmodel.model",
-    "ifcpolyline",
-    "md5anim",
-    "md5camera",
-    // read all the same
-    "newer format version",
-    "property table",
-};
+constexpr std::string_view look_words =
+    "anim|binormal|bone|camera|color|lamp|light|material|normal|shad|skeleton|tangent|texture|uv|weight";
+constexpr std::string_view geometry_words =
+    "external file|face|geometr|instanced node|mesh|polygon|primitive|triang|vert";
+/// Phrases of reports without a loss, though with the words above: about looks of vertices and faces, about parts of a
+/// file that are no geometry, and about what is read all the same.
+constexpr std::string_view harmless_words =
+    "no material assigned|face material list|material index overflow|mapping type|source surface|tvertex|uv-face|"
+    "uv channel|color channel|vertex color|vertex data channel|vertex normal|vmap/vmad|bone index overflow|"
+    "material specified|chunk: chan|chunk: obrq|chunk: phan|chunk: rsob|chunk: shbx|span chunk|thumbnail|"
+    "content_types|file of unknown type: 3d/3dmodel.model|ifcpolyline|md5anim|md5camera|newer format version|"
+    "property table";
 
-template <std::size_t count>
-bool contains_any(std::string_view line, const std::string_view (&words)[count]) {
-    return std::any_of(std::begin(words), std::end(words),
-                       [line](std::string_view word) { return line.find(word) != std::string_view::npos; });
+/// Tests whether a line has one of the words, between which stands '|'.
+bool contains_any(std::string_view line, std::string_view words) {
+    while (!words.empty()) {
+        const std::size_t length = std::min(words.find('|'), words.size());
+        if (line.find(words.substr(0, length)) != std::string_view::npos) return true;
+        words.remove_prefix(std::min(length + 1, words.size()));
+    }
+    return false;
 }
 
 }  // namespace
@@ -100,8 +73,7 @@ ImporterLog::ImporterLog(const ImportOptions& options) {
 ImporterLog::~ImporterLog() { Assimp::DefaultLogger::kill(); }
 
 bool reports_lost_geometry(std::string_view line) {
-    std::string lower(line);
-    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string lower = lower_case(line);
     if (!lower.starts_with("error") && !contains_any(lower, loss_words)) return false;
     if (contains_any(lower, harmless_words)) return false;
     return contains_any(lower, geometry_words) || !contains_any(lower, look_words);

@@ -84,7 +84,7 @@ private:
     }
 
     void warn(const char* kind, const std::string& message) {
-        file_.warnings.push_back({kind, text("'", printable(file_.path), "': ", message), file_.path});
+        file_.warn(kind, text("'", printable(file_.path), "': ", message));
     }
 
     /// A mesh that was imported for its first place, and what of it was left out.

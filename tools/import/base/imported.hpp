@@ -81,6 +81,11 @@ struct ImportedFile {
     std::string unit_origin;        ///< where it is stated: "--unit", "FBX unit scale factor 1", "not stated"
     std::optional<Axis> stated_up;  ///< stated by the file and not carried out by its importer
     std::vector<Warning> warnings;  ///< where the triangles may differ from what the file contains
+
+    /// Appends a warning about the file, or about a mesh of it.
+    void warn(const char* kind, std::string message, std::optional<std::uint32_t> number = {}) {
+        warnings.push_back({kind, std::move(message), path, number});
+    }
 };
 
 struct Imported {

@@ -106,7 +106,7 @@ void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std
 }
 
 void UnitlessFile::warn(const char* kind, const std::string& message) {
-    record_.warnings.push_back({kind, text(printable(path()), message), path()});
+    record_.warn(kind, text(printable(path()), message));
 }
 
 void UnitlessFile::finish() {

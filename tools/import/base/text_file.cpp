@@ -83,6 +83,8 @@ float beyond_double(std::string_view decimal) {
 
 }  // namespace
 
+std::string ending_of(const std::string& path) { return lower_case(text_of(path_of(path).extension())); }
+
 std::string read_bytes(const std::string& path) {
     std::string bytes;
     if (const int error = read_whole_file(path_of(path), bytes); error != 0) fail_to_read(path, error);

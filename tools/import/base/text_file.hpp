@@ -26,6 +26,9 @@ Number little_endian(const char* bytes) {
     return stored_number<Number>(bytes, std::endian::little);
 }
 
+/// Returns the ending of a file's name with its dot, in lower case; empty without one.
+std::string ending_of(const std::string& path);
+
 /// Returns all bytes of a file. Throws CommandError (file_access) when it cannot be read.
 std::string read_bytes(const std::string& path);
 

@@ -47,10 +47,8 @@ public:
         file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
         file_.metres_per_unit = options.metres_per_unit.value_or(1.0);
         if (container.trailing_bytes > 0) {
-            file_.warnings.push_back({"trailing_bytes",
-                                      text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
-                                           " after the last chunk were not read. Export it again."),
-                                      file_.path});
+            file_.warn("trailing_bytes", text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
+                                              " after the last chunk were not read. Export it again."));
         }
         file_.unit_origin = options.metres_per_unit ? "--unit" : "glTF is in metres";
     }
@@ -228,13 +226,12 @@ private:
             "the data has it. Export it again.");
         warn_about_unused_meshes();
         if (nodes_.left_out.empty()) return;
-        file_.warnings.push_back(
-            {"scene_left_out",
-             text(root_.words(), ": ", counted(nodes_.left_out.size(), "node"), " with a mesh, the first is node ",
-                  nodes_.left_out.front(),
-                  ", is in no scene or in another one than the default scene, and is left out. Export the scenes one "
-                  "by one to bake them."),
-             file_.path});
+        file_.warn(
+            "scene_left_out",
+            text(root_.words(), ": ", counted(nodes_.left_out.size(), "node"), " with a mesh, the first is node ",
+                 nodes_.left_out.front(),
+                 ", is in no scene or in another one than the default scene, and is left out. Export the scenes one "
+                 "by one to bake them."));
     }
 
     /// Meshes that no node of any scene names.
@@ -246,18 +243,15 @@ private:
         const auto unused = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
         if (unused == 0) return;
         const auto first = static_cast<std::size_t>(std::find(is_used.begin(), is_used.end(), false) - is_used.begin());
-        file_.warnings.push_back({"unused_mesh",
-                                  text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
+        file_.warn("unused_mesh", text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
                                        unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
-                                       " Give it a node in the scene to bake it."),
-                                  file_.path});
+                                       " Give it a node in the scene to bake it."));
     }
 
     void warn_about(const Found& found, const char* kind, const char* what) {
         if (found.count == 0) return;
         const std::string all = found.count > 1 ? text(" The file has ", found.count, " such meshes.") : "";
-        file_.warnings.push_back(
-            {kind, text(found.name, ": the mesh ", what, all), file_.path, found.mesh, std::nullopt});
+        file_.warn(kind, text(found.name, ": the mesh ", what, all), found.mesh);
     }
 
     const ImportOptions& options_;

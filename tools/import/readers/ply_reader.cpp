@@ -1,7 +1,6 @@
 #include "import/base/importers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <string>
 #include <utility>
@@ -69,17 +68,12 @@ private:
         return result;
     }
 
-    static bool names_vertices(std::string name) {
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-        return name.find("vertex") != std::string::npos;
-    }
-
     /// Of an element that the format does not define: it has a list of integers or of vertices, or three integers.
     static bool may_be_faces(const PlyElement& element) {
         if (element.name == "vertex" || element.name == "edge" || element.name == "material") return false;
         std::size_t integers = 0;
         for (const PlyProperty& property : element.properties) {
-            if (property.count_type && names_vertices(property.name)) return true;
+            if (property.count_type && lower_case(property.name).find("vertex") != std::string::npos) return true;
             if (is_integer(property.type)) integers += property.count_type ? 3u : 1u;
         }
         return integers >= 3;

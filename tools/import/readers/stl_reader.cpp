@@ -137,19 +137,9 @@ private:
     }
 
     [[nodiscard]] const char* place() const {
-        switch (state_) {
-            case State::outside:
-                return "outside the solids";
-            case State::solid:
-                return "between the facets";
-            case State::facet:
-                return "before the corners of a facet";
-            case State::loop:
-                return "among the corners of a facet";
-            case State::after_loop:
-                break;
-        }
-        return "after the corners of a facet";
+        constexpr const char* places[] = {"outside the solids", "between the facets", "before the corners of a facet",
+                                          "among the corners of a facet", "after the corners of a facet"};
+        return places[static_cast<std::size_t>(state_)];
     }
 
     void read_corner(Words& words) {

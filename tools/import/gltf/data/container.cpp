@@ -1,7 +1,5 @@
 #include "container.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -30,12 +28,6 @@ constexpr std::size_t longest_quotation = 160;
 [[noreturn]] void refuse_version(const std::string& path, const std::string& version) {
     throw_error(ExitCode::unsupported, "'", printable(path), "' cannot be imported: it is glTF ", printable(version),
                 ", and 2.0 is read. Convert it to glTF 2.0.");
-}
-
-bool ends_as_gltf(const std::string& path) {
-    std::string ending = text_of(path_of(path).extension());
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending == ".gltf" || ending == ".glb";
 }
 
 enum class Content { binary, json, other };
@@ -122,7 +114,8 @@ void refuse_repeated_keys(const std::string& path, std::string_view json) {
 }  // namespace
 
 std::optional<GltfContainer> read_gltf_container(const std::string& path) {
-    const bool named_so = ends_as_gltf(path);
+    const std::string ending = lower_case(text_of(path_of(path).extension()));
+    const bool named_so = ending == ".gltf" || ending == ".glb";
     const Content content = content_of(start_of(path));
     if (content == Content::other) {
         if (!named_so) return std::nullopt;
