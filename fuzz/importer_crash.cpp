@@ -62,7 +62,8 @@ void expect_importer_crashes(unsigned seconds) {
 // In place of the command's guard, which takes every crash while a file is read for one of assimp.
 namespace espalier::tools {
 
-CrashGuard::CrashGuard(const std::string&, const ImportOptions&) : signals_(on_crash, std::size_t{1} << 18) {}
+CrashGuard::CrashGuard(const std::string&, const ImportOptions&)
+    : signals_(handle_crashes(on_crash, std::size_t{1} << 18)) {}
 
 }  // namespace espalier::tools
 

@@ -12,8 +12,7 @@
 #include "base/numbers.hpp"
 #include "command_line/arguments.hpp"
 #include "commands/commands.hpp"
-#include "platform/arguments.hpp"
-#include "platform/standard_streams.hpp"
+#include "platform/process.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -95,13 +94,18 @@ void add_dump(Verb verb, DumpArguments& arguments) {
 }
 
 /// A verb whose options are those that `add` adds.
-template <class Arguments>
+template <class Arguments, class... Warnings>
 void add_verb(Verb& command, const char* name, const char* description, void (*add)(Verb, Arguments&),
-              ExitCode (*run)(const Arguments&)) {
+              ExitCode (*run)(const Arguments&, Warnings&...)) {
     const auto arguments = std::make_shared<Arguments>();
     Verb verb = command.below(name, description);
     add(verb, *arguments);
-    verb.runs([arguments, run] { return run(*arguments); });
+    verb.runs([arguments, run] {
+        return with_warnings([&](std::vector<Warning>& warnings) {
+            if constexpr (sizeof...(Warnings) == 0) return run(*arguments);
+            else return run(*arguments, warnings);
+        });
+    });
 }
 
 ExitCode run(const std::vector<std::string>& words) {

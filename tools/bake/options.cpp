@@ -64,8 +64,6 @@ void require_as_many(const Imported& meshes, std::size_t expected, const Importe
         {.file = only_input(pose)});
 }
 
-}  // namespace
-
 int parse_step_exponent(const std::string& input, const char* option) {
     const std::optional<int> exponent = step_exponent(input);
     if (exponent) return *exponent;
@@ -74,6 +72,7 @@ int parse_step_exponent(const std::string& input, const char* option) {
                 "the blob.");
 }
 
+/// Throws CommandError (invalid_input) for a blob without triangles.
 Lattice lattice_of_blob(const std::string& path) {
     const BlobFile file = open_blob_file(path);
     if (file.blob.triangle_count() != 0) return file.blob.lattice();
@@ -81,6 +80,48 @@ Lattice lattice_of_blob(const std::string& path) {
                 "' is a blob without triangles, which has no lattice: choose "
                 "another blob, or write the step with --step.");
 }
+
+Deformation deformation_of(const BakeArguments& arguments) {
+    Deformation deformation;
+    if (!arguments.range.empty()) deformation.range = parse_range(arguments.range);
+    return deformation;
+}
+
+/// Above zero, in units of the blob.
+double error_bound(const std::string& length, const char* option) {
+    const double bound = parse_length(length, option);
+    if (bound <= 0.0) {
+        throw_error(ExitCode::usage, option, ' ', printable(length), ": it must be above zero.");
+    }
+    return bound;
+}
+
+/// The options of the command line exclude each other.
+Resolution resolution(const BakeArguments& arguments) {
+    if (!arguments.tolerance.empty()) return Resolution::tolerance(error_bound(arguments.tolerance, "--tolerance"));
+    if (arguments.max_error) return Resolution::tolerance(error_bound(*arguments.max_error, "--max-error"));
+    if (!arguments.step.empty()) return Resolution::step(parse_step_exponent(arguments.step, "--step"));
+    if (!arguments.lattice_of.empty()) return Resolution::same_as(lattice_of_blob(arguments.lattice_of));
+    return Resolution::bits(arguments.bits);
+}
+
+BuildOptions build_options(const BakeArguments& arguments) {
+    BuildOptions build;
+    if (arguments.leaf_size) build.max_leaf_triangles = *arguments.leaf_size;
+    if (arguments.byte_price) build.byte_price = *arguments.byte_price;
+    if (arguments.builder) build.builder = *arguments.builder;
+    if (arguments.duplicate_budget) {
+        if (build.builder != Builder::spatial_splits) {
+            throw_error(ExitCode::usage,
+                        "--duplicate-budget needs --builder spatial_splits: the other builders store each "
+                        "triangle once.");
+        }
+        build.duplicate_budget = *arguments.duplicate_budget;
+    }
+    return build;
+}
+
+}  // namespace
 
 void refuse_options_of_rigid_blobs(const BakeArguments& arguments) {
     if (!arguments.deformable) return;
@@ -103,10 +144,40 @@ void refuse_options_of_rigid_blobs(const BakeArguments& arguments) {
               "the meshes of a scene are rigid. Bake the blob alone; a moving scene takes it as an instance.");
 }
 
-Deformation deformation_of(const BakeArguments& arguments) {
-    Deformation deformation;
-    if (!arguments.range.empty()) deformation.range = parse_range(arguments.range);
-    return deformation;
+void refuse_options_of_blobs(const BakeArguments& arguments) {
+    if (arguments.instancing == Instancing::off) return;
+    const std::pair<const char*, bool> given[] = {{"--remap", !arguments.remap.empty()},
+                                                  {"--reorder", !arguments.reorder.empty()},
+                                                  {"--max-bytes", arguments.max_bytes.has_value()},
+                                                  {"--fastest-under", arguments.fastest_under.has_value()},
+                                                  {"--max-error", arguments.max_error.has_value()}};
+    for (const auto& [option, is_given] : given) {
+        if (!is_given) continue;
+        throw_error(ExitCode::usage, option, " is for one blob, and --instances makes a scene of several. ",
+                    "Leave one of them out.");
+    }
+}
+
+BakeOptions bake_options(const BakeArguments& arguments) {
+    BakeOptions options;
+    options.resolution = resolution(arguments);
+    if (arguments.profile) options.profile = *arguments.profile;
+    if (arguments.deformable) {
+        options.profile = Profile::fast;
+        options.deformation = deformation_of(arguments);
+    }
+    options.original_ids = arguments.original_ids;
+    options.flat_angle = arguments.flat_angle;
+    for (const std::string& name : arguments.bounds) {
+        options.bounds.oriented_box |= name == "obb";
+        options.bounds.sphere |= name == "sphere";
+        options.bounds.k_dop |= name == "kdop";
+    }
+    options.drop_bad_triangles = arguments.drop_bad_triangles;
+    options.effort = arguments.effort;
+    options.threads = arguments.threads;
+    options.build = build_options(arguments);
+    return options;
 }
 
 Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes) {

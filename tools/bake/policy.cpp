@@ -37,45 +37,31 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
     return range;
 }
 
-/// Triangles whose surface, if they had any, is missing from the blob. Of duplicates it is there once.
+/// Triangles whose surface, if they had any, is missing from the blob.
 std::uint64_t dropped_triangles(const BakeReport& report) {
-    return report.findings.not_finite.count + report.findings.index_out_of_range.count +
-           report.findings.zero_area.count + report.findings.collapsed.count;
-}
-
-/// "3 without area (first: box.obj, mesh 0, triangle 5)" for each kind.
-std::string dropped_words(const BakeReport& report) {
-    std::string words;
-    const auto add = [&words](const Finding& finding, const char* what) {
-        if (finding.count == 0) return;
-        words += text(words.empty() ? "" : ", ", finding.count, ' ', what, " (first: ", finding.first, ")");
-    };
-    add(report.findings.not_finite, "not finite");
-    add(report.findings.index_out_of_range, "with an index out of range");
-    add(report.findings.zero_area, "without area");
-    add(report.findings.collapsed, "without area on the lattice");
-    return words;
-}
-
-/// Of the first kind that dropped_words lists.
-ErrorDetails place_of_dropped(const BakeReport& report, const Imported& imported) {
-    for (const Finding* finding : {&report.findings.not_finite, &report.findings.index_out_of_range,
-                                   &report.findings.zero_area, &report.findings.collapsed}) {
-        if (finding->place) return details_of(*finding->place, imported);
-    }
-    return {};
+    std::uint64_t sum = 0;
+    for (const DropReason& reason : drop_reasons)
+        if (reason.words_for_loss != nullptr) sum += (report.findings.*reason.finding).count;
+    return sum;
 }
 
 void refuse_dropped(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
     if (!drops_more_than(policy.max_dropped, report)) return;
-    ErrorDetails details = place_of_dropped(report, imported);
+    std::string words;  // "3 without area (first: box.obj, mesh 0, triangle 5)" for each reason
+    ErrorDetails details;
+    for (const DropReason& reason : drop_reasons) {
+        const Finding& found = report.findings.*reason.finding;
+        if (found.count == 0 || reason.words_for_loss == nullptr) continue;
+        if (details.file.empty() && found.place) details = details_of(*found.place, imported);
+        words +=
+            text(words.empty() ? "" : ", ", found.count, ' ', reason.words_for_loss, " (first: ", found.first, ")");
+    }
     details.kind = "dropped";
     const bool is_empty = report.tree.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
-        text("dropped ", dropped_triangles(report), " of ", counted(report.source.triangles, "triangle"), ": ",
-             dropped_words(report), ". At most ", rounded(policy.max_dropped),
-             " % may be, so nothing was written. Mend the mesh",
+        text("dropped ", dropped_triangles(report), " of ", counted(report.source.triangles, "triangle"), ": ", words,
+             ". At most ", rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
              report.findings.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
         std::move(details));

@@ -26,6 +26,22 @@ struct BakePolicy {
     std::optional<SizeRange> expected_size;
 };
 
+/// A reason for which triangles are dropped.
+struct DropReason {
+    Finding Findings::*finding;
+    const char* key;    ///< in JSON
+    const char* words;  ///< in reports
+    /// In errors; null for duplicates, whose surface is in the blob once.
+    const char* words_for_loss;
+};
+inline constexpr DropReason drop_reasons[] = {
+    {&Findings::not_finite, "not_finite", "with a corner that is NaN or infinite", "not finite"},
+    {&Findings::index_out_of_range, "index_out_of_range", "with an index out of range", "with an index out of range"},
+    {&Findings::zero_area, "zero_area", "without area", "without area"},
+    {&Findings::collapsed, "collapsed", "that the lattice flattened to no area", "without area on the lattice"},
+    {&Findings::duplicate, "duplicate", "with the corners of another one", nullptr},
+};
+
 /// Throws CommandError (usage) for a range of sizes that is none.
 BakePolicy bake_policy(const BakeArguments& arguments);
 

@@ -11,22 +11,6 @@ namespace espalier::tools {
 
 namespace {
 
-struct NamedFinding {
-    const char* key;
-    const char* what;
-    const Finding& finding;
-};
-
-std::vector<NamedFinding> findings_of(const BakeReport& report) {
-    return {
-        {"not_finite", "with a corner that is NaN or infinite", report.findings.not_finite},
-        {"index_out_of_range", "with an index out of range", report.findings.index_out_of_range},
-        {"zero_area", "without area", report.findings.zero_area},
-        {"collapsed", "that the lattice flattened to no area", report.findings.collapsed},
-        {"duplicate", "with the corners of another one", report.findings.duplicate},
-    };
-}
-
 struct NamedVolume {
     const char* key;
     const char* what;
@@ -87,10 +71,10 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
 }
 
 void say_findings(const Console& console, const BakeReport& report) {
-    for (const NamedFinding& found : findings_of(report)) {
-        if (found.finding.count == 0) continue;
-        console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
-                         "; first: ", found.finding.first));
+    for (const DropReason& reason : drop_reasons) {
+        const Finding& found = report.findings.*reason.finding;
+        if (found.count == 0) continue;
+        console.say(text("dropped ", counted(found.count, "triangle"), ' ', reason.words, "; first: ", found.first));
     }
 }
 
@@ -149,9 +133,10 @@ Json input_json(const BakeArguments& arguments, const Imported& imported) {
 
 Json findings_json(const BakeReport& report) {
     Json findings = Json::object();
-    for (const NamedFinding& found : findings_of(report)) {
-        findings[found.key] = {{"count", found.finding.count},
-                               {"first", found.finding.count == 0 ? Json(nullptr) : Json(found.finding.first)}};
+    for (const DropReason& reason : drop_reasons) {
+        const Finding& found = report.findings.*reason.finding;
+        findings[reason.key] = {{"count", found.count},
+                                {"first", found.count == 0 ? Json(nullptr) : Json(found.first)}};
     }
     return findings;
 }

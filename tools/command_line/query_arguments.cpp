@@ -4,7 +4,6 @@
 
 #include "arguments.hpp"
 #include "base/numbers.hpp"
-#include "commands/commands.hpp"
 #include "query/kinds.hpp"
 
 namespace espalier::tools {
@@ -144,7 +143,11 @@ void add_query(Verb query) {
         add_words(verb, kind, *arguments);
         KindOptions(verb, kind, *arguments).add();
         add_json(verb, arguments->json);
-        verb.runs([&kind, arguments] { return run_query(kind, *arguments); });
+        verb.runs([&kind, arguments] {
+            QueryCall call(kind, *arguments);
+            const Answer answer = kind.run(call);
+            return print_answer(kind.name, answer, reason_of(kind, *arguments, answer.status));
+        });
     }
 }
 

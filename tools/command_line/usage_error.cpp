@@ -13,7 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/numbers.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -25,62 +25,6 @@ namespace espalier::tools {
 
 namespace {
 
-/// Above zero, in units of the blob.
-double error_bound(const std::string& length, const char* option) {
-    const double bound = parse_length(length, option);
-    if (bound <= 0.0) {
-        throw_error(ExitCode::usage, option, ' ', printable(length), ": it must be above zero.");
-    }
-    return bound;
-}
-
-/// The options of the command line exclude each other.
-Resolution resolution(const BakeArguments& arguments) {
-    if (!arguments.tolerance.empty()) return Resolution::tolerance(error_bound(arguments.tolerance, "--tolerance"));
-    if (arguments.max_error) return Resolution::tolerance(error_bound(*arguments.max_error, "--max-error"));
-    if (!arguments.step.empty()) return Resolution::step(parse_step_exponent(arguments.step, "--step"));
-    if (!arguments.lattice_of.empty()) return Resolution::same_as(lattice_of_blob(arguments.lattice_of));
-    return Resolution::bits(arguments.bits);
-}
-
-BuildOptions build_options(const BakeArguments& arguments) {
-    BuildOptions build;
-    if (arguments.leaf_size) build.max_leaf_triangles = *arguments.leaf_size;
-    if (arguments.byte_price) build.byte_price = *arguments.byte_price;
-    if (arguments.builder) build.builder = *arguments.builder;
-    if (arguments.duplicate_budget) {
-        if (build.builder != Builder::spatial_splits) {
-            throw_error(ExitCode::usage,
-                        "--duplicate-budget needs --builder spatial_splits: the other builders store each "
-                        "triangle once.");
-        }
-        build.duplicate_budget = *arguments.duplicate_budget;
-    }
-    return build;
-}
-
-BakeOptions bake_options(const BakeArguments& arguments) {
-    BakeOptions options;
-    options.resolution = resolution(arguments);
-    if (arguments.profile) options.profile = *arguments.profile;
-    if (arguments.deformable) {
-        options.profile = Profile::fast;
-        options.deformation = deformation_of(arguments);
-    }
-    options.original_ids = arguments.original_ids;
-    options.flat_angle = arguments.flat_angle;
-    for (const std::string& name : arguments.bounds) {
-        options.bounds.oriented_box |= name == "obb";
-        options.bounds.sphere |= name == "sphere";
-        options.bounds.k_dop |= name == "kdop";
-    }
-    options.drop_bad_triangles = arguments.drop_bad_triangles;
-    options.effort = arguments.effort;
-    options.threads = arguments.threads;
-    options.build = build_options(arguments);
-    return options;
-}
-
 /// Nothing when no picking option was given.
 std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     PickGoal goal;
@@ -108,21 +52,6 @@ void write_blob(const BakeArguments& arguments, const Imported& imported, std::s
     const std::vector<std::byte> reordered =
         arguments.reorder.empty() ? std::vector<std::byte>() : reordered_mesh(arguments.reorder, imported, baked.remap);
     write_outputs(arguments, imported, poses, {baked.bytes, remap, reordered});
-}
-
-/// Throws CommandError (usage) for options that make sense for a single blob only.
-void refuse_options_of_blobs(const BakeArguments& arguments) {
-    if (arguments.instancing == Instancing::off) return;
-    const std::pair<const char*, bool> given[] = {{"--remap", !arguments.remap.empty()},
-                                                  {"--reorder", !arguments.reorder.empty()},
-                                                  {"--max-bytes", arguments.max_bytes.has_value()},
-                                                  {"--fastest-under", arguments.fastest_under.has_value()},
-                                                  {"--max-error", arguments.max_error.has_value()}};
-    for (const auto& [option, is_given] : given) {
-        if (!is_given) continue;
-        throw_error(ExitCode::usage, option, " is for one blob, and --instances makes a scene of several. ",
-                    "Leave one of them out.");
-    }
 }
 
 /// Prints what was picked; for the rest of the verb it is a bake like any other.
@@ -188,7 +117,9 @@ ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
     return ExitCode::ok;
 }
 
-ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>& warnings) {
+}  // namespace
+
+ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output},
                                    {"--depfile", arguments.depfile},
@@ -219,12 +150,6 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     if (options.deformation) options.deformation->poses = std::move(poses.positions);
     const Baking baking{arguments, policy, console, imported, poses.files, options};
     return arguments.instancing == Instancing::off ? bake_blob(baking, warnings) : bake_scene(baking, warnings);
-}
-
-}  // namespace
-
-ExitCode run_bake(const BakeArguments& arguments) {
-    return with_warnings([&](std::vector<Warning>& warnings) { return bake_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

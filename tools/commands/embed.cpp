@@ -11,7 +11,7 @@
 #include "files/blob_file.hpp"
 #include "files/embedding.hpp"
 #include "files/outputs.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 

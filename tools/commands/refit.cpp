@@ -109,7 +109,9 @@ void refuse_to_meet_pose(const RefitArguments& arguments, const std::vector<std:
     if (arguments.json) refuse_standard_output(outputs);
 }
 
-ExitCode refit_with_warnings(const RefitArguments& arguments, std::vector<Warning>& warnings) {
+}  // namespace
+
+ExitCode run_refit(const RefitArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     refuse_to_meet_pose(arguments, {arguments.blob, arguments.pose});
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
@@ -130,12 +132,6 @@ ExitCode refit_with_warnings(const RefitArguments& arguments, std::vector<Warnin
     console.say(text("wrote ", printable(arguments.output)));
     if (arguments.json) print_json(refit_json(arguments, pose, refitted, warnings));
     return ExitCode::ok;
-}
-
-}  // namespace
-
-ExitCode run_refit(const RefitArguments& arguments) {
-    return with_warnings([&](std::vector<Warning>& warnings) { return refit_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

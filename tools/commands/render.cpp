@@ -148,7 +148,9 @@ private:
     std::unique_ptr<Subject> subject_;
 };
 
-ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warning>& warnings) {
+}  // namespace
+
+ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const PictureSize size = picture_size(arguments.size);
     const NamedOutput outputs[] = {{"-o", arguments.output}};
@@ -191,12 +193,6 @@ ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warn
     console.say(text("wrote ", printable(arguments.output), ", ", size.width, " x ", size.height));
     if (arguments.json) print_json(document);
     return ExitCode::ok;
-}
-
-}  // namespace
-
-ExitCode run_render(const RenderArguments& arguments) {
-    return with_warnings([&](std::vector<Warning>& warnings) { return render_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

@@ -12,7 +12,7 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/outputs.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 #include "trade/point.hpp"
@@ -60,7 +60,9 @@ void write_text(const std::string& path, const std::string& words) {
     write_output_file(path, std::as_bytes(std::span(words)));
 }
 
-ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warning>& warnings) {
+}  // namespace
+
+ExitCode run_trade(const TradeArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--csv", arguments.csv}};
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
@@ -114,12 +116,6 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
         finish_standard_output();
     }
     return ExitCode::ok;
-}
-
-}  // namespace
-
-ExitCode run_trade(const TradeArguments& arguments) {
-    return with_warnings([&](std::vector<Warning>& warnings) { return trade_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

@@ -102,7 +102,9 @@ void print_result(const VerifyArguments& arguments, const Verified& file, const 
     finish_standard_output();
 }
 
-ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warning>& warnings) {
+}  // namespace
+
+ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warnings) {
     ImportOptions options = import_options(arguments.source, arguments.json, warnings);
     Verification result;
     const Verified file(arguments.blob);
@@ -134,12 +136,6 @@ ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warn
         print_result(arguments, file, result);
     }
     return ExitCode::ok;
-}
-
-}  // namespace
-
-ExitCode run_verify(const VerifyArguments& arguments) {
-    return with_warnings([&](std::vector<Warning>& warnings) { return verify_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

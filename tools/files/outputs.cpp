@@ -9,10 +9,8 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "platform/input_file.hpp"
-#include "platform/paths.hpp"
-#include "platform/standard_streams.hpp"
-#include "platform/written_file.hpp"
+#include "platform/files.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "platform/written_file.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 
@@ -37,7 +37,7 @@ private:
         std::filesystem::path temporary;   ///< empty: written directly
         std::span<const std::byte> bytes;  ///< of a direct one
     };
-    HeldInterrupts held_;
+    Guard held_ = hold_interrupts();
     std::vector<Staged> staged_;
 };
 

@@ -13,8 +13,7 @@
 #include "import/base/importers.hpp"
 #include "import/base/text_file.hpp"
 #include "import/guards/limit_guard.hpp"
-#include "platform/input_file.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

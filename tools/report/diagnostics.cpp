@@ -10,7 +10,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "platform/standard_streams.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 

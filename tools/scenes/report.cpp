@@ -116,11 +116,8 @@ Json scene_json(const BakeArguments& arguments, const Imported& imported, const 
 void ReportTotal::add(const BakeReport& report, const std::string& name, std::uint64_t instances) {
     sum_.source.triangles += report.source.triangles * instances;
     sum_.source.vertices += report.source.vertices * instances;
-    add_finding(sum_.findings.not_finite, report.findings.not_finite, instances);
-    add_finding(sum_.findings.index_out_of_range, report.findings.index_out_of_range, instances);
-    add_finding(sum_.findings.zero_area, report.findings.zero_area, instances);
-    add_finding(sum_.findings.collapsed, report.findings.collapsed, instances);
-    add_finding(sum_.findings.duplicate, report.findings.duplicate, instances);
+    for (const DropReason& reason : drop_reasons)
+        add_finding(sum_.findings.*reason.finding, report.findings.*reason.finding, instances);
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     sum_.tree.triangles =
         static_cast<std::uint32_t>(std::min(most, sum_.tree.triangles + report.tree.triangles * instances));

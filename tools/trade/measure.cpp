@@ -128,22 +128,11 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
 }
 
 Contestant bake_point(const Imported& imported, BakeOptions options, const SampleQueries& queries, TradePoint& point) {
-    options.profile = point.profile;
-    options.build.builder = point.builder;
     options.resolution = Resolution::bits(point.bits);
-    options.build.max_leaf_triangles = point.leaf_size;
-    options.build.byte_price = point.byte_price;
-    Contestant contestant{bake_or_throw(imported, options), {}};
+    Contestant contestant{bake_or_throw(imported, point.applied_to(options)), {}};
     contestant.blob = opened(contestant.baked);
-    const BakeReport& report = contestant.baked.report;
-    point.bytes = report.bytes;
-    point.triangles = report.tree.triangles;
-    point.depth = report.tree.depth;
-    point.bake_seconds = report.seconds;
-    point.max_error = report.lattice.max_error;
+    point.take(contestant.baked.report, count_work(contestant.blob, queries.rays));
     point.mean_error = mean_error(contestant.blob, queries.surface_points);
-    point.work = count_work(contestant.blob, queries.rays);
-    point.cost = counted_cost(point.work, point.profile);
     return contestant;
 }
 

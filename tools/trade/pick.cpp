@@ -26,33 +26,27 @@ constexpr std::array<float, 3> byte_price_factors = {1.0f, 0.2f, 0.0f};
 /// Bytes are planned by estimates, so that another configuration may turn out a little smaller than the smallest one.
 constexpr double near_miss = 1.1;
 
-struct Configuration {
-    Profile profile;
-    Builder builder;
-    unsigned leaf_size;
-    float byte_price;
-};
-
 unsigned largest_leaf(const PickGoal& goal, Profile profile) {
     return std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
 }
 
 /// The smallest blob that is tried: the last profile of the list is the most compact one.
-Configuration smallest_configuration(const PickGoal& goal, float byte_price) {
+TradePoint smallest_configuration(const PickGoal& goal, float byte_price) {
     const Profile profile = goal.profile.value_or(profile_choices.back().second);
-    return {profile, goal.builder.value_or(builders.front()), largest_leaf(goal, profile),
-            high_byte_price * byte_price};
+    return {.profile = profile,
+            .builder = goal.builder.value_or(builders.front()),
+            .leaf_size = largest_leaf(goal, profile),
+            .byte_price = high_byte_price * byte_price};
 }
 
-std::vector<Configuration> other_configurations(const PickGoal& goal, float byte_price) {
-    std::vector<Configuration> result;
+std::vector<TradePoint> other_configurations(const PickGoal& goal, float byte_price) {
+    std::vector<TradePoint> result;
     const auto add_sizes = [&](Profile profile, Builder builder) {
         const unsigned most = largest_leaf(goal, profile);
         for (const unsigned size : {most, most / 2}) {
             if (goal.leaf_size && size != most) continue;
-            for (const float factor : byte_price_factors) {
-                result.push_back({profile, builder, size, factor * byte_price});
-            }
+            for (const float factor : byte_price_factors)
+                result.push_back({profile, builder, 0, size, factor * byte_price});
         }
     };
     for (const auto& choice : profile_choices) {
@@ -67,7 +61,7 @@ std::vector<Configuration> other_configurations(const PickGoal& goal, float byte
     return result;
 }
 
-/// The search. Candidates are tried in a fixed order, and of equally good ones the first is taken.
+/// The search. TradePoints are tried in a fixed order, and of equally good ones the first is taken.
 class Search {
 public:
     Search(const Imported& imported, const BakeOptions& options, const PickGoal& goal)
@@ -81,14 +75,12 @@ public:
             try_one(smallest_configuration(goal_, options_.build.byte_price));
             if (!loss_.empty()) break;
             if (some_fit_ || nearly_fits(tried_.back()) || !goal_.may_coarsen) {
-                for (const Configuration& other : other_configurations(goal_, options_.build.byte_price))
-                    try_one(other);
+                for (const TradePoint& other : other_configurations(goal_, options_.build.byte_price)) try_one(other);
             }
         } while (!some_fit_ && goal_.may_coarsen && coarsen());
         if (!some_fit_) refuse();
-        const Candidate chosen = best();
-        const BakeOptions options = options_for({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price});
-        return {bake_or_throw(imported_, options), chosen, std::move(tried_)};
+        const TradePoint chosen = best();
+        return {bake_or_throw(imported_, options_for(chosen)), chosen, std::move(tried_)};
     }
 
 private:
@@ -100,12 +92,8 @@ private:
         return true;
     }
 
-    [[nodiscard]] BakeOptions options_for(const Configuration& configuration) const {
-        BakeOptions options = options_;
-        options.profile = configuration.profile;
-        options.build.builder = configuration.builder;
-        options.build.max_leaf_triangles = configuration.leaf_size;
-        options.build.byte_price = configuration.byte_price;
+    [[nodiscard]] BakeOptions options_for(const TradePoint& configuration) const {
+        BakeOptions options = configuration.applied_to(options_);
         if (options_.progress) {
             options.progress = [this](const char* stage, double done) {
                 options_.progress(text("bake ", tried_.size() + 1, ", ", stage).c_str(), done);
@@ -114,7 +102,7 @@ private:
         return options;
     }
 
-    void try_one(const Configuration& configuration) {
+    void try_one(const TradePoint& configuration) {
         const BakeResult baked = bake_trial_or_throw(imported_, options_for(configuration));
         const BakeReport& report = baked.report;
         // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
@@ -128,35 +116,34 @@ private:
                 return;
             }
         }
-        const CountedWork work = count_work(opened(baked), rays_);
-        tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
-                          configuration.byte_price, report.lattice.bits, report.bytes, report.lattice.max_error, work,
-                          counted_cost(work, configuration.profile)});
+        tried_.push_back(configuration);
+        tried_.back().bits = report.lattice.bits;
+        tried_.back().take(report, count_work(opened(baked), rays_));
         some_fit_ = some_fit_ || fits(tried_.back());
     }
 
-    [[nodiscard]] bool fits(const Candidate& candidate) const {
+    [[nodiscard]] bool fits(const TradePoint& candidate) const {
         return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
     }
 
-    [[nodiscard]] bool nearly_fits(const Candidate& candidate) const {
+    [[nodiscard]] bool nearly_fits(const TradePoint& candidate) const {
         return !goal_.max_bytes || double(candidate.bytes) <= near_miss * double(*goal_.max_bytes);
     }
 
     /// The least work; of equal ones the fewest bytes.
-    [[nodiscard]] const Candidate& best() const {
-        const Candidate* best = nullptr;
-        for (const Candidate& candidate : tried_) {
+    [[nodiscard]] const TradePoint& best() const {
+        const TradePoint* best = nullptr;
+        for (const TradePoint& candidate : tried_) {
             if (!fits(candidate)) continue;
-            const auto order = [](const Candidate& c) { return std::tuple(c.cost, c.bytes); };
+            const auto order = [](const TradePoint& c) { return std::tuple(c.cost, c.bytes); };
             if (best == nullptr || order(candidate) < order(*best)) best = &candidate;
         }
         return *best;
     }
 
     [[noreturn]] void refuse() const {
-        const auto has_fewer_bytes = [](const Candidate& a, const Candidate& b) { return a.bytes < b.bytes; };
-        const Candidate& smallest = *std::min_element(tried_.begin(), tried_.end(), has_fewer_bytes);
+        const auto has_fewer_bytes = [](const TradePoint& a, const TradePoint& b) { return a.bytes < b.bytes; };
+        const TradePoint& smallest = *std::min_element(tried_.begin(), tried_.end(), has_fewer_bytes);
         throw_error(
             ExitCode::unsupported, goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"),
             " has ", counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
@@ -172,7 +159,7 @@ private:
     std::vector<Ray> rays_;
     BakeOptions options_;
     const PickGoal& goal_;
-    std::vector<Candidate> tried_;
+    std::vector<TradePoint> tried_;
     bool some_fit_ = false;
     std::string loss_;  // what a lattice coarser than the tried ones does
 };
@@ -184,22 +171,22 @@ std::string more_than(double value, double least) {
 
 /// Of the candidates on the chosen lattice the one with the least of something.
 template <class Measure>
-const Candidate& least(const Picked& picked, const Measure& measure) {
-    const Candidate* best = &picked.chosen;
-    for (const Candidate& candidate : picked.tried) {
+const TradePoint& least(const Picked& picked, const Measure& measure) {
+    const TradePoint* best = &picked.chosen;
+    for (const TradePoint& candidate : picked.tried) {
         if (candidate.bits == picked.chosen.bits && measure(candidate) < measure(*best)) best = &candidate;
     }
     return *best;
 }
 
-const Candidate& fastest(const Picked& picked) {
-    return least(picked, [](const Candidate& candidate) { return candidate.cost; });
+const TradePoint& fastest(const Picked& picked) {
+    return least(picked, [](const TradePoint& candidate) { return candidate.cost; });
 }
-const Candidate& smallest(const Picked& picked) {
-    return least(picked, [](const Candidate& candidate) { return candidate.bytes; });
+const TradePoint& smallest(const Picked& picked) {
+    return least(picked, [](const TradePoint& candidate) { return candidate.bytes; });
 }
 
-Json candidate_json(const Candidate& candidate) {
+Json candidate_json(const TradePoint& candidate) {
     return {{"profile", name_in(profile_choices, candidate.profile)},
             {"builder", name_in(builder_choices, candidate.builder)},
             {"leaf_size", candidate.leaf_size},
@@ -215,7 +202,7 @@ Json candidate_json(const Candidate& candidate) {
 
 }  // namespace
 
-std::string describe(const Candidate& candidate) {
+std::string describe(const TradePoint& candidate) {
     return text("profile ", name_in(profile_choices, candidate.profile), ", builder ",
                 name_in(builder_choices, candidate.builder), ", leaves of up to ",
                 counted(candidate.leaf_size, "triangle"), ", byte price ", candidate.byte_price, ", ",
@@ -227,8 +214,8 @@ Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal
 }
 
 void say_pick(const Console& console, const Picked& picked, const BakeOptions& options) {
-    const Candidate& chosen = picked.chosen;
-    const Candidate& first = picked.tried.front();
+    const TradePoint& chosen = picked.chosen;
+    const TradePoint& first = picked.tried.front();
     console.say(text("picked: ", describe(chosen), ", out of ", counted(picked.tried.size(), "bake")));
     if (options.resolution.kind() == Resolution::Kind::tolerance) {
         console.say(
@@ -239,12 +226,12 @@ void say_pick(const Console& console, const Picked& picked, const BakeOptions& o
     } else {
         console.say(text("  error: ", rounded(chosen.max_error), ", nothing given up"));
     }
-    const Candidate& small = smallest(picked);
+    const TradePoint& small = smallest(picked);
     console.say(text("  bytes: ", chosen.bytes,
                      small.bytes == chosen.bytes ? std::string(", the fewest at this lattice")
                                                  : text(", ", more_than(double(chosen.bytes), double(small.bytes)),
                                                         " than ", small.bytes, " with ", describe(small))));
-    const Candidate& fast = fastest(picked);
+    const TradePoint& fast = fastest(picked);
     console.say(text("  counted work: ", rounded(chosen.cost, 4), " visits a ray",
                      fast.cost == chosen.cost
                          ? std::string(", the least at this lattice")
@@ -254,7 +241,7 @@ void say_pick(const Console& console, const Picked& picked, const BakeOptions& o
 
 Json pick_json(const Picked& picked) {
     Json tried = Json::array();
-    for (const Candidate& candidate : picked.tried) tried.push_back(candidate_json(candidate));
+    for (const TradePoint& candidate : picked.tried) tried.push_back(candidate_json(candidate));
     return {{"chosen", candidate_json(picked.chosen)},
             {"fastest", candidate_json(fastest(picked))},
             {"smallest", candidate_json(smallest(picked))},

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,26 +26,13 @@ struct PickGoal {
     std::optional<unsigned> leaf_size;
 };
 
-/// One bake that was tried, without its bytes.
-struct Candidate {
-    Profile profile;
-    Builder builder;
-    unsigned leaf_size;
-    float byte_price;  ///< that it was baked with
-    unsigned bits;
-    std::uint64_t bytes;
-    double max_error;
-    CountedWork work;
-    double cost;  ///< see counted_cost
-};
-
 /// "profile fast, builder sweep_sah, leaves of up to 8 triangles, byte price 5, 16 bits"
-std::string describe(const Candidate& candidate);
+std::string describe(const TradePoint& candidate);
 
 struct Picked {
     BakeResult baked;
-    Candidate chosen;
-    std::vector<Candidate> tried;  ///< in the order in which they were
+    TradePoint chosen;
+    std::vector<TradePoint> tried;  ///< in the order in which they were, without times
 };
 
 /// Throws CommandError: as bake_or_throw, and (unsupported) when nothing fits, with the smallest that was reached.

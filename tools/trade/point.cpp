@@ -52,8 +52,22 @@ CountedWork count_work(const Blob& blob, std::span<const Ray> rays) {
     return {mean(counters.nodes), mean(counters.leaves), mean(counters.triangles), mean(counters.candidates)};
 }
 
-double counted_cost(const CountedWork& work, Profile profile) {
-    return decoding_factor(profile) * (work.nodes + leaf_visit * work.leaves + triangle_test * work.triangles);
+BakeOptions TradePoint::applied_to(BakeOptions options) const {
+    options.profile = profile;
+    options.build.builder = builder;
+    options.build.max_leaf_triangles = leaf_size;
+    options.build.byte_price = byte_price;
+    return options;
+}
+
+void TradePoint::take(const BakeReport& report, const CountedWork& counted) {
+    bytes = report.bytes;
+    triangles = report.tree.triangles;
+    depth = report.tree.depth;
+    bake_seconds = report.seconds;
+    max_error = report.lattice.max_error;
+    work = counted;
+    cost = decoding_factor(profile) * (work.nodes + leaf_visit * work.leaves + triangle_test * work.triangles);
 }
 
 Json trade_json(const std::vector<TradePoint>& points) {

@@ -26,10 +26,6 @@ struct CountedWork {
 /// Casts every ray by the scalar path.
 CountedWork count_work(const Blob& blob, std::span<const Ray> rays);
 
-/// The cost of that work in visits of a node of the fast profile, by committed constants, which do not depend on the
-/// options of the bake.
-double counted_cost(const CountedWork& work, Profile profile);
-
 struct TradePoint {
     // what was chosen
     Profile profile = Profile::fast;
@@ -45,12 +41,18 @@ struct TradePoint {
     double max_error = 0.0;   ///< the header's bound
     double mean_error = 0.0;  ///< from points of the source's surface, spread evenly by area, to the baked surface
     CountedWork work;         ///< of a closest-hit ray
-    double cost = 0.0;        ///< see counted_cost
+    /// The cost of that work in visits of a node of the fast profile, by committed constants, which do not depend on
+    /// the options of the bake.
+    double cost = 0.0;
     // medians, in nanoseconds
     double closest_ns = 0.0;
     double any_ns = 0.0;
     double overlap_ns = 0.0;
 
+    /// Returns the options of a bake with what was chosen, but for the lattice.
+    [[nodiscard]] BakeOptions applied_to(BakeOptions options) const;
+    /// Takes what came out of the bake.
+    void take(const BakeReport& report, const CountedWork& counted);
     [[nodiscard]] double bytes_per_triangle() const {
         return triangles == 0 ? 0.0 : static_cast<double>(bytes) / triangles;
     }

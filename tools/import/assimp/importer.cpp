@@ -16,7 +16,7 @@
 #include "steps.hpp"
 #include "import/base/text_file.hpp"
 #include "import/guards/crash_guard.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "import/base/text_file.hpp"
-#include "platform/input_file.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -6,8 +6,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
-#include "platform/input_file.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -24,6 +24,6 @@ auto crash_handler_that_names(const std::string& path, const ImportOptions& opti
 }  // namespace
 
 CrashGuard::CrashGuard(const std::string& path, const ImportOptions& options)
-    : signals_(crash_handler_that_names(path, options), std::size_t{1} << 16) {}
+    : signals_(handle_crashes(crash_handler_that_names(path, options), std::size_t{1} << 16)) {}
 
 }  // namespace espalier::tools

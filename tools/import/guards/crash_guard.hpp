@@ -5,7 +5,7 @@
 #include <string>
 
 #include "import/base/imported.hpp"
-#include "platform/crash_signals.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 
@@ -16,7 +16,7 @@ public:
     CrashGuard(const std::string& path, const ImportOptions& options);
 
 private:
-    CrashSignals signals_;
+    Guard signals_;
 };
 
 }  // namespace espalier::tools

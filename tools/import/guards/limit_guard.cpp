@@ -2,10 +2,11 @@
 
 #include <atomic>
 #include <cstring>
+#include <new>
 #include <string_view>
 
 #include "base/numbers.hpp"
-#include "platform/standard_streams.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 
@@ -20,6 +21,14 @@ void note_failed_allocation() {
     allocation_failed = true;
     throw std::bad_alloc();
 }
+
+/// While it lives, allocations that fail are noted.
+struct NotedAllocations {
+    NotedAllocations() : before(std::set_new_handler(note_failed_allocation)) { allocation_failed = false; }
+    ~NotedAllocations() { std::set_new_handler(before); }
+
+    std::new_handler before;
+};
 
 void end_with_time_words() { end_with(time_words); }
 
@@ -58,20 +67,12 @@ LastWords last_words(const CommandError& error, const ImportOptions& options) {
 
 void end_with(const LastWords& words) { end_process(words.exit_code, words.to_stderr, words.to_stdout); }
 
-NotedAllocations::NotedAllocations() : before_(std::set_new_handler(note_failed_allocation)) {
-    allocation_failed = false;
-}
-
-NotedAllocations::~NotedAllocations() { std::set_new_handler(before_); }
-
 LimitGuard::LimitGuard(const std::string& path, const ImportOptions& options)
-    : path_(path),
-      limits_(options.limits),
-      memory_(limits_.memory),
-      time_(limits_.seconds, time_handler_that_names(path, options)) {
-    require_set(memory_.error(), path, "import_memory", "--import-memory",
+    : path_(path), limits_(options.limits), allocations_(std::make_shared<NotedAllocations>()) {
+    require_set(limit_memory(limits_.memory, memory_), path, "import_memory", "--import-memory",
                 "For files that you trust, --import-memory none reads without it.");
-    require_set(time_.error(), path, "import_seconds", "--import-seconds", "End other programs, and try again.");
+    require_set(limit_processor_time(limits_.seconds, time_handler_that_names(path, options), time_), path,
+                "import_seconds", "--import-seconds", "End other programs, and try again.");
 }
 
 bool LimitGuard::memory_ran_out() const { return allocation_failed; }

@@ -1,11 +1,10 @@
 // What a signal handler leaves behind when it ends the process while a file is read.
 #pragma once
 
-#include <new>
 #include <string>
 
 #include "import/base/imported.hpp"
-#include "platform/limits.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 
@@ -20,18 +19,6 @@ LastWords last_words(const CommandError& error, const ImportOptions& options);
 
 /// Writes them and ends the process at once. Safe in a signal handler.
 [[noreturn]] void end_with(const LastWords& words);
-
-/// While it lives, allocations that fail are noted.
-class NotedAllocations {
-public:
-    NotedAllocations();
-    ~NotedAllocations();
-    NotedAllocations(const NotedAllocations&) = delete;
-    NotedAllocations& operator=(const NotedAllocations&) = delete;
-
-private:
-    std::new_handler before_;
-};
 
 /// While it lives, the process can add so much address space and no more: an allocation beyond it throws
 /// std::bad_alloc. After so much processor time of the process, user and system, the process ends with
@@ -49,9 +36,7 @@ public:
 private:
     std::string path_;
     ImportLimits limits_;
-    NotedAllocations allocations_;
-    MemoryLimit memory_;
-    ProcessorTimeLimit time_;
+    Guard allocations_, memory_, time_;
 };
 
 /// Returns half of the machine's memory: baking takes four times what importing takes, so that no larger file could be

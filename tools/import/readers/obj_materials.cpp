@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "import/base/text_file.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

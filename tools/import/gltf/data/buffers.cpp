@@ -7,8 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "compression.hpp"
-#include "platform/input_file.hpp"
-#include "platform/paths.hpp"
+#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -1,15 +1,12 @@
-#include "platform/written_file.hpp"
+#include "platform/files.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <system_error>
 
-#include "platform/standard_streams.hpp"
+#include "platform/process.hpp"
 
 namespace espalier::tools {
 
@@ -44,6 +41,20 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+std::filesystem::path path_of(std::string_view text) { return {text}; }
+
+std::string text_of(const std::filesystem::path& path) { return path.string(); }
+
+InputFile::InputFile(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "rb")) {
+    if (file_ == nullptr) error_ = errno;
+}
+
+std::uint64_t InputFile::size() const {
+    struct stat facts {};
+    const bool is_known = file_ != nullptr && ::fstat(::fileno(file_), &facts) == 0 && S_ISREG(facts.st_mode);
+    return is_known ? static_cast<std::uint64_t>(facts.st_size) : 0;
+}
 
 /// The file need not exist: a link to a place where there is none yet is followed, too.
 int follow_links(const std::filesystem::path& path, std::filesystem::path& target) {
@@ -95,18 +106,5 @@ int error_of_writing_to(const std::string& path) { return ::access(path.c_str(),
 
 /// The right to do so is that of the folder, in which write_temporary() makes a file.
 int error_of_replacing(const std::filesystem::path&) { return 0; }
-
-struct HeldInterrupts::State {
-    sigset_t before;
-};
-
-HeldInterrupts::HeldInterrupts() : state_(std::make_unique<State>()) {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, signal);
-    pthread_sigmask(SIG_BLOCK, &held, &state_->before);
-}
-
-HeldInterrupts::~HeldInterrupts() { pthread_sigmask(SIG_SETMASK, &state_->before, nullptr); }
 
 }  // namespace espalier::tools

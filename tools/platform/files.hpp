@@ -1,4 +1,5 @@
-// Files to read. A stream of C++ may take an error in the middle of a file for its end; these do not. Errors are values
+// Paths as text, files to read, and bytes to files: temporaries that take the place of a file, and what is written
+// where it is. A stream of C++ may take an error in the middle of a file for its end; these do not. Errors are values
 // of errno.
 #pragma once
 
@@ -8,8 +9,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace espalier::tools {
+
+/// Returns the path that the text names. std::filesystem::path(text) depends on settings of the machine on Windows.
+/// There, bytes that are no UTF-8 become U+FFFD, so that they name no file.
+std::filesystem::path path_of(std::string_view text);
+/// Returns the text of a path.
+std::string text_of(const std::filesystem::path& path);
 
 /// A file that is open for reading, from its start on.
 class InputFile {
@@ -52,5 +61,25 @@ int read_whole_file(const std::filesystem::path& path, Bytes& bytes) {
     }
     return file.error() == 0 && bytes.size() < size ? EIO : file.error();  // it became shorter meanwhile
 }
+
+/// Stores in `target` the file that a path names behind symbolic links. Returns 0 or an error.
+int follow_links(const std::filesystem::path& path, std::filesystem::path& target);
+
+/// Writes a new file in the folder of `target`, flushes it to the disk and stores its name in `temporary`. Returns 0,
+/// or an error; then no file is left behind and `temporary` is empty.
+int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes,
+                    std::filesystem::path& temporary);
+
+/// Renames the temporary to `target`, which it replaces at once. Returns 0 or an error.
+int replace_file(const std::filesystem::path& target, const std::filesystem::path& temporary);
+
+/// Writes to a pipe or a device, or to the standard output where the path names it. Returns 0 or an error.
+int write_directly(const std::string& path, std::span<const std::byte> bytes);
+
+/// Returns 0 if this process may write to the pipe or device, else an error.
+int error_of_writing_to(const std::string& path);
+
+/// Returns 0 if another file may take the place of this one, as far as can be found before; else an error.
+int error_of_replacing(const std::filesystem::path& target);
 
 }  // namespace espalier::tools

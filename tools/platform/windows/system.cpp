@@ -1,6 +1,9 @@
-#include "text.hpp"
+#include "system.hpp"
 
 #include <windows.h>
+
+#include <cerrno>
+#include <system_error>
 
 namespace espalier::tools {
 
@@ -20,6 +23,12 @@ std::wstring utf16_of(std::string_view text) {
     std::wstring result(static_cast<std::size_t>(words), L'\0');
     ::MultiByteToWideChar(CP_UTF8, 0, text.data(), length, result.data(), words);
     return result;
+}
+
+int last_error() {
+    const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
+    const std::error_condition condition = error.default_error_condition();
+    return condition.category() == std::generic_category() ? condition.value() : EIO;
 }
 
 }  // namespace espalier::tools

@@ -1,4 +1,4 @@
-// Text of Windows, which is UTF-16, and UTF-8.
+// Text of Windows, which is UTF-16, and its errors as values of errno.
 #pragma once
 
 #include <string>
@@ -10,5 +10,8 @@ namespace espalier::tools {
 std::string utf8_of(std::wstring_view text);
 /// Returns the text in UTF-16; bytes that are no UTF-8 become U+FFFD.
 std::wstring utf16_of(std::string_view text);
+
+/// Returns the error of the last call of this thread that failed; EIO for those that errno has no value of.
+int last_error();
 
 }  // namespace espalier::tools

@@ -1,4 +1,4 @@
-#include "input_file.hpp"
+#include "files.hpp"
 
 namespace espalier::tools {
 

@@ -1,4 +1,4 @@
-#include "platform/written_file.hpp"
+#include "platform/files.hpp"
 
 #include <windows.h>
 
@@ -8,12 +8,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <mutex>
 #include <random>
 
-#include "errors.hpp"
-#include "platform/paths.hpp"
-#include "platform/standard_streams.hpp"
+#include "platform/process.hpp"
+#include "system.hpp"
 
 namespace espalier::tools {
 
@@ -66,16 +64,20 @@ std::wstring name_of(HANDLE file) {
     return name.starts_with(mark) ? name.substr(mark.size()) : name;
 }
 
-/// Held while a temporary exists: an interrupt is handled by a thread of its own, which waits for it.
-std::recursive_mutex writing;
+}  // namespace
 
-/// Returns that the next handler is due: the system's, which ends the process. No other temporary is begun until then.
-BOOL WINAPI wait_for_writing(DWORD) {
-    writing.lock();
-    return FALSE;
+std::filesystem::path path_of(std::string_view text) { return {utf16_of(text)}; }
+
+std::string text_of(const std::filesystem::path& path) { return utf8_of(path.native()); }
+
+InputFile::InputFile(const std::filesystem::path& path) : file_(::_wfopen(path.c_str(), L"rb")) {
+    if (file_ == nullptr) error_ = errno;
 }
 
-}  // namespace
+std::uint64_t InputFile::size() const {
+    if (file_ == nullptr) return 0;
+    return static_cast<std::uint64_t>(std::max<__int64>(::_filelengthi64(::_fileno(file_)), 0));
+}
 
 /// A link to a file that does not exist is refused, because its name cannot be found.
 int follow_links(const std::filesystem::path& path, std::filesystem::path& target) {
@@ -141,17 +143,5 @@ int error_of_replacing(const std::filesystem::path& target) {
     ::CloseHandle(file);
     return is_read_only ? EACCES : 0;
 }
-
-struct HeldInterrupts::State {
-    std::lock_guard<std::recursive_mutex> lock{writing};
-};
-
-HeldInterrupts::HeldInterrupts() {
-    static const BOOL handles = ::SetConsoleCtrlHandler(wait_for_writing, TRUE);
-    static_cast<void>(handles);
-    state_ = std::make_unique<State>();
-}
-
-HeldInterrupts::~HeldInterrupts() = default;
 
 }  // namespace espalier::tools
