@@ -88,8 +88,8 @@ check_folder_includes(tools
   "trade: base import/base report bake"
   "scenes: base import/base report layout bake"
   "query: base report files"
-  "render: base"
-  "absent: base import/base import/gltf/data import/assimp render"
+  "render: base files"
+  "absent: base import/base import/gltf/data render"
   "commands: base platform import/base import report files layout bake trade scenes query render"
   "command_line: base platform report query commands"
   ".: base platform report commands command_line")

@@ -1,6 +1,5 @@
 // In place of import/assimp in a build whose ESPALIER_COMMAND_PARTS has no assimp.
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/importers.hpp"
 
 namespace espalier::tools {

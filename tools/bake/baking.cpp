@@ -8,8 +8,6 @@
 #include <baker/bake_with.hpp>
 
 #include "base/choices.hpp"
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/files.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "report/diagnostics.hpp"

@@ -11,9 +11,7 @@
 #include "baking.hpp"
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "files/blob_file.hpp"
-#include "import/base/imported.hpp"
 #include "policy.hpp"
 
 namespace espalier::tools {
@@ -74,7 +72,7 @@ int parse_step_exponent(const std::string& input, const char* option) {
 
 /// Throws CommandError (invalid_input) for a blob without triangles.
 Lattice lattice_of_blob(const std::string& path) {
-    const BlobFile file = open_blob_file(path);
+    const AssetFile file = open_blob_file(path);
     if (file.blob.triangle_count() != 0) return file.blob.lattice();
     throw_error(ExitCode::invalid_input, '\'', printable(path),
                 "' is a blob without triangles, which has no lattice: choose "

@@ -2,12 +2,9 @@
 
 #include <bit>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "files/outputs.hpp"
 
 namespace espalier::tools {

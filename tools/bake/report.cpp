@@ -5,7 +5,6 @@
 
 #include "base/numbers.hpp"
 #include "layout/places.hpp"
-#include "report/diagnostics.hpp"
 
 namespace espalier::tools {
 

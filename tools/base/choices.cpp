@@ -1,13 +1,8 @@
 #include "choices.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
-
-#include "exit_code.hpp"
-#include "numbers.hpp"
 
 namespace espalier::tools {
 

@@ -20,7 +20,8 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
 ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warnings);
 ExitCode run_dump(const DumpArguments& arguments);
 
-/// Prints the scene. Throws CommandError for bytes that are no sound scene.
-void print_scene_info(const InfoArguments& arguments, std::span<const std::byte> bytes);
+/// Prints what is inside a scene.
+struct AssetFile;
+void print_scene_info(const InfoArguments& arguments, const AssetFile& file);
 
 }  // namespace espalier::tools

@@ -1,7 +1,6 @@
 // embed: one blob or scene in, one source file out, and its header.
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -65,12 +64,6 @@ std::string blob_name(const EmbedArguments& arguments) {
                 "assembler. Rename the blob, or write C.");
 }
 
-/// Throws CommandError when the bytes are neither a blob nor a scene that opens.
-void require_sound(const std::string& path, const std::vector<std::byte>& bytes) {
-    const OpenStatus status = is_scene(bytes) ? try_open_scene(bytes).scene.status() : open(bytes).status();
-    if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
-}
-
 void refuse_to_meet_sources(const EmbedArguments& arguments) {
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
     refuse_to_overwrite_input(outputs, arguments.blob);
@@ -90,13 +83,13 @@ ExitCode run_embed(const EmbedArguments& arguments) {
     embedding.section = section_of(arguments, embedding.symbol);
     embedding.alignment = alignment_of(arguments);
 
-    const std::vector<std::byte> bytes = read_file(arguments.blob);
-    require_sound(arguments.blob, bytes);
-    if (bytes.size() > most_bytes) {
+    const AssetFile file(arguments.blob);
+    file.require_open();
+    if (file.bytes.size() > most_bytes) {
         throw_error(ExitCode::unsupported, "'", printable(arguments.blob), "' has more than ", most_bytes,
                     " bytes, too many to link. Map it from a file.");
     }
-    embedding.bytes = bytes;
+    embedding.bytes = file.bytes;
     if (!arguments.header.empty()) {
         const std::string header = header_text(embedding);
         write_output_file_if_changed(arguments.header, std::as_bytes(std::span(header)));

@@ -35,7 +35,7 @@ double extent_of(const Blob& blob) {
     return std::ldexp(1.0, blob.lattice().step_exponent) * largest;
 }
 
-std::string blob_format_version(const BlobFile& file) {
+std::string blob_format_version(const AssetFile& file) {
     return text(read_u16(file.bytes, format::header::version_major_at), '.',
                 read_u16(file.bytes, format::header::version_minor_at));
 }
@@ -46,7 +46,7 @@ std::string joined(const std::vector<std::string>& names) {
     return result.empty() ? "none" : result;
 }
 
-void print_blob_json(const InfoArguments& arguments, const BlobFile& file) {
+void print_blob_json(const InfoArguments& arguments, const AssetFile& file) {
     const Blob& blob = file.blob;
     Json document = json_document();
     document["file"] = arguments.blob;
@@ -109,7 +109,7 @@ void print_motion(const Blob& blob) {
                               " per triangle; the rest may stay in flash"));
 }
 
-void print_blob_table(const InfoArguments& arguments, const BlobFile& file) {
+void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
     const Blob& blob = file.blob;
     std::cout << printable(arguments.blob) << '\n';
     line("format", text(blob_format_version(file), ", profile ", name_of(blob.profile())));
@@ -153,12 +153,12 @@ void print_blob_table(const InfoArguments& arguments, const BlobFile& file) {
 }  // namespace
 
 ExitCode run_info(const InfoArguments& arguments) {
-    std::vector<std::byte> bytes = read_file(arguments.blob);
-    if (is_scene(bytes)) {
-        print_scene_info(arguments, bytes);
+    const AssetFile file(arguments.blob);
+    file.require_open();
+    if (file.is_a_scene) {
+        print_scene_info(arguments, file);
         return ExitCode::ok;
     }
-    const BlobFile file = open_blob(arguments.blob, std::move(bytes));
     if (arguments.json) {
         print_blob_json(arguments, file);
     } else {

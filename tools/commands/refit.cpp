@@ -57,7 +57,7 @@ void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const 
     refuse_position(pose, result.position, text("has ", words_for_not_finite(position), ". Mend the pose."));
 }
 
-Refitted refitted(const RefitArguments& arguments, const BlobFile& file, const Imported& pose) {
+Refitted refitted(const RefitArguments& arguments, const AssetFile& file, const Imported& pose) {
     std::vector<std::byte> memory(deformable_bytes(file.blob));
     Deformable mesh = create_deformable(file.blob, memory);
     const std::vector<Vec3> positions = positions_in_a_row(pose);
@@ -116,7 +116,7 @@ ExitCode run_refit(const RefitArguments& arguments, std::vector<Warning>& warnin
     refuse_to_meet_pose(arguments, {arguments.blob, arguments.pose});
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.keep_vertices = true;
-    const BlobFile file = open_blob_file(arguments.blob);
+    const AssetFile file = open_blob_file(arguments.blob);
     require_deformable(arguments, file.blob);
     const Imported pose = import_with_progress({&arguments.pose, 1}, source, arguments.quiet);
     refuse_to_meet_pose(arguments, pose.files.front().opened);

@@ -1,7 +1,6 @@
 // render: a picture of a blob or a scene, by casting rays at it.
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -113,41 +112,6 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
     return work;
 }
 
-/// The file that is drawn.
-class Picture {
-public:
-    /// Throws CommandError when the file is neither a blob nor a scene, and for a heat map of a scene.
-    explicit Picture(const RenderArguments& arguments) : bytes_(read_file(arguments.blob)) {
-        if (is_scene(bytes_)) {
-            if (arguments.heatmap) {
-                throw CommandError(ExitCode::unsupported,
-                                   text("--heatmap: '", printable(arguments.blob),
-                                        "' is a scene, and steps are counted in blobs only. Leave --heatmap out."),
-                                   {.file = arguments.blob});
-            }
-            scene_ = open_scene_file(arguments.blob, bytes_);
-            subject_ = subject_of(scene_.scene);
-        } else {
-            blob_ = open_blob(arguments.blob, std::move(bytes_));
-            subject_ = subject_of(blob_.blob);
-        }
-    }
-    Picture(const Picture&) = delete;
-    Picture& operator=(const Picture&) = delete;
-
-    [[nodiscard]] const Subject& subject() const { return *subject_; }
-    [[nodiscard]] const Blob& blob() const { return blob_.blob; }
-    [[nodiscard]] bool is_empty() const {
-        return scene_.scene ? scene_.scene.instance_count() == 0 : blob_.blob.triangle_count() == 0;
-    }
-
-private:
-    std::vector<std::byte> bytes_;  ///< of a scene
-    BlobFile blob_;
-    SceneFile scene_;
-    std::unique_ptr<Subject> subject_;
-};
-
 }  // namespace
 
 ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warnings) {
@@ -158,9 +122,16 @@ ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warn
     if (arguments.json) refuse_standard_output(outputs);
     require_ending(outputs[0], ".png", "the picture is a PNG");
     require_writable(outputs);
-    const Picture picture(arguments);
+    const AssetFile file(arguments.blob);
+    if (arguments.heatmap && file.is_a_scene) {
+        throw CommandError(ExitCode::unsupported,
+                           text("--heatmap: '", printable(arguments.blob),
+                                "' is a scene, and steps are counted in blobs only. Leave --heatmap out."),
+                           {.file = arguments.blob});
+    }
+    file.require_open();
     static_cast<void>(Image(1, 1).png());  // which a build without libpng refuses
-    const Subject& subject = picture.subject();
+    const Subject subject(file);
     const Camera camera(subject, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width,
                         size.height);
     Image image(size.width, size.height);
@@ -168,7 +139,7 @@ ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warn
     document["output"] = arguments.output;
     document["width"] = size.width;
     document["height"] = size.height;
-    if (picture.is_empty()) {
+    if (file.is_empty()) {
         const Warning empty{
             "empty",
             text("'", printable(arguments.blob), "' has no triangles; the picture shows the background only."),
@@ -181,7 +152,7 @@ ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warn
     {
         Progress progress(arguments.quiet);
         if (arguments.heatmap) {
-            const Work work = draw_heatmap(picture.blob(), camera, arguments, image, progress);
+            const Work work = draw_heatmap(file.blob, camera, arguments, image, progress);
             document["steps"] = {{"mean", work.mean}, {"most", work.most}, {"white", work.white}};
             console.say(text("steps a ray: ", rounded(work.mean, 4), " on average, ", rounded(work.most, 4),
                              " at most in a pixel; black is 0, white is ", rounded(work.white, 4), " and more"));

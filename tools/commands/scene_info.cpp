@@ -6,7 +6,6 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <vector>
 
 #include <espalier/scene.hpp>
 
@@ -242,10 +241,9 @@ void print_scene_table(const InfoArguments& arguments, std::span<const std::byte
 
 }  // namespace
 
-void print_scene_info(const InfoArguments& arguments, std::span<const std::byte> bytes) {
-    const SceneFile file = open_scene_file(arguments.blob, bytes);
-    if (arguments.json) print_scene_json(arguments, bytes, file.scene);
-    else print_scene_table(arguments, bytes, file.scene);
+void print_scene_info(const InfoArguments& arguments, const AssetFile& file) {
+    if (arguments.json) print_scene_json(arguments, file.bytes, file.scene());
+    else print_scene_table(arguments, file.bytes, file.scene());
 }
 
 }  // namespace espalier::tools

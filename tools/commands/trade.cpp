@@ -1,6 +1,5 @@
 // trade: one source baked in many ways, measured, and shown.
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <span>
 

@@ -30,42 +30,23 @@ struct Verification {
     std::string failure;
 };
 
-/// The file that is verified: a blob or a scene.
-struct Verified {
-    std::vector<std::byte> bytes;
-    bool is_a_scene = false;
-    Blob blob;
-    SceneFile scene;
+float max_error_of(const AssetFile& file) { return file.is_a_scene ? file.scene().max_error() : file.blob.max_error(); }
 
-    explicit Verified(const std::string& path) : bytes(read_file(path)), is_a_scene(is_scene(bytes)) {
-        if (is_a_scene) scene = try_open_scene(bytes);
-        else blob = open(bytes);
-    }
-    [[nodiscard]] OpenStatus status() const { return is_a_scene ? scene.scene.status() : blob.status(); }
-    [[nodiscard]] float max_error() const { return is_a_scene ? scene.scene.max_error() : blob.max_error(); }
-    [[nodiscard]] bool is_empty() const {
-        return is_a_scene ? scene.scene.instance_count() == 0 : blob.triangle_count() == 0;
-    }
-    [[nodiscard]] VerifyReport verify_deeply() const { return is_a_scene ? verify_scene(bytes) : verify(bytes); }
-    [[nodiscard]] SourceCheck check(const Imported& source) const {
-        return is_a_scene ? check_source(scene.scene, source) : check_source(blob, source);
-    }
-    [[nodiscard]] std::string content() const {
-        if (!is_a_scene) return counted(blob.triangle_count(), "triangle");
-        const std::size_t meshes = scene.scene.meshes().size(), tiles = scene.scene.tiles().size();
-        return text(counted(scene.scene.instance_count(), "instance"), " of ", meshes,
-                    meshes == 1 ? " mesh" : " meshes", tiles == 0 ? "" : text(" and ", counted(tiles, "tile")));
-    }
-};
+std::string content_of(const AssetFile& file) {
+    if (!file.is_a_scene) return counted(file.blob.triangle_count(), "triangle");
+    const std::size_t meshes = file.scene().meshes().size(), tiles = file.scene().tiles().size();
+    return text(counted(file.scene().instance_count(), "instance"), " of ", meshes, meshes == 1 ? " mesh" : " meshes",
+                tiles == 0 ? "" : text(" and ", counted(tiles, "tile")));
+}
 
-std::string source_failure(const Verified& file, const SourceCheck& check) {
+std::string source_failure(const AssetFile& file, const SourceCheck& check) {
     if (file.is_empty() && check.triangles_with_area > 0) {
         return text("the ", file.is_a_scene ? "scene" : "blob", " is empty, but the source has ",
                     counted(check.triangles_with_area, "triangle"), " with area. Is it this source?");
     }
     if (check.too_far == 0) return {};
     return text(check.too_far, " of ", counted(check.checked, "source vertex"),
-                " lie farther from the baked surface than its max error ", shortest(file.max_error()),
+                " lie farther from the baked surface than its max error ", shortest(max_error_of(file)),
                 "; the farthest, at ", rounded(check.worst_distance), ": ", check.worst,
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
@@ -89,13 +70,13 @@ Json verification_json(const VerifyArguments& arguments, const Verification& res
     return document;
 }
 
-void print_result(const VerifyArguments& arguments, const Verified& file, const Verification& result) {
-    std::cout << printable(arguments.blob) << ": ok, " << file.content() << '\n';
+void print_result(const VerifyArguments& arguments, const AssetFile& file, const Verification& result) {
+    std::cout << printable(arguments.blob) << ": ok, " << content_of(file) << '\n';
     std::cout << "  opened: every query on it is safe\n";
     if (result.deep) std::cout << "  deep: every box contains what is below it, and the header's counts are true\n";
     if (result.source) {
         std::cout << "  source: " << counted(result.source->checked, "vertex") << " of " << result.source->vertices
-                  << " within max error " << shortest(file.max_error()) << ", farthest "
+                  << " within max error " << shortest(max_error_of(file)) << ", farthest "
                   << rounded(result.source->worst_distance) << " (measured to "
                   << rounded(result.source->measuring_error, 2) << ")\n";
     }
@@ -107,13 +88,13 @@ void print_result(const VerifyArguments& arguments, const Verified& file, const 
 ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warnings) {
     ImportOptions options = import_options(arguments.source, arguments.json, warnings);
     Verification result;
-    const Verified file(arguments.blob);
+    const AssetFile file(arguments.blob);
     result.status = file.status();
     ExitCode code = exit_code_of(result.status);
     if (result.status != OpenStatus::ok) result.failure = refusal_text(arguments.blob, result.status);
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
-        const VerifyReport report = file.verify_deeply();
+        const VerifyReport report = file.is_a_scene ? verify_scene(file.bytes) : verify(file.bytes);
         if (!report) result.failure = text("'", printable(arguments.blob), "': ", report.message, ". Bake it again.");
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
@@ -121,7 +102,7 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
         const Imported source = import_files(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
         if (arguments.source.strict) refuse_warnings(warnings, source);
-        result.source = file.check(source);
+        result.source = file.is_a_scene ? check_source(file.scene(), source) : check_source(file.blob, source);
         const std::string failure = source_failure(file, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }

@@ -1,7 +1,6 @@
 // espalier_demo_rays MESH.obj BLOB.espl PICTURE.png: opens the blob, casts a million rays at it, and reports in five
 // lines what the demo made.
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -3,11 +3,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <span>
 #include <utility>
 
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {
@@ -52,21 +49,6 @@ std::string refusal_text(const std::string& path, OpenStatus status) {
                 advice);
 }
 
-BlobFile open_blob_file(const std::string& path) { return open_blob(path, read_file(path)); }
-
-BlobFile open_blob(const std::string& path, std::vector<std::byte> bytes) {
-    if (is_scene(bytes)) {
-        throw_file_error(ExitCode::unsupported, path,
-                         " is a scene, and a blob is needed here. Bake one without --instances.");
-    }
-    BlobFile file;
-    file.bytes = std::move(bytes);
-    file.blob = open(file.bytes);
-    const OpenStatus status = file.blob.status();
-    if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
-    return file;
-}
-
 bool is_scene(std::span<const std::byte> bytes) {
     constexpr char magic[] = {'E', 'S', 'P', 'S'};
     return bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), magic, sizeof(magic)) == 0;
@@ -80,10 +62,23 @@ SceneFile try_open_scene(std::span<const std::byte> bytes) {
     return file;
 }
 
-SceneFile open_scene_file(const std::string& path, std::span<const std::byte> bytes) {
-    SceneFile file = try_open_scene(bytes);
-    const OpenStatus status = file.scene.status();
-    if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
+AssetFile::AssetFile(const std::string& file_path)
+    : path(file_path), bytes(read_file(path)), is_a_scene(is_scene(bytes)) {
+    if (is_a_scene) parts = try_open_scene(bytes);
+    else blob = open(bytes);
+}
+
+void AssetFile::require_open() const {
+    if (status() == OpenStatus::ok) return;
+    throw CommandError(exit_code_of(status()), refusal_text(path, status()), {.file = path});
+}
+
+AssetFile open_blob_file(const std::string& path) {
+    AssetFile file(path);
+    if (file.is_a_scene)
+        throw_file_error(ExitCode::unsupported, path,
+                         " is a scene, and a blob is needed here. Bake one without --instances.");
+    file.require_open();
     return file;
 }
 

@@ -17,22 +17,6 @@ namespace espalier::tools {
 /// blob.
 std::vector<std::byte> read_file(const std::string& path);
 
-/// An opened blob with the bytes that it points into: moved as one, never copied.
-struct BlobFile {
-    std::vector<std::byte> bytes;
-    Blob blob;
-
-    BlobFile() = default;
-    BlobFile(BlobFile&&) = default;
-    BlobFile& operator=(BlobFile&&) = default;
-};
-
-/// Throws CommandError as read_file does, and (invalid_input or unsupported) when `open` refuses the bytes.
-BlobFile open_blob_file(const std::string& path);
-
-/// Opens the blob that was read from `path`. Throws CommandError as open_blob_file does, and (unsupported) for a scene.
-BlobFile open_blob(const std::string& path, std::vector<std::byte> bytes);
-
 /// Which exit code a refused blob has: newer than this program, or broken.
 ExitCode exit_code_of(OpenStatus status);
 
@@ -57,8 +41,33 @@ bool is_scene(std::span<const std::byte> bytes);
 /// Opens the scene, whose status may be a refusal.
 SceneFile try_open_scene(std::span<const std::byte> bytes);
 
-/// Opens the scene that was read from `path`. Throws CommandError (invalid_input or unsupported) when it is refused.
-SceneFile open_scene_file(const std::string& path, std::span<const std::byte> bytes);
+/// A file, opened as a scene if it begins as one, else as a blob. Moved as one, never copied.
+struct AssetFile {
+    AssetFile() = default;
+    /// Throws CommandError as read_file does. What was opened may be a refusal.
+    explicit AssetFile(const std::string& file_path);
+    AssetFile(AssetFile&&) = default;
+    AssetFile& operator=(AssetFile&&) = default;
+
+    [[nodiscard]] const BakedScene& scene() const { return parts.scene; }
+    [[nodiscard]] OpenStatus status() const { return is_a_scene ? scene().status() : blob.status(); }
+    /// Throws CommandError (invalid_input or unsupported) for a refusal.
+    void require_open() const;
+    /// Returns whether there is no triangle, or no instance.
+    [[nodiscard]] bool is_empty() const {
+        return is_a_scene ? scene().instance_count() == 0 : blob.triangle_count() == 0;
+    }
+
+    std::string path;
+    std::vector<std::byte> bytes;
+    bool is_a_scene = false;
+    Blob blob;
+    SceneFile parts;  ///< of a scene
+};
+
+/// Opens a blob. Throws CommandError as read_file does, and (invalid_input or unsupported) for a refusal, and for a
+/// scene.
+AssetFile open_blob_file(const std::string& path);
 
 /// Opens a scene that was just baked. Throws CommandError (internal) when the reader refuses it.
 SceneFile opened_scene(const std::string& path, std::span<const std::byte> bytes);

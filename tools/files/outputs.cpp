@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "platform/files.hpp"
-#include "platform/process.hpp"
 
 namespace espalier::tools {
 

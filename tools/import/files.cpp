@@ -4,12 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
-#include <span>
 #include <string_view>
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/importers.hpp"
 #include "import/base/text_file.hpp"
 #include "import/guards/limit_guard.hpp"

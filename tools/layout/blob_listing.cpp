@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include <runtime/blob/id_steps.hpp>
 
 #include "base/numbers.hpp"
-#include "places.hpp"
 
 namespace espalier::tools {
 

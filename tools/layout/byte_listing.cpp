@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <string>
 
 #include "base/numbers.hpp"
-#include "places.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

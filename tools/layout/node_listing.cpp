@@ -1,13 +1,11 @@
 #include "listing.hpp"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include <espalier/format.hpp>
 
 #include "base/numbers.hpp"
-#include "places.hpp"
 
 namespace espalier::tools {
 

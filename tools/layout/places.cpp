@@ -1,10 +1,8 @@
 #include "places.hpp"
 
 #include <bit>
-#include <vector>
 
 #include <espalier/deformation.hpp>
-#include <espalier/format.hpp>
 #include <runtime/blob/id_steps.hpp>
 
 #include "base/choices.hpp"

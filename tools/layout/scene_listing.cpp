@@ -3,7 +3,6 @@
 #include <espalier/format.hpp>
 
 #include "base/numbers.hpp"
-#include "places.hpp"
 
 namespace espalier::tools {
 

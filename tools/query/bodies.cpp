@@ -1,6 +1,5 @@
 // Bodies that touch the surface, and shapes that move along a straight line.
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "base/choices.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
-#include <utility>
 
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
@@ -75,8 +74,8 @@ QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : a
 }
 
 void QueryCall::open_asset(const QueryKind& kind) {
-    std::vector<std::byte> bytes = read_file(arguments_.blob);
-    const bool is_of_scene = is_scene(bytes);
+    file_ = AssetFile(arguments_.blob);
+    const bool is_of_scene = file_.is_a_scene;
     const char* asset = is_of_scene ? "a scene" : "a blob";
     if (is_of_scene ? !kind.scene_options : kind.is_of_scenes_only) {
         throw CommandError(ExitCode::unsupported,
@@ -93,12 +92,7 @@ void QueryCall::open_asset(const QueryKind& kind) {
                                 kind.name, " does not take the option. Leave it out."),
                            {.file = arguments_.blob});
     }
-    if (is_of_scene) {
-        bytes_of_scene_ = std::move(bytes);
-        scene_ = open_scene_file(arguments_.blob, bytes_of_scene_);
-    } else {
-        file_ = open_blob(arguments_.blob, std::move(bytes));
-    }
+    file_.require_open();
 }
 
 void QueryCall::read_word(const std::string& input, const QueryWord& word) {

@@ -39,7 +39,7 @@ public:
     /// Returns the blob; a default one for a query of a scene.
     [[nodiscard]] const Blob& blob() const { return file_.blob; }
     /// Returns the scene, if the query is of one.
-    [[nodiscard]] const BakedScene* scene() const { return scene_.scene ? &scene_.scene : nullptr; }
+    [[nodiscard]] const BakedScene* scene() const { return file_.is_a_scene ? &file_.scene() : nullptr; }
     /// Returns the blob, or the mesh of an instance of the scene.
     [[nodiscard]] Blob mesh_of(InstanceId instance) const {
         return scene() == nullptr ? blob() : mesh_at(*scene(), instance).value;
@@ -88,9 +88,7 @@ private:
     }
 
     const QueryArguments& arguments_;
-    BlobFile file_;
-    std::vector<std::byte> bytes_of_scene_;
-    SceneFile scene_;
+    AssetFile file_;
     std::uint32_t mask_ = 0xFFFFFFFF;
     std::vector<std::variant<float, std::uint32_t, std::int32_t, std::string>> words_;
     std::size_t at_ = 0;  // the next one

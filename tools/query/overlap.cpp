@@ -1,6 +1,5 @@
 // Volumes against the surface.
 #include <algorithm>
-#include <array>
 #include <span>
 #include <type_traits>
 

@@ -1,7 +1,6 @@
 // Two blobs against each other.
 #include <span>
 
-#include "base/numbers.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {
@@ -27,7 +26,7 @@ struct Other {
     [[nodiscard]] PlacedBlob placed() const { return {file.blob, transform}; }
 
     espalier::Transform transform;
-    BlobFile file;
+    AssetFile file;
     WorkLimit limit;
 };
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {

@@ -13,12 +13,6 @@ namespace espalier::tools {
 
 namespace {
 
-RayHit hit_of(const Blob& blob, const Ray& ray) { return raycast(blob, ray); }
-RayHit hit_of(const BakedScene& scene, const Ray& ray) { return *raycast(scene, ray); }
-
-float step_of(const Blob& blob) { return std::ldexp(1.0f, blob.lattice().step_exponent); }
-float step_of(const BakedScene& scene) { return detail::data_of(scene).coarsest_step; }
-
 /// Visits the corners of all triangles.
 void visit_corners(const Blob& blob, const std::function<void(Vec3)>& visit) {
     static_cast<void>(for_each_triangle(blob, [&](TriangleId, const Triangle& corners) {
@@ -43,22 +37,6 @@ void visit_corners(const BakedScene& scene, const std::function<void(Vec3)>& vis
         }
     }
 }
-
-/// A subject that is a blob or a scene.
-template <class Surface>
-class SubjectOf final : public Subject {
-public:
-    explicit SubjectOf(const Surface& surface) : surface_(surface) {}
-
-    [[nodiscard]] RayHit closest_hit(const Ray& ray) const override { return hit_of(surface_, ray); }
-    [[nodiscard]] bool is_hit(const Ray& ray) const override { return occluded(surface_, ray).yes(); }
-    [[nodiscard]] Box bounds() const override { return surface_.bounds(); }
-    [[nodiscard]] float step() const override { return step_of(surface_); }
-    void for_each_corner(const std::function<void(Vec3)>& visit) const override { visit_corners(surface_, visit); }
-
-private:
-    const Surface& surface_;
-};
 
 constexpr double field_of_view = 32.0;  // degrees, of the shorter side
 constexpr float margin = 1.12f;
@@ -92,8 +70,23 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Subject> subject_of(const Blob& blob) { return std::make_unique<SubjectOf<Blob>>(blob); }
-std::unique_ptr<Subject> subject_of(const BakedScene& scene) { return std::make_unique<SubjectOf<BakedScene>>(scene); }
+RayHit Subject::closest_hit(const Ray& ray) const {
+    return file_.is_a_scene ? *raycast(file_.scene(), ray) : raycast(file_.blob, ray);
+}
+
+bool Subject::is_hit(const Ray& ray) const {
+    return (file_.is_a_scene ? occluded(file_.scene(), ray) : occluded(file_.blob, ray)).yes();
+}
+
+float Subject::step() const {
+    return file_.is_a_scene ? detail::data_of(file_.scene()).coarsest_step
+                            : std::ldexp(1.0f, file_.blob.lattice().step_exponent);
+}
+
+void Subject::for_each_corner(const std::function<void(Vec3)>& visit) const {
+    if (file_.is_a_scene) visit_corners(file_.scene(), visit);
+    else visit_corners(file_.blob, visit);
+}
 
 Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

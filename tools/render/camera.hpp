@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
@@ -11,27 +10,27 @@
 #include <espalier/types.hpp>
 
 #include "base/placement.hpp"
+#include "files/blob_file.hpp"
 
 namespace espalier::tools {
 
-/// A surface that rays meet. Any number of threads may call one.
+/// The surface of a file, which rays meet. The file must outlive it. Any number of threads may call one.
 class Subject {
 public:
-    virtual ~Subject() = default;
+    explicit Subject(const AssetFile& file) : file_(file) {}
 
-    [[nodiscard]] virtual RayHit closest_hit(const Ray& ray) const = 0;
-    [[nodiscard]] virtual bool is_hit(const Ray& ray) const = 0;
+    [[nodiscard]] RayHit closest_hit(const Ray& ray) const;
+    [[nodiscard]] bool is_hit(const Ray& ray) const;
     /// Returns a box around the surface; its middle is in the middle of the picture, about.
-    [[nodiscard]] virtual Box bounds() const = 0;
+    [[nodiscard]] Box bounds() const { return file_.is_a_scene ? file_.scene().bounds() : file_.blob.bounds(); }
     /// Returns the lattice step, the largest one if there are several.
-    [[nodiscard]] virtual float step() const = 0;
+    [[nodiscard]] float step() const;
     /// Calls `visit` with points whose hull contains the surface.
-    virtual void for_each_corner(const std::function<void(Vec3)>& visit) const = 0;
-};
+    void for_each_corner(const std::function<void(Vec3)>& visit) const;
 
-/// Return a view of a surface, which must outlive it.
-[[nodiscard]] std::unique_ptr<Subject> subject_of(const Blob& blob);
-[[nodiscard]] std::unique_ptr<Subject> subject_of(const BakedScene& scene);
+private:
+    const AssetFile& file_;
+};
 
 Vec3 operator+(Vec3 a, Vec3 b);
 Vec3 operator-(Vec3 a, Vec3 b);

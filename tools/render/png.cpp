@@ -1,7 +1,6 @@
 #include <png.h>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "shading.hpp"
 
 namespace espalier::tools {

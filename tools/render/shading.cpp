@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <thread>
-#include <vector>
 
 namespace espalier::tools {
 

@@ -8,8 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "platform/process.hpp"
 
 namespace espalier::tools {

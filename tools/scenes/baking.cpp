@@ -1,7 +1,6 @@
 #include "baking.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <span>
@@ -13,7 +12,6 @@
 
 #include "bake/baking.hpp"
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "plan.hpp"
 #include "report.hpp"
 

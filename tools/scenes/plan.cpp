@@ -1,10 +1,8 @@
 #include "plan.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstring>
 #include <map>
-#include <span>
 #include <string_view>
 #include <utility>
 

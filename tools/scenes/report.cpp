@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "bake/report.hpp"
 #include "base/numbers.hpp"
 #include "layout/places.hpp"
-#include "report/diagnostics.hpp"
 
 namespace espalier::tools {
 

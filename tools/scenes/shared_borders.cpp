@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "base/placement.hpp"

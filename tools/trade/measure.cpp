@@ -4,14 +4,11 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include <espalier/distance.hpp>
-#include <espalier/overlap.hpp>
-#include <espalier/ray.hpp>
 
 #include "bake/baking.hpp"
 #include "base/choices.hpp"

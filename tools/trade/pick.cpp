@@ -9,8 +9,6 @@
 #include "bake/policy.hpp"
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
-#include "measure.hpp"
 
 namespace espalier::tools {
 

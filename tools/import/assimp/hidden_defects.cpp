@@ -4,11 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/text_file.hpp"
 
 namespace espalier::tools {

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "steps.hpp"
 #include "import/base/text_file.hpp"
 #include "import/guards/crash_guard.hpp"

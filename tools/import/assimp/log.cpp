@@ -1,7 +1,6 @@
 #include "steps.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/LogStream.hpp>

@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/base/text_file.hpp"
 

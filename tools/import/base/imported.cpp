@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
-#include "base/placement.hpp"
-
 namespace espalier::tools {
 
 std::vector<Vec3> positions_in_a_row(const Imported& imported) {

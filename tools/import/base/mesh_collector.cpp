@@ -6,7 +6,6 @@
 #include <espalier/format.hpp>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 
 namespace espalier::tools {
 

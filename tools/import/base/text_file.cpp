@@ -1,11 +1,9 @@
 #include "text_file.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <limits>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "base/numbers.hpp"
 #include "primitive.hpp"

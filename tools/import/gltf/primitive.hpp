@@ -7,7 +7,6 @@
 
 #include <espalier/types.hpp>
 
-#include "import/base/imported.hpp"
 #include "import/gltf/data/accessors.hpp"
 #include "import/gltf/data/json.hpp"
 #include "nodes.hpp"

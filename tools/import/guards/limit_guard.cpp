@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/numbers.hpp"
-#include "platform/process.hpp"
 
 namespace espalier::tools {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/text_file.hpp"
 #include "import/base/mesh_collector.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/text_file.hpp"
 
 namespace espalier::tools {

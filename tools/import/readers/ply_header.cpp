@@ -1,11 +1,5 @@
 #include "ply.hpp"
 
-#include <algorithm>
-
-#include "base/exit_code.hpp"
-#include "base/numbers.hpp"
-#include "import/base/text_file.hpp"
-
 namespace espalier::tools {
 
 namespace {

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cctype>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "import/base/text_file.hpp"
 #include "import/base/mesh_collector.hpp"
 

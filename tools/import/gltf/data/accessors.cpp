@@ -1,9 +1,7 @@
 #include "accessors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <limits>
 
 #include "base/numbers.hpp"
 

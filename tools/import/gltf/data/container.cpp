@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "base/numbers.hpp"
 #include "json.hpp"
 #include "platform/files.hpp"
 

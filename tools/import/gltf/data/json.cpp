@@ -1,7 +1,6 @@
 #include "json.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <deque>
 #include <set>
 #include <utility>
