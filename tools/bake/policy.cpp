@@ -108,34 +108,11 @@ void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeR
         {.file = only_input(imported), .kind = "size"});
 }
 
-/// The bounds of points along one axis.
-struct Interval {
-    float low = std::numeric_limits<float>::infinity();
-    float high = -std::numeric_limits<float>::infinity();
-
-    void add(float value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
-
-struct Bounds {
-    std::array<Interval, 3> axes;
-
-    void add(Vec3 point) {
-        axes[0].add(point.x);
-        axes[1].add(point.y);
-        axes[2].add(point.z);
-    }
-};
-
 bool is_sound(const ImportedMesh& mesh, const TriangleVertices& triangle) {
-    const auto is_finite = [&mesh](std::uint32_t vertex) {
-        if (vertex >= mesh.positions.size()) return false;
-        const Vec3 point = mesh.positions[vertex];
-        return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+    const auto is_there = [&mesh](std::uint32_t vertex) {
+        return vertex < mesh.positions.size() && is_finite(mesh.positions[vertex]);
     };
-    return std::all_of(triangle.begin(), triangle.end(), is_finite) &&
+    return std::all_of(triangle.begin(), triangle.end(), is_there) &&
            !baker::has_zero_area(mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]);
 }
 
@@ -214,7 +191,7 @@ void refuse_warnings(std::span<const Warning> warnings, const Imported& imported
 AssetSize asset_size(const Imported& imported) {
     std::vector<std::vector<std::uint32_t>> vertices;
     for (const ImportedMesh& mesh : imported.meshes) vertices.push_back(sound_vertices(mesh));
-    Bounds bounds;
+    PointBox bounds;
     for (const ImportedPlace& place : imported.places) {
         for (const std::uint32_t vertex : vertices[place.mesh])
             bounds.add(place.placement(imported.meshes[place.mesh].positions[vertex]));
@@ -223,10 +200,8 @@ AssetSize asset_size(const Imported& imported) {
         for (const std::uint32_t vertex : vertices[i]) bounds.add(imported.meshes[i].positions[vertex]);
     }
     AssetSize size;
-    for (const Interval& range : bounds.axes) {
-        if (range.low > range.high) continue;
-        const double low = static_cast<double>(range.low);
-        const double high = static_cast<double>(range.high);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double low = bounds.low[axis], high = bounds.high[axis];
         if (high - low <= size.extent) continue;
         // Two corners, each rounded when it was read and when it was placed, each time by half a unit in the last
         // place.

@@ -1,5 +1,6 @@
 #include "placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier::tools {
@@ -31,6 +32,13 @@ double Placement::determinant() const {
 }
 
 bool Placement::mirrors() const { return determinant() < 0.0; }
+
+void PointBox::add(const std::array<double, 3>& point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], point[axis]);
+        high[axis] = std::max(high[axis], point[axis]);
+    }
+}
 
 Placement combine(const Placement& outer, const Placement& inner) {
     Placement result;

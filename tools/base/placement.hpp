@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include <espalier/types.hpp>
 
@@ -27,6 +28,16 @@ struct Placement {
     /// Turns the inside out, so that the corners of a triangle must be taken the other way round.
     [[nodiscard]] bool mirrors() const;
     [[nodiscard]] double determinant() const;
+};
+
+/// A box around points. Without points, `low` is above `high`.
+struct PointBox {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 3> low{infinity, infinity, infinity};
+    std::array<double, 3> high{-infinity, -infinity, -infinity};
+
+    void add(const std::array<double, 3>& point);
+    void add(Vec3 point) { add(std::array{double(point.x), double(point.y), double(point.z)}); }
 };
 
 /// First `inner`, then `outer`.

@@ -20,6 +20,16 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
 ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warnings);
 ExitCode run_dump(const DumpArguments& arguments);
 
+/// Prints a line of the table of `info`.
+void print_line(const std::string& name, const std::string& value);
+
+/// A part of a file; its line of that table may state its bytes for each triangle.
+struct NamedBytes {
+    const char* name;
+    std::size_t bytes;
+};
+void print_section(const NamedBytes& section, const std::string& per_triangle = {});
+
 /// Prints what is inside a scene.
 struct AssetFile;
 void print_scene_info(const InfoArguments& arguments, const AssetFile& file);

@@ -102,11 +102,6 @@ std::uint32_t instances_on_common_lattice(const BakedScene& scene) {
     return count;
 }
 
-struct NamedBytes {
-    const char* name;
-    std::size_t bytes;
-};
-
 std::vector<NamedBytes> scene_sections_of(const SceneLayout& layout) {
     return {{"header", format::scene::header_bytes},
             {"part_sizes", layout.part_sizes.bytes},
@@ -173,10 +168,6 @@ void print_scene_json(const InfoArguments& arguments, std::span<const std::byte>
     print_json(document);
 }
 
-void print_line(const std::string& name, const std::string& value) {
-    std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
-}
-
 void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
     const std::size_t meshes = scene.meshes().size();
     for (std::size_t i = 0; i < figures.uses.size() && i < most_parts_listed; ++i) {
@@ -230,10 +221,7 @@ void print_scene_table(const InfoArguments& arguments, std::span<const std::byte
     print_line("flattened", text("about ", rounded(figures.flattened_bytes, 10),
                                  " bytes as one blob with the steps of the meshes: an estimate"));
     print_line("bytes", text(scene.size(), ", of which"));
-    for (const NamedBytes& section : scene_sections_of(figures.layout)) {
-        std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
-                  << section.bytes << '\n';
-    }
+    for (const NamedBytes& section : scene_sections_of(figures.layout)) print_section(section);
     print_meshes(scene, figures);
     if (arguments.histogram) print_tree_qualities(scene);
     finish_standard_output();

@@ -27,11 +27,6 @@ Json::Json(std::string_view value) : value_(std::string(value)) {}
 Json::Json(const char* value) : value_(std::string(value)) {}
 Json::Json(const std::vector<std::string>& values) : value_(Array(values.begin(), values.end())) {}
 Json::Json(Whole value) : value_(value) {}
-Json::Json(const Json& other) = default;
-Json::Json(Json&& other) noexcept = default;
-Json& Json::operator=(const Json& other) = default;
-Json& Json::operator=(Json&& other) noexcept = default;
-Json::~Json() = default;
 
 Json::Json(std::initializer_list<Json> values) {
     const auto is_member = [](const Json& value) {

@@ -37,11 +37,6 @@ public:
     Json(Number value) : Json(Whole{value < Number{}, static_cast<std::uint64_t>(value)}) {}
     /// An object if all values are lists of a text and a value, as in {{"min", 1}, {"max", 2}}; else a list of them.
     Json(std::initializer_list<Json> values);
-    Json(const Json& other);
-    Json(Json&& other) noexcept;
-    Json& operator=(const Json& other);
-    Json& operator=(Json&& other) noexcept;
-    ~Json();
 
     static Json array(std::initializer_list<Json> values = {});
     static Json object();

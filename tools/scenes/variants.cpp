@@ -202,8 +202,7 @@ std::optional<FittedTransform> fit_transform(const Placement& placement, const P
 }
 
 PointBox box_at(const ImportedMesh& mesh, const Placement& placement) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    PointBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    PointBox box;
     for (const Vec3& position : mesh.positions) {
         const Vec3 point = placement(position);
         const double coordinates[3] = {double(point.x), double(point.y), double(point.z)};

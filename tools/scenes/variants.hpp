@@ -14,12 +14,6 @@
 
 namespace espalier::tools {
 
-/// A box around the points of a mesh. Without points, `low` is above `high`.
-struct PointBox {
-    std::array<double, 3> low;
-    std::array<double, 3> high;
-};
-
 /// A Transform in place of a placement, and the largest distance between the two over the points of a box. It is that
 /// at a corner of the box, since the distance is convex.
 struct FittedTransform {

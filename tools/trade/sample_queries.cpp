@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace espalier::tools {
 
@@ -62,9 +61,7 @@ struct SurfaceTriangle {
 struct SampledSurface {
     std::vector<SurfaceTriangle> triangles;
     double area = 0.0;
-    Point low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                 std::numeric_limits<double>::infinity()};
-    Point high = {-low[0], -low[1], -low[2]};
+    PointBox box;
 
     void add(const std::array<Point, 3>& corners) {
         Point u, v;
@@ -77,12 +74,7 @@ struct SampledSurface {
         if (!(own > 0.0) || !std::isfinite(own)) return;
         triangles.push_back({corners, area});
         area += own;
-        for (const Point& corner : corners) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], corner[k]);
-                high[k] = std::max(high[k], corner[k]);
-            }
-        }
+        for (const Point& corner : corners) box.add(corner);
     }
 
     /// The point at this share of the whole area, at a random place of its triangle.
@@ -122,8 +114,8 @@ SampleQueries make_sample_queries(const Imported& source, std::size_t count) {
     if (surface.triangles.empty()) return queries;
     Point center, sides;
     for (std::size_t k = 0; k < 3; ++k) {
-        center[k] = 0.5 * (surface.low[k] + surface.high[k]);
-        sides[k] = surface.high[k] - surface.low[k];
+        center[k] = 0.5 * (surface.box.low[k] + surface.box.high[k]);
+        sides[k] = surface.box.high[k] - surface.box.low[k];
     }
     const double diagonal = std::sqrt(squared_length(sides));
     Random random(2026);
@@ -132,7 +124,7 @@ SampleQueries make_sample_queries(const Imported& source, std::size_t count) {
         Point from, heading;
         for (std::size_t k = 0; k < 3; ++k) {
             from[k] = center[k] + 0.6 * diagonal * outward[k];
-            heading[k] = surface.low[k] + random.unit() * sides[k] - from[k];
+            heading[k] = surface.box.low[k] + random.unit() * sides[k] - from[k];
         }
         const double length = std::sqrt(squared_length(heading));
         for (double& coordinate : heading) coordinate /= length;

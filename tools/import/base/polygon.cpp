@@ -1,6 +1,8 @@
 #include "polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier::tools {
 
@@ -24,6 +26,24 @@ bool PolygonCutter::cut(std::span<const Vec3> polygon, std::vector<TriangleVerti
     if (!is_convex()) return cut_ears(triangles);
     append_fan(corners, triangles);
     return true;
+}
+
+bool PolygonCutter::cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3>& positions,
+                             std::vector<TriangleVertices>& triangles) {
+    polygon_.clear();
+    for (const std::uint32_t vertex : corners) {
+        polygon_.push_back(vertex < positions.size() ? positions[vertex]
+                                                     : Vec3{std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f});
+    }
+    const auto first = static_cast<std::ptrdiff_t>(triangles.size());
+    const bool is_simple = cut(polygon_, triangles);
+    const auto added = std::span(triangles).subspan(static_cast<std::size_t>(first));
+    for (TriangleVertices& triangle : added)
+        for (std::uint32_t& index : triangle) index = corners[index];
+    const auto repeats = [&](const auto& triangle) { return repeats_a_vertex(triangle, positions.size()); };
+    if (corners.size() > 3)
+        triangles.erase(std::remove_if(triangles.begin() + first, triangles.end(), repeats), triangles.end());
+    return is_simple;
 }
 
 /// Leaves out the axis along which the normal is longest.

@@ -26,6 +26,10 @@ public:
     /// appears only where corners coincide or where no other cut exists. Returns false, after a fan of triangles around
     /// one corner, where the polygon crosses itself. A polygon has at least 3 corners.
     bool cut(std::span<const Vec3> polygon, std::vector<TriangleVertices>& triangles);
+    /// Appends the triangles of a face whose corners are numbers of positions; a number beyond them stays, for the
+    /// baker to refuse or to drop. Leaves out triangles of a polygon that repeat a vertex. Returns false as cut() does.
+    bool cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3>& positions,
+                  std::vector<TriangleVertices>& triangles);
 
 private:
     using Point = std::array<double, 2>;
@@ -46,6 +50,7 @@ private:
     std::vector<std::uint32_t> after_;
     std::vector<double> turns_;
     std::vector<char> ears_;
+    std::vector<Vec3> polygon_;  // of a face
 };
 
 }  // namespace espalier::tools

@@ -1,15 +1,14 @@
 #include "import/base/importers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "extensions.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/gltf/data/accessors.hpp"
-#include "import/gltf/data/buffers.hpp"
 #include "import/gltf/data/container.hpp"
 #include "import/guards/crash_guard.hpp"
 #include "nodes.hpp"
@@ -18,6 +17,38 @@
 namespace espalier::tools {
 
 namespace {
+
+constexpr std::array<std::string_view, 4> read_here = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                                                       "KHR_draco_mesh_compression", "KHR_mesh_quantization"};
+
+/// Materials, pictures, lights, animations and data about the file. A name that ends with '_' stands for all that
+/// start so.
+constexpr std::array<std::string_view, 20> harmless_extensions = {
+    "ADOBE_materials_",  "AGI_articulations", "EXT_instance_features", "EXT_lights_",         "EXT_materials_",
+    "EXT_mesh_features", "EXT_mesh_manifold", "EXT_structural_",       "EXT_texture_",        "FB_ngon_encoding",
+    "KHR_animation_",    "KHR_lights_",       "KHR_materials_",        "KHR_technique_webgl", "KHR_techniques_webgl",
+    "KHR_texture_",      "KHR_xmp_",          "MSFT_packing_",         "MSFT_texture_",       "KHR_xmp"};
+
+bool is_harmless(std::string_view name) {
+    return std::any_of(harmless_extensions.begin(), harmless_extensions.end(), [name](std::string_view known) {
+        return known.ends_with('_') ? name.starts_with(known) : name == known;
+    });
+}
+
+std::string_view way_out(std::string_view name) {
+    if (name == "KHR_meshopt_compression") return "Pack it with EXT_meshopt_compression, or without compression.";
+    return "Export it without this extension, or in another format.";
+}
+
+/// Throws CommandError (unsupported), with the name and the way out, when the file requires an extension that is
+/// neither read nor on the list of those that leave triangles alone.
+void require_known_gltf_extensions(const GltfObject& root) {
+    for (std::size_t i = 0; i < root.size_of("extensionsRequired"); ++i) {
+        const std::string name = root.text_in("extensionsRequired", i);
+        if (std::find(read_here.begin(), read_here.end(), name) != read_here.end() || is_harmless(name)) continue;
+        root.refuse(text("it requires the glTF extension ", printable(name), ", which is not read. ", way_out(name)));
+    }
+}
 
 /// Counts what a warning is about, with the first mesh as its example.
 struct Found {
@@ -38,10 +69,8 @@ public:
     GltfReader(const GltfContainer& container, const ImportOptions& options, ImportedFile& file, Imported& imported)
         : options_(options),
           file_(file),
-          root_(*container.json, text("'", printable(file.path), "'")),
-          buffers_(file.path, container, file.opened),
-          views_(root_, buffers_),
-          accessors_(root_, views_),
+          data_(file.path, container, file.opened),
+          root_(data_.root()),
           meshes_(options, file, imported) {
         require_known_gltf_extensions(root_);
         file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
@@ -82,7 +111,7 @@ private:
             if (!mesh) continue;
             const bool is_new = of_mesh.count(*mesh) == 0;
             if (is_new) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
-            const std::uint64_t instances = count_gltf_instances(node, accessors_);
+            const std::uint64_t instances = count_gltf_instances(node, data_);
             // Each factor and each sum is refused long before 64 bits overflow.
             if (meshes_.keeps_places()) {
                 meshes_.require_places(instances, node.words());
@@ -102,7 +131,7 @@ private:
         std::uint64_t triangles = 0;
         for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
             const GltfObject primitive = mesh.object_in("primitives", i, text(mesh.words(), ", primitive ", i));
-            triangles += count_gltf_triangles(primitive, accessors_);
+            triangles += count_gltf_triangles(primitive, data_);
             meshes_.require_room(triangles, primitive.words());
         }
         return triangles;
@@ -115,13 +144,13 @@ private:
         const GltfObject mesh = mesh_object(*mesh_number);
         const auto skin = node.index("skin", root_.size_of("skins"));
         const std::vector<Placement> joints =
-            skin ? joint_placements(root_, *skin, nodes_, asset_, accessors_) : std::vector<Placement>{};
+            skin ? joint_placements(data_, *skin, nodes_, asset_) : std::vector<Placement>{};
         if (skin && node.extension("EXT_mesh_gpu_instancing")) {
             node.refuse("it is skinned and instanced, which glTF leaves open. Export it without one of these.");
         }
         const Placement placement = combine(asset_, nodes_.global[number]);
         std::vector<GltfPrimitive>& primitives = primitives_of(*mesh_number, mesh);
-        for (const Placement& instance : gltf_instances(node, accessors_)) {
+        for (const Placement& instance : gltf_instances(node, data_)) {
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 std::string name = mesh.text_of("name");
                 if (primitives.size() > 1 && !name.empty()) name += text("-", i);
@@ -145,8 +174,8 @@ private:
         std::vector<GltfPrimitive>& result = primitives_[number];
         for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
             const std::string words = text(mesh.words(), ", primitive ", i);
-            result.push_back(read_gltf_primitive(mesh.object_in("primitives", i, words), accessors_, views_,
-                                                 options_.keep_vertices));
+            result.push_back(
+                read_gltf_primitive(mesh.object_in("primitives", i, words), data_, options_.keep_vertices));
         }
         return result;
     }
@@ -165,7 +194,7 @@ private:
         if (primitive.imported && !is_skinned) return meshes_.add_place(*primitive.imported, mesh, placement);
 
         const std::vector<double> weights = morph_weights(node, owner, primitive);
-        const std::vector<GltfAccessor> displacements = primitive.displacements(weights, accessors_);
+        const std::vector<GltfAccessor> displacements = primitive.displacements(weights, data_);
         mesh.positions.reserve(primitive.vertices.size());
         const Placement applied = meshes_.applied(placement);
         std::vector<bool> mirrors(is_skinned ? primitive.vertices.size() : 0);
@@ -256,10 +285,8 @@ private:
 
     const ImportOptions& options_;
     ImportedFile& file_;
-    GltfObject root_;
-    GltfBuffers buffers_;
-    GltfBufferViews views_;
-    GltfAccessors accessors_;
+    GltfData data_;
+    const GltfObject& root_;
     MeshCollector meshes_;
     GltfNodes nodes_;
     Placement asset_;

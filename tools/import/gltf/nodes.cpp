@@ -85,11 +85,11 @@ std::vector<std::size_t> tops_of_scene(const GltfObject& root, const std::vector
 template <std::size_t Count>
 class InstanceAttribute {
 public:
-    InstanceAttribute(const GltfObject& attributes, const char* name, GltfUse use, GltfAccessors& accessors,
+    InstanceAttribute(const GltfObject& attributes, const char* name, GltfUse use, GltfData& data,
                       const std::array<double, Count>& otherwise)
         : otherwise_(otherwise) {
-        const auto number = attributes.index(name, accessors.count());
-        if (number) accessor_ = accessors.accessor(*number, use, text(attributes.words(), ", ", name));
+        const auto number = attributes.index(name, data.accessor_count());
+        if (number) accessor_ = data.accessor(*number, use, text(attributes.words(), ", ", name));
         if (accessor_) require_stored(*accessor_, attributes);
     }
 
@@ -194,14 +194,14 @@ GltfNodes read_gltf_nodes(const GltfObject& root) {
     return nodes;
 }
 
-std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& accessors) {
+std::vector<Placement> gltf_instances(const GltfObject& node, GltfData& data) {
     const auto extension = node.extension("EXT_mesh_gpu_instancing");
     if (!extension) return {Placement{}};
     const auto attributes = extension->object("attributes");
     if (!attributes) extension->fail("\"attributes\" is missing");
-    const InstanceAttribute<3> translation(*attributes, "TRANSLATION", GltfUse::translation, accessors, {});
-    const InstanceAttribute<4> rotation(*attributes, "ROTATION", GltfUse::rotation, accessors, {0, 0, 0, 1});
-    const InstanceAttribute<3> scale(*attributes, "SCALE", GltfUse::scale, accessors, {1, 1, 1});
+    const InstanceAttribute<3> translation(*attributes, "TRANSLATION", GltfUse::translation, data, {});
+    const InstanceAttribute<4> rotation(*attributes, "ROTATION", GltfUse::rotation, data, {0, 0, 0, 1});
+    const InstanceAttribute<3> scale(*attributes, "SCALE", GltfUse::scale, data, {1, 1, 1});
     std::optional<std::size_t> count;
     for (const auto each : {translation.count(), rotation.count(), scale.count()}) {
         if (each && count && *each != *count) attributes->fail("its attributes have different numbers of instances");
@@ -216,29 +216,29 @@ std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& acc
     return result;
 }
 
-std::uint64_t count_gltf_instances(const GltfObject& node, GltfAccessors& accessors) {
+std::uint64_t count_gltf_instances(const GltfObject& node, GltfData& data) {
     const auto extension = node.extension("EXT_mesh_gpu_instancing");
     const auto attributes = extension ? extension->object("attributes") : std::nullopt;
     if (!attributes) return 1;
     std::uint64_t count = 1;
     for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"}) {
-        if (const auto number = attributes->index(name, accessors.count())) count = accessors.claimed_count(*number);
+        if (const auto number = attributes->index(name, data.accessor_count())) count = data.claimed_count(*number);
     }
     return count;
 }
 
-std::vector<Placement> joint_placements(const GltfObject& root, std::size_t skin, const GltfNodes& nodes,
-                                        const Placement& asset, GltfAccessors& accessors) {
-    const GltfObject object = root.object_in("skins", skin, text(root.words(), ", skin ", skin));
+std::vector<Placement> joint_placements(GltfData& data, std::size_t skin, const GltfNodes& nodes,
+                                        const Placement& asset) {
+    const GltfObject object = data.root().object_in("skins", skin, text(data.root().words(), ", skin ", skin));
     const std::size_t count = object.size_of("joints");
     std::vector<Placement> result;
     result.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         result.push_back(combine(asset, nodes.global[object.index_in("joints", i, nodes.global.size())]));
     }
-    const auto bind = object.index("inverseBindMatrices", accessors.count());
+    const auto bind = object.index("inverseBindMatrices", data.accessor_count());
     if (!bind) return result;
-    const GltfAccessor matrices = accessors.accessor(*bind, GltfUse::matrix, object.words());
+    const GltfAccessor matrices = data.accessor(*bind, GltfUse::matrix, object.words());
     if (matrices.count < count)
         object.fail(text("it has ", count, " joints and ", matrices.count, " matrices for them"));
     for (std::size_t i = 0; i < count; ++i) result[i] = combine(result[i], inverse_bind_placement(matrices, i, object));

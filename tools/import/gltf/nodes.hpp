@@ -9,7 +9,6 @@
 
 #include "base/placement.hpp"
 #include "import/gltf/data/accessors.hpp"
-#include "import/gltf/data/json.hpp"
 
 namespace espalier::tools {
 
@@ -34,15 +33,15 @@ Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfO
                               std::string_view matrix);
 
 /// Returns the instances' transforms in the node's space: one that changes nothing, for a node without the extension.
-std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& accessors);
+std::vector<Placement> gltf_instances(const GltfObject& node, GltfData& data);
 
 /// Returns how many there will be, by what the accessors claim.
-std::uint64_t count_gltf_instances(const GltfObject& node, GltfAccessors& accessors);
+std::uint64_t count_gltf_instances(const GltfObject& node, GltfData& data);
 
 /// One placement for each joint of a skin: from the mesh's space to the asset's. The node of the mesh has no part in
 /// it, as the specification requires.
-std::vector<Placement> joint_placements(const GltfObject& root, std::size_t skin, const GltfNodes& nodes,
-                                        const Placement& asset, GltfAccessors& accessors);
+std::vector<Placement> joint_placements(GltfData& data, std::size_t skin, const GltfNodes& nodes,
+                                        const Placement& asset);
 
 /// JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ... of a primitive.
 using GltfInfluences = std::vector<std::pair<GltfAccessor, GltfAccessor>>;

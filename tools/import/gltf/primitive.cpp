@@ -19,9 +19,9 @@ constexpr std::uint32_t not_used = std::numeric_limits<std::uint32_t>::max();
 /// Reads accessors, or what Draco packs in their place.
 class PrimitiveReader {
 public:
-    PrimitiveReader(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views)
+    PrimitiveReader(const GltfObject& object, GltfData& data)
         : object_(object),
-          accessors_(accessors),
+          data_(data),
           attributes_(object.object("attributes")),
           extension_(object.extension("KHR_draco_mesh_compression")) {
         if (!extension_) return;
@@ -29,8 +29,8 @@ public:
         if (!packed_attributes_ || !packed_attributes_->has("POSITION")) {
             extension_->fail("its \"attributes\" have no POSITION");
         }
-        const std::size_t view = extension_->required_index("bufferView", views.count());
-        draco_ = decode_draco(*extension_, views.view(view).bytes);
+        const std::size_t view = extension_->required_index("bufferView", data.view_count());
+        draco_ = decode_draco(*extension_, data.view(view).bytes);
     }
 
     [[nodiscard]] bool has(const std::string& name) const { return attributes_ && attributes_->has(name.c_str()); }
@@ -38,33 +38,33 @@ public:
     [[nodiscard]] bool differs_from_accessors() const { return differs_from_accessors_; }
 
     GltfAccessor attribute(const std::string& name, GltfUse use) {
-        const std::size_t number = attributes_->required_index(name.c_str(), accessors_.count());
+        const std::size_t number = attributes_->required_index(name.c_str(), data_.accessor_count());
         const std::string words = text(object_.words(), ", ", name);
         if (!packed_attributes_ || !packed_attributes_->has(name.c_str())) {
-            return accessors_.accessor(number, use, words);
+            return data_.accessor(number, use, words);
         }
         const std::uint64_t id = packed_attributes_->required_whole(name.c_str());
-        const GltfAccessor described = accessors_.described(number, use, words);
+        const GltfAccessor described = data_.described(number, use, words);
         GltfAccessor result = draco_->attribute(*extension_, id, described);
         differs_from_accessors_ = differs_from_accessors_ || result.count != described.count;
         return result;
     }
 
     std::optional<GltfAccessor> indices() {
-        const auto number = object_.index("indices", accessors_.count());
+        const auto number = object_.index("indices", data_.accessor_count());
         if (draco_) {
             GltfAccessor result = draco_->indices();
             differs_from_accessors_ =
-                differs_from_accessors_ || (number && result.count != accessors_.claimed_count(*number));
+                differs_from_accessors_ || (number && result.count != data_.claimed_count(*number));
             return result;
         }
         if (!number) return std::nullopt;
-        return accessors_.accessor(*number, GltfUse::index, text(object_.words(), ", indices"));
+        return data_.accessor(*number, GltfUse::index, text(object_.words(), ", indices"));
     }
 
 private:
     const GltfObject& object_;
-    GltfAccessors& accessors_;
+    GltfData& data_;
     std::optional<GltfObject> attributes_;
     std::optional<GltfObject> extension_, packed_attributes_;
     std::unique_ptr<const GltfDracoMesh> draco_;
@@ -152,22 +152,20 @@ bool GltfPrimitive::is_morphed() const {
     return false;
 }
 
-std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>& weights,
-                                                       GltfAccessors& accessors) const {
+std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>& weights, GltfData& data) const {
     std::vector<GltfAccessor> result(weights.size());
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const GltfObject target = object.object_in("targets", i, text(object.words(), ", morph target ", i));
-        const auto number = target.index("POSITION", accessors.count());
+        const auto number = target.index("POSITION", data.accessor_count());
         if (!number || weights[i] == 0.0) continue;
-        result[i] = accessors.accessor(*number, GltfUse::displacement, target.words());
+        result[i] = data.accessor(*number, GltfUse::displacement, target.words());
         if (result[i].count < positions.count) target.fail("it has fewer elements than POSITION");
     }
     return result;
 }
 
-GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views,
-                                  bool keeps_vertices) {
-    PrimitiveReader reader(object, accessors, views);
+GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfData& data, bool keeps_vertices) {
+    PrimitiveReader reader(object, data);
     if (keeps_vertices && reader.is_packed()) {
         object.refuse("Draco sorts its vertices, so poses of it do not match. Export it without compression.");
     }
@@ -192,13 +190,13 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& acces
     return result;
 }
 
-std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors) {
+std::uint64_t count_gltf_triangles(const GltfObject& object, GltfData& data) {
     const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
     const auto attributes = object.object("attributes");
-    auto corners = object.index("indices", accessors.count());
-    if (!corners && attributes) corners = attributes->index("POSITION", accessors.count());
+    auto corners = object.index("indices", data.accessor_count());
+    if (!corners && attributes) corners = attributes->index("POSITION", data.accessor_count());
     if (mode < gltf_triangles || !corners) return 0;
-    const std::uint64_t count = accessors.claimed_count(*corners);
+    const std::uint64_t count = data.claimed_count(*corners);
     return mode == gltf_triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
 }
 

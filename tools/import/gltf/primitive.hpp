@@ -7,8 +7,8 @@
 
 #include <espalier/types.hpp>
 
+#include "import/base/imported.hpp"
 #include "import/gltf/data/accessors.hpp"
-#include "import/gltf/data/json.hpp"
 #include "nodes.hpp"
 
 namespace espalier::tools {
@@ -31,17 +31,15 @@ struct GltfPrimitive {
     /// Tests whether morph targets move its vertices.
     [[nodiscard]] bool is_morphed() const;
     /// Returns one accessor for each weight. Those of weight 0 are not read, and have no elements.
-    [[nodiscard]] std::vector<GltfAccessor> displacements(const std::vector<double>& weights,
-                                                          GltfAccessors& accessors) const;
+    [[nodiscard]] std::vector<GltfAccessor> displacements(const std::vector<double>& weights, GltfData& data) const;
 };
 
 /// Throws CommandError when it is broken; with `keeps_vertices` (ImportOptions), also (unsupported) when it is packed
 /// by Draco, which sorts vertices.
-GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views,
-                                  bool keeps_vertices);
+GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfData& data, bool keeps_vertices);
 
 /// Returns how many triangles it will have, by what the accessors claim.
-std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors);
+std::uint64_t count_gltf_triangles(const GltfObject& object, GltfData& data);
 
 /// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
 inline constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;

@@ -268,14 +268,12 @@ private:
     };
 
     void add_face(const Face& face, std::span<const std::uint32_t> corners, ObjMesh& mesh) {
-        polygon_.clear();
         local_corners_.clear();
         bool is_whole = true;
         for (const std::uint32_t vertex : corners) {
             if (vertex >= positions_.size()) {
                 is_whole = false;
-                local_corners_.push_back(vertex);  // no vertex of the mesh either: the baker refuses it, or drops it
-                polygon_.push_back({std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f});
+                local_corners_.push_back(vertex);  // no vertex of the mesh either
                 continue;
             }
             if (owners_[vertex] != mesh.number) {
@@ -284,21 +282,9 @@ private:
                 mesh.positions.push_back(positions_[vertex]);
             }
             local_corners_.push_back(locals_[vertex]);
-            polygon_.push_back(positions_[vertex]);
         }
         if (!is_whole) missing_vertices_.add(face.line);
-        const std::size_t first = mesh.triangles.size();
-        if (!cutter_.cut(polygon_, mesh.triangles)) crossing_.add(face.line);
-        for (std::size_t triangle = first; triangle < mesh.triangles.size(); ++triangle) {
-            for (std::uint32_t& index : mesh.triangles[triangle]) index = local_corners_[index];
-        }
-        if (corners.size() > 3) {
-            const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
-            const auto repeats = [&](const auto& triangle) {
-                return repeats_a_vertex(triangle, mesh.positions.size());
-            };
-            mesh.triangles.erase(std::remove_if(begin, mesh.triangles.end(), repeats), mesh.triangles.end());
-        }
+        if (!cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles)) crossing_.add(face.line);
         mesh.materials.resize(mesh.triangles.size(), face.material);
     }
 
@@ -358,7 +344,6 @@ private:
 
     std::vector<std::uint32_t> owners_;  // the mesh that used a vertex last,
     std::vector<std::uint32_t> locals_;  // and its number there
-    std::vector<Vec3> polygon_;
     std::vector<std::uint32_t> local_corners_;
 
     Occurrences missing_vertices_;

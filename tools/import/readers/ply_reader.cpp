@@ -155,23 +155,8 @@ private:
             return;
         }
         corners_.clear();
-        polygon_.clear();
-        for (const std::int64_t vertex : list_) {
-            corners_.push_back(checked(vertex));
-            polygon_.push_back(corners_.back() >= positions_.size()
-                                   ? Vec3{std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f}
-                                   : positions_[corners_.back()]);
-        }
-        const std::size_t first = triangles_.size();
-        if (!cutter_.cut(polygon_, triangles_) && crossing_++ == 0) first_crossing_ = values_.place();
-        for (std::size_t triangle = first; triangle < triangles_.size(); ++triangle) {
-            for (std::uint32_t& index : triangles_[triangle]) index = corners_[index];
-        }
-        if (corners_.size() > 3) {
-            const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(first);
-            const auto repeats = [&](const auto& triangle) { return repeats_a_vertex(triangle, positions_.size()); };
-            triangles_.erase(std::remove_if(begin, triangles_.end(), repeats), triangles_.end());
-        }
+        for (const std::int64_t vertex : list_) corners_.push_back(checked(vertex));
+        if (!cutter_.cut_face(corners_, positions_, triangles_) && crossing_++ == 0) first_crossing_ = values_.place();
     }
 
     /// A negative number ends a strip. Every second triangle of a strip runs the other way round.
@@ -231,7 +216,6 @@ private:
     std::vector<TriangleVertices> triangles_;
     std::vector<std::int64_t> list_;
     std::vector<std::uint32_t> corners_;
-    std::vector<Vec3> polygon_;
     std::uint64_t missing_vertices_ = 0;
     std::string first_missing_;
     std::uint64_t crossing_ = 0;

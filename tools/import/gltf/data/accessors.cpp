@@ -95,15 +95,15 @@ std::uint32_t GltfAccessor::whole(std::size_t element, std::size_t of) const {
     return at == nullptr ? 0 : unsigned_at(at, bytes_of(component));
 }
 
-GltfObject GltfAccessors::object(std::size_t number, std::string_view words) const {
+GltfObject GltfData::object(std::size_t number, std::string_view words) const {
     return root_.object_in("accessors", number, text(words, ", accessor ", number));
 }
 
-std::uint64_t GltfAccessors::claimed_count(std::size_t number) {
+std::uint64_t GltfData::claimed_count(std::size_t number) const {
     return object(number, root_.words()).required_whole("count");
 }
 
-GltfAccessor GltfAccessors::described(std::size_t number, GltfUse use, std::string_view words) {
+GltfAccessor GltfData::described(std::size_t number, GltfUse use, std::string_view words) const {
     const GltfObject json = object(number, words);
     GltfAccessor result;
     const std::uint64_t component = json.required_whole("componentType");
@@ -123,7 +123,7 @@ GltfAccessor GltfAccessors::described(std::size_t number, GltfUse use, std::stri
     return result;
 }
 
-GltfAccessor GltfAccessors::accessor(std::size_t number, GltfUse use, std::string_view words) {
+GltfAccessor GltfData::accessor(std::size_t number, GltfUse use, std::string_view words) {
     GltfAccessor result = described(number, use, words);
     const GltfObject json = object(number, words);
     if (json.has("bufferView")) {
@@ -134,7 +134,7 @@ GltfAccessor GltfAccessors::accessor(std::size_t number, GltfUse use, std::strin
     return result;
 }
 
-void GltfAccessors::read_replacements(const GltfObject& sparse, GltfAccessor& accessor) {
+void GltfData::read_replacements(const GltfObject& sparse, GltfAccessor& accessor) {
     const std::uint64_t count = sparse.required_whole("count");
     const auto places = sparse.object("indices");
     const auto values = sparse.object("values");
@@ -158,26 +158,26 @@ void GltfAccessors::read_replacements(const GltfObject& sparse, GltfAccessor& ac
 }
 
 /// The bytes from the first element to the end of the last. Without `stride` they must follow each other.
-std::span<const std::byte> GltfAccessors::elements(const GltfObject& place, std::size_t count, std::size_t bytes,
-                                                   std::size_t* stride) {
-    const std::size_t number = place.required_index("bufferView", views_.count());
+std::span<const std::byte> GltfData::elements(const GltfObject& place, std::size_t count, std::size_t bytes,
+                                              std::size_t* stride) {
+    const std::size_t number = place.required_index("bufferView", view_count());
     const std::uint64_t offset = place.whole("byteOffset").value_or(0);
-    const GltfBufferView view = views_.view(number);
-    const std::size_t step = stride == nullptr || view.stride == 0 ? bytes : view.stride;
+    const GltfBufferView stored = view(number);
+    const std::size_t step = stride == nullptr || stored.stride == 0 ? bytes : stored.stride;
     if (step < bytes)
         place.fail(text("bufferView ", number, " has a byteStride of ", step, " for elements of ", bytes));
-    if (view.packed != 0 && step != view.packed) {
+    if (stored.packed != 0 && step != stored.packed) {
         place.fail(text("its elements follow each other every ", step, " bytes, and EXT_meshopt_compression packs ",
-                        view.packed, " bytes for each in bufferView ", number));
+                        stored.packed, " bytes for each in bufferView ", number));
     }
     if (stride != nullptr) *stride = step;
     if (count == 0) return {};
-    const std::size_t size = view.bytes.size();
+    const std::size_t size = stored.bytes.size();
     if (offset > size || bytes > size - offset || count - 1 > (size - offset - bytes) / step) {
         place.fail(text("its ", count, " elements from byte ", offset, " on are not inside of the ", size,
                         " bytes of bufferView ", number));
     }
-    return view.bytes.subspan(offset, (count - 1) * step + bytes);
+    return stored.bytes.subspan(offset, (count - 1) * step + bytes);
 }
 
 }  // namespace espalier::tools

@@ -1,14 +1,18 @@
-// Accessors of a glTF file: numbers in bytes, with a stride, a normalisation and sparse replacements.
+// The data of a glTF file: the bytes of its buffers, which are its binary chunk, base64 text or files beside it, and
+// accessors: numbers in bytes, with a stride, a normalisation and sparse replacements.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "buffers.hpp"
+#include "container.hpp"
 #include "json.hpp"
 
 namespace espalier::tools {
@@ -50,27 +54,49 @@ private:
 /// What an accessor is used for: the types that the specification and KHR_mesh_quantization allow there.
 enum class GltfUse { position, displacement, index, joints, weights, matrix, translation, rotation, scale };
 
-class GltfAccessors {
-public:
-    GltfAccessors(const GltfObject& root, GltfBufferViews& views) : root_(root), views_(views) {}
+struct GltfBufferView {
+    std::span<const std::byte> bytes;
+    std::size_t stride = 0;  ///< 0: elements follow each other without a gap
+    std::size_t packed = 0;  ///< bytes of an element of EXT_meshopt_compression; 0: the view is not compressed
+};
 
-    [[nodiscard]] std::size_t count() const { return root_.size_of("accessors"); }
+/// The data of a file: its buffers, of which each is read when it is first used, and views of them and accessors. The
+/// container outlives it.
+class GltfData {
+public:
+    /// `opened` gets the files beside the glTF file that are read.
+    GltfData(const std::string& path, const GltfContainer& container, std::vector<std::string>& opened);
+
+    [[nodiscard]] const GltfObject& root() const { return root_; }
+    [[nodiscard]] std::size_t view_count() const { return root_.size_of("bufferViews"); }
+    [[nodiscard]] std::size_t accessor_count() const { return root_.size_of("accessors"); }
+    /// Returns bytes that live as long as this. Throws CommandError when the view is not inside of its buffer.
+    GltfBufferView view(std::size_t number);
     /// Returns an accessor whose elements are all inside of their bytes. Throws CommandError, with `words` for who
     /// uses it: when they are not, or when it has another type than its use allows.
     GltfAccessor accessor(std::size_t number, GltfUse use, std::string_view words);
     /// Returns the accessor's "count", which need not be true.
-    std::uint64_t claimed_count(std::size_t number);
+    [[nodiscard]] std::uint64_t claimed_count(std::size_t number) const;
     /// Returns the accessor's description alone, as Draco uses it: without bytes.
-    GltfAccessor described(std::size_t number, GltfUse use, std::string_view words);
+    [[nodiscard]] GltfAccessor described(std::size_t number, GltfUse use, std::string_view words) const;
 
 private:
+    /// Returns exactly the buffer's byteLength. Throws CommandError when it has fewer.
+    std::span<const std::byte> buffer(std::size_t number);
+    [[nodiscard]] std::vector<std::byte> bytes_beside(const GltfObject& buffer, const std::string& uri,
+                                                      std::uint64_t length);
+    std::span<const std::byte> part_of_buffer(const GltfObject& part);
     [[nodiscard]] GltfObject object(std::size_t number, std::string_view words) const;
     void read_replacements(const GltfObject& sparse, GltfAccessor& accessor);
     std::span<const std::byte> elements(const GltfObject& place, std::size_t count, std::size_t bytes,
                                         std::size_t* stride);
 
-    const GltfObject& root_;
-    GltfBufferViews& views_;
+    const std::string& path_;
+    const GltfContainer& container_;
+    std::vector<std::string>& opened_;
+    GltfObject root_;
+    std::vector<std::optional<std::vector<std::byte>>> buffers_;  ///< those that are no binary chunk, once read
+    std::map<std::size_t, std::vector<std::byte>> decompressed_;
 };
 
 }  // namespace espalier::tools

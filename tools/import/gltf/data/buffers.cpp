@@ -1,4 +1,4 @@
-#include "buffers.hpp"
+#include "accessors.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -44,16 +44,36 @@ std::uint32_t digit_value(char digit) {
     return digit == '/' ? 63 : 64;
 }
 
+/// Returns nothing unless the whole text is base64 of RFC 4648; '=' at its end may be missing.
+std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
+    for (int i = 0; i < 2 && !text.empty() && text.back() == '='; ++i) text.remove_suffix(1);
+    if (text.size() % 4 == 1) return std::nullopt;
+    std::vector<std::byte> result;
+    result.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;
+    unsigned count = 0;
+    for (const char digit : text) {
+        const std::uint32_t value = digit_value(digit);
+        if (value == 64) return std::nullopt;
+        bits = bits << 6 | value;
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        result.push_back(static_cast<std::byte>(bits >> count & 0xffu));
+    }
+    return result;
+}
+
 }  // namespace
 
-GltfBuffers::GltfBuffers(const std::string& path, const GltfContainer& container, std::vector<std::string>& opened)
+GltfData::GltfData(const std::string& path, const GltfContainer& container, std::vector<std::string>& opened)
     : path_(path),
       container_(container),
       opened_(opened),
       root_(*container.json, text("'", printable(path), "'")),
       buffers_(root_.size_of("buffers")) {}
 
-std::span<const std::byte> GltfBuffers::bytes(std::size_t number) {
+std::span<const std::byte> GltfData::buffer(std::size_t number) {
     const GltfObject buffer = root_.object_in("buffers", number, text(root_.words(), ", buffer ", number));
     const std::uint64_t length = buffer.required_whole("byteLength");
     std::span<const std::byte> found;
@@ -72,8 +92,7 @@ std::span<const std::byte> GltfBuffers::bytes(std::size_t number) {
     return found.first(length);
 }
 
-std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const std::string& uri,
-                                                 std::uint64_t length) {
+std::vector<std::byte> GltfData::bytes_beside(const GltfObject& buffer, const std::string& uri, std::uint64_t length) {
     if (uri.starts_with("data:")) {
         const std::size_t start = uri.find(";base64,");
         if (start == std::string::npos) buffer.fail("its data is not base64");
@@ -111,26 +130,7 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
     return bytes;
 }
 
-std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
-    for (int i = 0; i < 2 && !text.empty() && text.back() == '='; ++i) text.remove_suffix(1);
-    if (text.size() % 4 == 1) return std::nullopt;
-    std::vector<std::byte> result;
-    result.reserve(text.size() / 4 * 3 + 2);
-    std::uint32_t bits = 0;
-    unsigned count = 0;
-    for (const char digit : text) {
-        const std::uint32_t value = digit_value(digit);
-        if (value == 64) return std::nullopt;
-        bits = bits << 6 | value;
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        result.push_back(static_cast<std::byte>(bits >> count & 0xffu));
-    }
-    return result;
-}
-
-GltfBufferView GltfBufferViews::view(std::size_t number) {
+GltfBufferView GltfData::view(std::size_t number) {
     const GltfObject view = root_.object_in("bufferViews", number, text(root_.words(), ", bufferView ", number));
     const std::size_t stride = view.whole("byteStride").value_or(0);
     const auto compressed = view.extension("EXT_meshopt_compression");
@@ -151,11 +151,11 @@ GltfBufferView GltfBufferViews::view(std::size_t number) {
     return {found->second, stride, packed};
 }
 
-std::span<const std::byte> GltfBufferViews::part_of_buffer(const GltfObject& part) {
-    const std::size_t number = part.required_index("buffer", buffers_.count());
+std::span<const std::byte> GltfData::part_of_buffer(const GltfObject& part) {
+    const std::size_t number = part.required_index("buffer", buffers_.size());
     const std::uint64_t offset = part.whole("byteOffset").value_or(0);
     const std::uint64_t length = part.required_whole("byteLength");
-    const std::span<const std::byte> buffer = buffers_.bytes(number);
+    const std::span<const std::byte> buffer = this->buffer(number);
     if (offset > buffer.size() || length > buffer.size() - offset) {
         part.fail(text("its ", length, " bytes from byte ", offset, " on are not inside of the ", buffer.size(),
                        " bytes of buffer ", number));
