@@ -8,7 +8,7 @@
 #include <array>
 #include <cstring>
 
-#include "import/guards/crash_guard.hpp"
+#include "import/guards/limit_guard.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // In place of import/assimp in a build whose ESPALIER_COMMAND_PARTS has no assimp.
 #include "base/exit_code.hpp"
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 namespace espalier::tools {
 

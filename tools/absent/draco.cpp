@@ -1,5 +1,5 @@
 // In place of import/gltf/data/draco.cpp in a build whose ESPALIER_COMMAND_PARTS has no draco.
-#include "import/gltf/data/compression.hpp"
+#include "import/gltf/data/accessors.hpp"
 
 namespace espalier::tools {
 

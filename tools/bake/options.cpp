@@ -1,16 +1,13 @@
-#include "options.hpp"
+#include "baking.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "baking.hpp"
 #include "base/choices.hpp"
-#include "base/exit_code.hpp"
 #include "files/blob_file.hpp"
 #include "policy.hpp"
 

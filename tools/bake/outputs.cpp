@@ -1,10 +1,9 @@
-#include "outputs.hpp"
+#include "baking.hpp"
 
 #include <bit>
 #include <map>
 #include <utility>
 
-#include "base/exit_code.hpp"
 #include "files/outputs.hpp"
 
 namespace espalier::tools {

@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
-#include <vector>
 
 #include <baker/input/zero_area.hpp>
 

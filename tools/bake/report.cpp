@@ -1,7 +1,6 @@
-#include "report.hpp"
+#include "policy.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "base/numbers.hpp"
 #include "layout/places.hpp"
@@ -55,14 +54,13 @@ constexpr const char* names_of_kinds[] = {"step_below_float_spacing", "lost_clos
 
 void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported) {
     for (const ImportedFile& file : imported.files) {
-        console.say(text(printable(file.path), ": ", counted(file.triangles, "triangle"), " in ",
-                         file.meshes == 1 ? std::string("1 mesh") : text(file.meshes, " meshes"),
-                         file.format.empty() ? "" : text(", ", file.format)));
-        console.say(text("  unit: 1 = ", file.metres_per_unit, " m (", file.unit_origin, ")",
-                         arguments.source.scale == 1.0 ? "" : text(", then scaled by ", arguments.source.scale)));
-        if (const std::string names = numbered_names(file); !names.empty()) console.say(text("  meshes: ", names));
+        console.say(printable(file.path), ": ", counted(file.triangles, "triangle"), " in ",
+                    counted(file.meshes, "mesh"), file.format.empty() ? "" : text(", ", file.format));
+        console.say("  unit: 1 = ", file.metres_per_unit, " m (", file.unit_origin, ")",
+                    arguments.source.scale == 1.0 ? "" : text(", then scaled by ", arguments.source.scale));
+        if (const std::string names = numbered_names(file); !names.empty()) console.say("  meshes: ", names);
         if (file.points_and_lines > 0) {
-            console.say(text("  skipped ", file.points_and_lines, " points and lines: no surface"));
+            console.say("  skipped ", file.points_and_lines, " points and lines: no surface");
         }
     }
     console.say(arguments.source.up ? text("axes: ", axis_name(*arguments.source.up), " of the input is +Y in the blob")
@@ -73,32 +71,31 @@ void say_findings(const Console& console, const BakeReport& report) {
     for (const DropReason& reason : drop_reasons) {
         const Finding& found = report.findings.*reason.finding;
         if (found.count == 0) continue;
-        console.say(text("dropped ", counted(found.count, "triangle"), ' ', reason.words, "; first: ", found.first));
+        console.say("dropped ", counted(found.count, "triangle"), ' ', reason.words, "; first: ", found.first);
     }
 }
 
 void say_report(const Console& console, const BakeReport& report) {
     say_findings(console, report);
     if (report.tree.triangles == 0) {
-        console.say(text(report.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
-                         "; the blob is valid and empty, and every query of it finds nothing"));
+        console.say(report.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
+                    "; the blob is valid and empty, and every query of it finds nothing");
     }
-    console.say(text("bounds: ", shortest(report.bounds.min), " to ", shortest(report.bounds.max), ", extent ",
-                     rounded(report.bounds.extent)));
-    console.say(text("lattice: ", report.lattice.bits, " bits, step ", rounded(report.lattice.step), ", max error ",
-                     rounded(report.lattice.max_error), " (from the source's coordinates as float32)"));
-    console.say(text("tree: ", counted(report.tree.triangles, "triangle"), ", ",
-                     counted(report.tree.vertices, "vertex"), ", ", counted(report.tree.nodes, "node"), ", ",
-                     report.tree.leaves, report.tree.leaves == 1 ? " leaf" : " leaves", ", depth ", report.tree.depth,
-                     report.closed ? ", closed" : ", not closed"));
-    console.say(text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_baked_triangle(report), 4),
-                     " per triangle"));
+    console.say("bounds: ", shortest(report.bounds.min), " to ", shortest(report.bounds.max), ", extent ",
+                rounded(report.bounds.extent));
+    console.say("lattice: ", report.lattice.bits, " bits, step ", rounded(report.lattice.step), ", max error ",
+                rounded(report.lattice.max_error), " (from the source's coordinates as float32)");
+    console.say("tree: ", counted(report.tree.triangles, "triangle"), ", ", counted(report.tree.vertices, "vertex"),
+                ", ", counted(report.tree.nodes, "node"), ", ", counted(report.tree.leaves, "leaf"), ", depth ",
+                report.tree.depth, report.closed ? ", closed" : ", not closed");
+    console.say("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_baked_triangle(report), 4),
+                " per triangle");
     if (report.motion.positions != 0) {
-        console.say(text("motion: ", counted(report.motion.positions, "position"), " in the range ",
-                         shortest(report.motion.range.min), " to ", shortest(report.motion.range.max), "; ",
-                         counted(report.motion.moving_bytes, "byte"), " move, ",
-                         rounded(static_cast<double>(report.motion.moving_bytes) / report.tree.triangles, 4),
-                         " per triangle"));
+        console.say("motion: ", counted(report.motion.positions, "position"), " in the range ",
+                    shortest(report.motion.range.min), " to ", shortest(report.motion.range.max), "; ",
+                    counted(report.motion.moving_bytes, "byte"), " move, ",
+                    rounded(static_cast<double>(report.motion.moving_bytes) / report.tree.triangles, 4),
+                    " per triangle");
     }
     if (report.bounds.volumes.box > 0.0) {
         std::string volumes = text("volume: axis-aligned box ", rounded(report.bounds.volumes.box, 4));

@@ -49,6 +49,8 @@ std::optional<float> parse_float(const std::string& text) { return parsed(text, 
 
 std::string counted(unsigned long long count, std::string_view singular) {
     if (count == 1) return text(count, ' ', singular);
+    if (singular.ends_with("mesh")) return text(count, ' ', singular, "es");
+    if (singular.ends_with("leaf")) return text(count, ' ', singular.substr(0, singular.size() - 1), "ves");
     if (singular.ends_with("vertex")) return text(count, ' ', singular.substr(0, singular.size() - 2), "ices");
     return text(count, ' ', singular, 's');
 }

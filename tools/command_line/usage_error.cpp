@@ -1,14 +1,12 @@
-#include "usage_error.hpp"
+#include "verb.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 

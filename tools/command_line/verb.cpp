@@ -10,7 +10,6 @@
 
 #include "base/numbers.hpp"
 #include "report/diagnostics.hpp"
-#include "usage_error.hpp"
 
 namespace espalier::tools {
 

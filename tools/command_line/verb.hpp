@@ -14,6 +14,7 @@
 namespace CLI {
 class App;
 class Option;
+class ParseError;
 }  // namespace CLI
 
 namespace espalier::tools {
@@ -92,5 +93,8 @@ private:
     Run chosen_;
     Verb top_;
 };
+
+/// Returns the error of ExitCode::usage for a command line that `app` could not parse.
+CommandError usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace espalier::tools

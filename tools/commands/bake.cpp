@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "bake/baking.hpp"
-#include "bake/options.hpp"
-#include "bake/outputs.hpp"
 #include "bake/policy.hpp"
-#include "bake/report.hpp"
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
@@ -17,9 +14,7 @@
 #include "files/blob_file.hpp"
 #include "report/diagnostics.hpp"
 #include "scenes/baking.hpp"
-#include "scenes/report.hpp"
-#include "scenes/shared_borders.hpp"
-#include "trade/pick.hpp"
+#include "trade/point.hpp"
 
 namespace espalier::tools {
 
@@ -86,7 +81,7 @@ ExitCode bake_blob(const Baking& baking, std::vector<Warning>& warnings) {
     say_report(console, baked.report);
     write_blob(arguments, imported, poses, baked);
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
-        if (!written.empty()) console.say(text("wrote ", printable(written)));
+        if (!written.empty()) console.say("wrote ", printable(written));
     if (arguments.json) {
         Json document = bake_json(arguments, imported, baked.report, opened(baked), warnings);
         if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
@@ -112,7 +107,7 @@ ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
     enforce(policy, imported, baked.total, warnings);
     say_scene(console, baked, file.scene);
     write_outputs(arguments, imported, poses, {.result = baked.bytes, .remap = {}, .reordered = {}});
-    console.say(text("wrote ", printable(arguments.output)));
+    console.say("wrote ", printable(arguments.output));
     if (arguments.json) print_json(scene_json(arguments, imported, baked, file.scene, warnings));
     return ExitCode::ok;
 }

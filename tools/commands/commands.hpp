@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "base/exit_code.hpp"
@@ -20,8 +19,12 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
 ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warnings);
 ExitCode run_dump(const DumpArguments& arguments);
 
-/// Prints a line of the table of `info`.
-void print_line(const std::string& name, const std::string& value);
+/// Prints a line of the table of `info`, whose value has these parts.
+void print_value(const std::string& name, const std::string& value);
+template <class... Parts>
+void print_line(const std::string& name, const Parts&... parts) {
+    print_value(name, text(parts...));
+}
 
 /// A part of a file; its line of that table may state its bytes for each triangle.
 struct NamedBytes {

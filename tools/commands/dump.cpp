@@ -1,6 +1,5 @@
 // dump: every byte of a blob or a scene, with its meaning.
 #include <algorithm>
-#include <vector>
 
 #include <espalier/espalier.hpp>
 

@@ -98,47 +98,44 @@ void print_blob_json(const InfoArguments& arguments, const AssetFile& file) {
 
 void print_motion(const Blob& blob) {
     const Motion motion = motion_of(blob);
-    print_line("range", text(shortest(motion.range.min), " to ", shortest(motion.range.max)));
-    print_line("positions", text(motion.positions));
-    print_line("moving bytes",
-               text(motion.moving_bytes, ", ", rounded(bytes_per_triangle(motion.moving_bytes, blob), 4),
-                    " per triangle; the rest may stay in flash"));
+    print_line("range", shortest(motion.range.min), " to ", shortest(motion.range.max));
+    print_line("positions", motion.positions);
+    print_line("moving bytes", motion.moving_bytes, ", ", rounded(bytes_per_triangle(motion.moving_bytes, blob), 4),
+               " per triangle; the rest may stay in flash");
 }
 
 void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
     const Blob& blob = file.blob;
     std::cout << printable(arguments.blob) << '\n';
-    print_line("format", text(blob_format_version(file), ", profile ", name_of(blob.profile())));
-    print_line("triangles", text(triangles_of(blob)));
+    print_line("format", blob_format_version(file), ", profile ", name_of(blob.profile()));
+    print_line("triangles", triangles_of(blob));
     if (blob.duplicate_reference_count() != 0)
-        print_line("copies",
-                   text(blob.duplicate_reference_count(), ", in further leaves: answers rays, enumerates nothing"));
-    print_line("vertices", text(blob.vertex_count()));
-    print_line("bounds", text(shortest(blob.bounds().min), " to ", shortest(blob.bounds().max)));
+        print_line("copies", blob.duplicate_reference_count(), ", in further leaves: answers rays, enumerates nothing");
+    print_line("vertices", blob.vertex_count());
+    print_line("bounds", shortest(blob.bounds().min), " to ", shortest(blob.bounds().max));
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
-        print_line("sphere", text("center ", shortest(sphere->center), ", radius ", shortest(sphere->radius)));
+        print_line("sphere", "center ", shortest(sphere->center), ", radius ", shortest(sphere->radius));
     }
     if (const Result<OrientedBox> box = oriented_bounds(blob)) {
-        print_line("oriented box", text("center ", shortest(box->center)));
+        print_line("oriented box", "center ", shortest(box->center));
         for (const Vec3& axis : box->half_axes) print_line("  half axis", shortest(axis));
     }
     print_line("extent", rounded(extent_of(blob)));
     if (blob.is_deformable()) print_motion(blob);
-    print_line("lattice", text(unsigned{detail::data_of(blob).bits}, " bits, step ",
-                               shortest(std::ldexp(1.0f, blob.lattice().step_exponent))));
+    print_line("lattice", unsigned{detail::data_of(blob).bits}, " bits, step ",
+               shortest(std::ldexp(1.0f, blob.lattice().step_exponent)));
     print_line("max error", shortest(blob.max_error()));
     print_line("features", joined(feature_names(detail::data_of(blob).features)));
     if (blob.has_original_ids()) {
-        print_line("sources", text(detail::data_of(blob).source_count,
-                                   detail::data_of(blob).source_count == 1 ? " mesh" : " meshes", " with ",
-                                   counted(detail::data_of(blob).source_triangles, "triangle")));
+        print_line("sources", counted(detail::data_of(blob).source_count, "mesh"), " with ",
+                   counted(detail::data_of(blob).source_triangles, "triangle"));
     }
     const std::uint64_t leaves = leaf_count(file.bytes, blob);
-    print_line("tree", text(counted(detail::data_of(blob).node_count, "node"), ", ", leaves,
-                            leaves == 1 ? " leaf" : " leaves", ", depth ", blob.depth()));
+    print_line("tree", counted(detail::data_of(blob).node_count, "node"), ", ", counted(leaves, "leaf"), ", depth ",
+               blob.depth());
     print_line("checksum", checksum_text(blob.checksum()));
-    print_line("bytes",
-               text(blob.size(), ", ", rounded(bytes_per_triangle(blob.size(), blob), 4), " per triangle, of which"));
+    print_line("bytes", blob.size(), ", ", rounded(bytes_per_triangle(blob.size(), blob), 4),
+               " per triangle, of which");
     for (const Section& section : sections_of(blob))
         print_section({section.name, section.bytes}, rounded(bytes_per_triangle(section.bytes, blob), 3));
     if (arguments.histogram) print_tree_quality(tree_quality_of(blob));
@@ -147,7 +144,7 @@ void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
 
 }  // namespace
 
-void print_line(const std::string& name, const std::string& value) {
+void print_value(const std::string& name, const std::string& value) {
     std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
 }
 

@@ -125,11 +125,10 @@ ExitCode run_refit(const RefitArguments& arguments, std::vector<Warning>& warnin
     give(warnings_about(arguments, refitted), warnings);
     if (arguments.source.strict) refuse_warnings(warnings, pose);
     const Box bounds = refitted.blob.bounds();
-    console.say(text("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max)));
-    console.say(
-        text("quality: an average ray costs ", rounded(double(refitted.quality), 3), " times as much as at rest"));
+    console.say("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max));
+    console.say("quality: an average ray costs ", rounded(double(refitted.quality), 3), " times as much as at rest");
     write_output_file(arguments.output, refitted.bytes);
-    console.say(text("wrote ", printable(arguments.output)));
+    console.say("wrote ", printable(arguments.output));
     if (arguments.json) print_json(refit_json(arguments, pose, refitted, warnings));
     return ExitCode::ok;
 }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <charconv>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include <espalier/espalier.hpp>
@@ -12,7 +11,6 @@
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/outputs.hpp"
-#include "render/camera.hpp"
 #include "render/shading.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
@@ -154,14 +152,14 @@ ExitCode run_render(const RenderArguments& arguments, std::vector<Warning>& warn
         if (arguments.heatmap) {
             const Work work = draw_heatmap(file.blob, camera, arguments, image, progress);
             document["steps"] = {{"mean", work.mean}, {"most", work.most}, {"white", work.white}};
-            console.say(text("steps a ray: ", rounded(work.mean, 4), " on average, ", rounded(work.most, 4),
-                             " at most in a pixel; black is 0, white is ", rounded(work.white, 4), " and more"));
+            console.say("steps a ray: ", rounded(work.mean, 4), " on average, ", rounded(work.most, 4),
+                        " at most in a pixel; black is 0, white is ", rounded(work.white, 4), " and more");
         } else {
             draw_shaded(subject, camera, arguments, image, progress);
         }
     }
     write_output_file(arguments.output, image.png());
-    console.say(text("wrote ", printable(arguments.output), ", ", size.width, " x ", size.height));
+    console.say("wrote ", printable(arguments.output), ", ", size.width, " x ", size.height);
     if (arguments.json) print_json(document);
     return ExitCode::ok;
 }

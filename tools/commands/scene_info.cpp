@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iomanip>
 #include <iostream>
 #include <string>
 
@@ -174,21 +173,19 @@ void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
         const PartUse& use = figures.uses[i];
         if (i >= meshes) {
             const BakedScene& tile = scene.tiles()[i - meshes];
-            print_line(text("tile ", i - meshes),
-                       text(counted(use.instances, "instance"), ", in it ", counted(tile.instance_count(), "instance"),
-                            " of ", tile.meshes().size(), tile.meshes().size() == 1 ? " mesh, " : " meshes, ",
-                            counted(tile.size(), "byte"), ", max error ", shortest(tile.max_error())));
+            print_line(text("tile ", i - meshes), counted(use.instances, "instance"), ", in it ",
+                       counted(tile.instance_count(), "instance"), " of ", counted(tile.meshes().size(), "mesh"), ", ",
+                       counted(tile.size(), "byte"), ", max error ", shortest(tile.max_error()));
             continue;
         }
         const Blob& mesh = scene.meshes()[i];
         const std::string scales = use.least_scale == use.largest_scale
                                        ? text("scale ", use.least_scale)
                                        : text("scales ", use.least_scale, " to ", use.largest_scale);
-        print_line(
-            text("mesh ", i),
-            text(counted(use.instances, "instance"), ", ", counted(mesh.triangle_count(), "triangle"), ", ",
-                 counted(mesh.size(), "byte"), ", step ", shortest(std::ldexp(1.0f, mesh.lattice().step_exponent)),
-                 ", max error ", shortest(mesh.max_error()), ", ", scales));
+        print_line(text("mesh ", i), counted(use.instances, "instance"), ", ",
+                   counted(mesh.triangle_count(), "triangle"), ", ", counted(mesh.size(), "byte"), ", step ",
+                   shortest(std::ldexp(1.0f, mesh.lattice().step_exponent)), ", max error ", shortest(mesh.max_error()),
+                   ", ", scales);
     }
     if (figures.uses.size() > most_parts_listed) print_line("...", "--json lists all");
 }
@@ -204,23 +201,23 @@ void print_tree_qualities(const BakedScene& scene) {
 void print_scene_table(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
     const SceneFigures figures = figures_of(bytes, scene);
     std::cout << printable(arguments.blob) << '\n';
-    print_line("format", text("scene ", scene_format_version(bytes)));
-    print_line("instances", text(scene.instance_count()));
-    print_line("meshes", text(scene.meshes().size()));
-    if (!scene.tiles().empty()) print_line("tiles", text(scene.tiles().size()));
-    print_line("triangles", text(figures.triangles, " of all instances"));
-    print_line("bounds", text(shortest(scene.bounds().min), " to ", shortest(scene.bounds().max)));
+    print_line("format", "scene ", scene_format_version(bytes));
+    print_line("instances", scene.instance_count());
+    print_line("meshes", scene.meshes().size());
+    if (!scene.tiles().empty()) print_line("tiles", scene.tiles().size());
+    print_line("triangles", figures.triangles, " of all instances");
+    print_line("bounds", shortest(scene.bounds().min), " to ", shortest(scene.bounds().max));
     print_line("max error", shortest(scene.max_error()));
-    print_line("tree", text(counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},
-                            ", step ", shortest(lattice_step_of(scene))));
+    print_line("tree", counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},
+               ", step ", shortest(lattice_step_of(scene)));
     const Result<Lattice> common = scene.common_lattice();
     print_line("common step", common ? text(shortest(std::ldexp(1.0f, common->step_exponent)), ", of ",
                                             counted(instances_on_common_lattice(scene), "instance"))
                                      : "none");
     print_line("checksum", checksum_text(detail::data_of(scene).tree.checksum));
-    print_line("flattened", text("about ", rounded(figures.flattened_bytes, 10),
-                                 " bytes as one blob with the steps of the meshes: an estimate"));
-    print_line("bytes", text(scene.size(), ", of which"));
+    print_line("flattened", "about ", rounded(figures.flattened_bytes, 10),
+               " bytes as one blob with the steps of the meshes: an estimate");
+    print_line("bytes", scene.size(), ", of which");
     for (const NamedBytes& section : scene_sections_of(figures.layout)) print_section(section);
     print_meshes(scene, figures);
     if (arguments.histogram) print_tree_qualities(scene);

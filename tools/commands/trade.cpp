@@ -15,7 +15,6 @@
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 #include "trade/point.hpp"
-#include "trade/measure.hpp"
 
 namespace espalier::tools {
 
@@ -89,16 +88,16 @@ ExitCode run_trade(const TradeArguments& arguments, std::vector<Warning>& warnin
     const std::string names = names_of(arguments);
     const std::string how = conditions(arguments, triangles);
     const std::vector<bool> front = pareto_front(points, timed_queries[0]);
-    console.say(text(names, ": ", how));
-    console.say(text(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
-                     " are on the front of bytes, time of closest hits, and error"));
+    console.say(names, ": ", how);
+    console.say(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
+                " are on the front of bytes, time of closest hits, and error");
     if (!arguments.output.empty()) {
         write_text(arguments.output, trade_chart(names, how, points));
-        console.say(text("wrote ", printable(arguments.output)));
+        console.say("wrote ", printable(arguments.output));
     }
     if (!arguments.csv.empty()) {
         write_text(arguments.csv, trade_csv(names, points));
-        console.say(text("wrote ", printable(arguments.csv)));
+        console.say("wrote ", printable(arguments.csv));
     }
     if (arguments.json) {
         Json document = json_document();

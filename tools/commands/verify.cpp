@@ -1,4 +1,9 @@
 // verify: is this blob or scene sound, and is it the source it was baked from?
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <iostream>
 #include <optional>
 #include <span>
@@ -11,16 +16,169 @@
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
 #include "base/numbers.hpp"
+#include "base/placement.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "import/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
-#include "source_check.hpp"
 
 namespace espalier::tools {
 
 namespace {
+
+/// The source of a blob or a scene, compared with its surface: promise P3 on the file itself.
+struct SourceCheck {
+    std::uint64_t vertices = 0;  ///< of triangles of the source
+    std::uint64_t checked = 0;   ///< evenly spread over them; none when the blob or scene is empty
+    std::uint64_t too_far = 0;
+    std::uint64_t triangles_with_area = 0;
+    double measuring_error = 0.0;  ///< what the measured distances may be too large by, at the worst vertex
+    double worst_distance = 0.0;
+    std::string worst;  ///< "level.obj, mesh 3 (walls), vertex 12"
+};
+
+constexpr std::uint64_t most_checked = 100'000;
+
+std::array<double, 3> difference(Vec3 to, Vec3 from) {
+    const auto along = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
+    return {along(to.x, from.x), along(to.y, from.y), along(to.z, from.z)};
+}
+
+bool has_area(Vec3 a, Vec3 b, Vec3 c) {
+    const std::array<double, 3> u = difference(b, a);
+    const std::array<double, 3> v = difference(c, a);
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
+/// What a mesh has to check.
+struct UsedVertices {
+    std::vector<std::uint32_t> vertices;  ///< those that some sound triangle uses, each once, ascending
+    std::uint64_t triangles_with_area = 0;
+};
+
+UsedVertices used_vertices(const ImportedMesh& mesh) {
+    UsedVertices result;
+    std::vector<bool> used(mesh.positions.size());
+    for (const TriangleVertices& triangle : mesh.triangles) {
+        const auto sound = [&](std::uint32_t index) { return index < used.size() && is_finite(mesh.positions[index]); };
+        if (!std::all_of(triangle.begin(), triangle.end(), sound)) continue;
+        for (const std::uint32_t index : triangle) used[index] = true;
+        const auto corner = [&](std::size_t number) { return mesh.positions[triangle[number]]; };
+        if (has_area(corner(0), corner(1), corner(2))) ++result.triangles_with_area;
+    }
+    for (std::uint32_t index = 0; index < used.size(); ++index) {
+        if (used[index]) result.vertices.push_back(index);
+    }
+    return result;
+}
+
+/// How far the measured distance may lie above the true one. closest_point answers for the point as it rounds it:
+/// relative to the lattice's origin in float32, then onto a grid that is finer than the lattice as far as float32 can
+/// carry it. Its distance from there is within 4 ulp (nearest.hpp).
+double measuring_error_at(const Blob& blob, Vec3 point, double distance) {
+    const float* origin = detail::data_of(blob).origin;
+    const std::array<double, 3> offset = difference(point, {origin[0], origin[1], origin[2]});
+    const double reach = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
+    const int finer_by = std::clamp(23 - static_cast<int>(detail::data_of(blob).bits), 0, 6);
+    const double on_each_axis = std::ldexp(1.0, blob.lattice().step_exponent - finer_by - 1) + std::ldexp(reach, -24);
+    return std::sqrt(3.0) * on_each_axis + std::ldexp(distance, -21);
+}
+
+double distance_to(const Blob& blob, Vec3 point) { return static_cast<double>(closest_point(blob, point).distance); }
+
+double distance_to(const BakedScene& scene, Vec3 point) {
+    return static_cast<double>(closest_point(scene, point)->distance);
+}
+
+double measuring_error_at(const BakedScene& scene, Vec3 point, double distance);
+
+/// The same for an instance. Its transform and its vertices were rounded to float32 when it was baked, and the point
+/// when it was placed; to_local() rounds that, the blob again, and the result when it returns to the world.
+double measuring_error_at(const BakedScene& scene, const Instance& instance, Vec3 point, double distance) {
+    const Transform& transform = instance.transform;
+    const auto scale = static_cast<double>(transform.scale);
+    const std::array<double, 3> offset = difference(point, transform.translation);
+    const double reach = std::hypot(offset[0], offset[1], offset[2]);
+    const Vec3& moved = transform.translation;
+    const double translation =
+        std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y), static_cast<double>(moved.z));
+    const Vec3 local = to_local(transform, point);
+    const std::size_t meshes = scene.meshes().size();
+    const double in_mesh = instance.mesh < meshes
+                               ? measuring_error_at(scene.meshes()[instance.mesh], local, distance / scale)
+                               : measuring_error_at(scene.tiles()[instance.mesh - meshes], local, distance / scale);
+    return std::sqrt(3.0) * std::ldexp(reach, -19) + std::ldexp(reach, -20) + std::ldexp(translation, -23) +
+           scale * in_mesh + std::ldexp(distance, -22);
+}
+
+/// The instance that is nearest may not be the one with the least measured distance: the error is the largest of all
+/// that the surface near the point may belong to.
+double measuring_error_at(const BakedScene& scene, Vec3 point, double distance) {
+    const float around = std::nextafter(static_cast<float>(std::max(distance, static_cast<double>(scene.max_error()))),
+                                        std::numeric_limits<float>::infinity());
+    const Box box{{point.x - around, point.y - around, point.z - around},
+                  {point.x + around, point.y + around, point.z + around}};
+    double error = 0.0;
+    static_cast<void>(for_each_candidate(scene, box, [&](InstanceId id) {
+        error = std::max(error, measuring_error_at(scene, *instance_at(scene, {id.index}), point, distance));
+    }));
+    return error;
+}
+
+template <class SourceSurface>
+void check_point(const SourceSurface& surface, Vec3 point, const std::function<std::string()>& words,
+                 SourceCheck& check) {
+    const double distance = distance_to(surface, point);
+    const double error = measuring_error_at(surface, point, distance);
+    ++check.checked;
+    if (distance > static_cast<double>(surface.max_error()) + error) ++check.too_far;
+    check.measuring_error = std::max(check.measuring_error, error);
+    if (distance > check.worst_distance) {
+        check.worst_distance = distance;
+        check.worst = words();
+    }
+}
+
+/// The places of the meshes; without a list of them each mesh is in place.
+std::vector<ImportedPlace> places_of(const Imported& source) {
+    if (!source.places.empty()) return source.places;
+    std::vector<ImportedPlace> places;
+    for (std::uint32_t i = 0; i < source.meshes.size(); ++i)
+        places.push_back({i, source.meshes[i].file, source.meshes[i].mesh, {}});
+    return places;
+}
+
+/// Measures source vertices against the surface with closest_point: all of them up to a hundred thousand or so, else
+/// every so many. Vertices that are not finite are left out: they were dropped or refused. Whether anything of the
+/// source should be in a blob at all is left to the caller: triangles_with_area.
+template <class SourceSurface>
+SourceCheck check_source(const SourceSurface& surface, bool is_empty, const Imported& source) {
+    SourceCheck check;
+    std::vector<UsedVertices> used;
+    for (const ImportedMesh& mesh : source.meshes) used.push_back(used_vertices(mesh));
+    const std::vector<ImportedPlace> places = places_of(source);
+    for (const ImportedPlace& place : places) {
+        check.vertices += used[place.mesh].vertices.size();
+        check.triangles_with_area += used[place.mesh].triangles_with_area;
+    }
+    if (is_empty) return check;
+    const std::uint64_t stride = std::max<std::uint64_t>(1, (check.vertices + most_checked - 1) / most_checked);
+    std::uint64_t next = 0;  // of the place's vertices
+    for (const ImportedPlace& place : places) {
+        const std::vector<std::uint32_t>& vertices = used[place.mesh].vertices;
+        for (; next < vertices.size(); next += stride) {
+            const std::uint32_t vertex = vertices[next];
+            const auto words = [&] {
+                const ImportedFile& file = source.files[place.file];
+                return text(words_for_mesh(file, place.number, file.mesh_names[place.number]), ", vertex ", vertex);
+            };
+            check_point(surface, place.placement(source.meshes[place.mesh].positions[vertex]), words, check);
+        }
+        next -= vertices.size();
+    }
+    return check;
+}
 
 /// The checks that were chosen and their results; `failure` is empty as long as all pass.
 struct Verification {
@@ -35,7 +193,7 @@ float max_error_of(const AssetFile& file) { return file.is_a_scene ? file.scene(
 std::string content_of(const AssetFile& file) {
     if (!file.is_a_scene) return counted(file.blob.triangle_count(), "triangle");
     const std::size_t meshes = file.scene().meshes().size(), tiles = file.scene().tiles().size();
-    return text(counted(file.scene().instance_count(), "instance"), " of ", meshes, meshes == 1 ? " mesh" : " meshes",
+    return text(counted(file.scene().instance_count(), "instance"), " of ", counted(meshes, "mesh"),
                 tiles == 0 ? "" : text(" and ", counted(tiles, "tile")));
 }
 
@@ -102,7 +260,8 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
         const Imported source = import_files(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
         if (arguments.source.strict) refuse_warnings(warnings, source);
-        result.source = file.is_a_scene ? check_source(file.scene(), source) : check_source(file.blob, source);
+        result.source = file.is_a_scene ? check_source(file.scene(), file.is_empty(), source)
+                                        : check_source(file.blob, file.is_empty(), source);
         const std::string failure = source_failure(file, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/exit_code.hpp"
-#include "import/base/importers.hpp"
 #include "import/base/text_file.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "platform/files.hpp"

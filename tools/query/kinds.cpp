@@ -7,6 +7,115 @@
 
 namespace espalier::tools {
 
+namespace {
+
+/// An argument of the query: the words as they were typed, and their values.
+struct Argument {
+    std::string name;
+    std::vector<std::string> words;
+    std::vector<double> values;
+    Range range;
+};
+
+double value_of_word(QueryWord::Type type, const std::string& word, const char* name) {
+    if (type == QueryWord::Type::length) return static_cast<double>(length_argument(word, name));
+    if (type == QueryWord::Type::number) return static_cast<double>(number_argument(word, name));
+    return parse_double(word).value_or(0.0);
+}
+
+bool has_range(QueryWord::Type type) { return type != QueryWord::Type::index && type != QueryWord::Type::name; }
+
+/// Names arguments of one name "vertex 2 of 5".
+void number_equal_names(std::vector<Argument>& arguments) {
+    std::vector<std::string> names;
+    for (const Argument& argument : arguments) names.push_back(argument.name);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto same = std::count(names.begin(), names.end(), names[i]);
+        const auto before = std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
+        if (same > 1) arguments[i].name = text(names[i], ' ', before + 1, " of ", same);
+    }
+}
+
+std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& given) {
+    std::vector<Argument> arguments;
+    const auto add = [&](const char* name, QueryWord::Type type, std::vector<std::string> words, Range range) {
+        Argument& argument = arguments.emplace_back(Argument{name, std::move(words), {}, range});
+        for (std::string& word : argument.words) {
+            word = typed(word);
+            argument.values.push_back(value_of_word(type, word, name));
+        }
+    };
+    auto next = given.words.begin();
+    for (const QueryWord* word : words_of(kind, given.words.size()).value_or(std::vector<const QueryWord*>())) {
+        const auto end = next + word->count;
+        if (has_range(word->type)) add(word->name, word->type, {next, end}, word->range);
+        next = end;
+    }
+    number_equal_names(arguments);
+
+    using Type = QueryWord::Type;
+    const auto takes = [&kind](QueryOption option) { return (kind.options & option) != 0; };
+    if (takes(option_t_range)) {
+        add("--t-min", Type::number, {given.t_min}, Range::number);
+        add("--t-max", Type::number, {given.t_max}, Range::number);
+    }
+    if (takes(option_sweep)) add("--skin", Type::length, {given.skin}, Range::finite_size);
+    if (takes(option_max_distance)) add("--max-distance", Type::length, {given.max_distance}, Range::size);
+    if (takes(option_placement)) {
+        add("--rotate", Type::number, given.rotation, Range::direction);
+        add("--move", Type::length, given.translation, Range::finite);
+        add("--scale", Type::number, {given.scale}, Range::factor);
+    }
+    return arguments;
+}
+
+/// Returns the argument that the query refuses. A length that rounds to zero has no other sign than the refusal.
+const Argument* invalid_one(const std::vector<Argument>& arguments) {
+    for (const Argument& argument : arguments)
+        if (!holds(argument.range, argument.values)) return &argument;
+    const auto may_be_short = [](const Argument& argument) {
+        return argument.range == Range::direction || argument.range == Range::apart;
+    };
+    const bool is_one = std::count_if(arguments.begin(), arguments.end(), may_be_short) == 1;
+    return is_one ? &*std::find_if(arguments.begin(), arguments.end(), may_be_short) : nullptr;
+}
+
+double size_of_word(const Argument& argument) {
+    double size = 0.0;
+    for (const double value : argument.values) size = std::max(size, std::fabs(value));
+    return size;
+}
+
+/// Returns the argument that reaches farthest from the origin.
+const Argument* farthest_one(const std::vector<Argument>& arguments) {
+    const auto farthest = std::max_element(arguments.begin(), arguments.end(), [](const auto& a, const auto& b) {
+        const bool counts = std::isfinite(size_of_word(b));  // an infinite one is valid where it stands
+        return counts && (!std::isfinite(size_of_word(a)) || size_of_word(a) < size_of_word(b));
+    });
+    return farthest == arguments.end() ? nullptr : &*farthest;
+}
+
+/// Returns "radius is -1".
+std::string stated(const Argument& argument) {
+    std::string words;
+    for (const std::string& word : argument.words) words += (words.empty() ? "" : " ") + printable(word);
+    return text(argument.name, " is ", words);
+}
+
+/// Returns how many times words are given of which the kind takes fewer, or nothing.
+std::optional<std::size_t> too_many(const QueryKind& kind, const QueryArguments& given) {
+    if (kind.repeats.which == Repeats::Which::none) return std::nullopt;
+    const std::size_t repeated = kind.repeats.which == Repeats::Which::all ? word_count(kind) : kind.words.back().count;
+    const std::size_t count = (given.words.size() - (word_count(kind) - repeated)) / repeated;
+    return count > kind.repeats.most ? std::optional(count) : std::nullopt;
+}
+
+const char* repeated_name(const QueryKind& kind) {
+    return kind.repeats.which == Repeats::Which::all ? kind.words.front().name : kind.words.back().name;
+}
+
+}  // namespace
+
 std::string words_text(const QueryKind& kind) {
     std::string result;
     for (const QueryWord& word : kind.words) {
@@ -88,6 +197,19 @@ const char* describe(Range range) {
         "above 0, and finite",
     };
     return words[static_cast<std::size_t>(range)];
+}
+
+std::string reason_of(const QueryKind& kind, const QueryArguments& given, QueryStatus status) {
+    if (status != QueryStatus::invalid_argument && status != QueryStatus::out_of_range) return describe(status);
+    const std::vector<Argument> arguments = arguments_of(kind, given);
+    if (status == QueryStatus::out_of_range) {
+        const Argument* farthest = farthest_one(arguments);
+        return farthest == nullptr ? describe(status) : text(describe(status), "; ", stated(*farthest));
+    }
+    if (const auto count = too_many(kind, given))
+        return text(repeated_name(kind), " is given ", *count, " times; ", kind.repeats.most, " is the most");
+    const Argument* invalid = invalid_one(arguments);
+    return invalid == nullptr ? describe(status) : text(stated(*invalid), "; it must be ", describe(invalid->range));
 }
 
 }  // namespace espalier::tools

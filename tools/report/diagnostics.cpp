@@ -32,9 +32,7 @@ CommandError with(const CommandError& error, const std::vector<Warning>& warning
 
 }  // namespace
 
-void Console::say(const std::string& line) const {
-    if (!quiet_) std::cerr << line << '\n';
-}
+void Console::print(const std::string& line) { std::cerr << line << '\n'; }
 
 void Console::warn(const Warning& warning) { std::cerr << "warning: " << warning.message << '\n'; }
 

@@ -16,12 +16,17 @@ namespace espalier::tools {
 class Console {
 public:
     explicit Console(bool quiet = false) : quiet_(quiet) {}
-    /// Prints a line, unless quiet.
-    void say(const std::string& line) const;
+    /// Prints a line of these parts, unless quiet.
+    template <class... Parts>
+    void say(const Parts&... parts) const {
+        if (!quiet_) print(text(parts...));
+    }
     /// Prints a line, also if quiet.
     static void warn(const Warning& warning);
 
 private:
+    static void print(const std::string& line);
+
     bool quiet_;
 };
 

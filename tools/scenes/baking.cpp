@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
-#include <espalier/scene.hpp>
 
 #include "bake/baking.hpp"
-#include "base/exit_code.hpp"
 #include "plan.hpp"
-#include "report.hpp"
 
 namespace espalier::tools {
 

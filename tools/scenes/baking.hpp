@@ -1,15 +1,21 @@
-// The bake of a scene: its meshes one by one, then their instances.
+// The bake of a scene, its meshes one by one and then their instances; its report, as lines for people and as JSON for
+// scripts; and pieces of a surface that meet along their borders, but were rounded apart.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <espalier/bake.hpp>
+#include <espalier/scene.hpp>
 
+#include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
 #include "import/base/imported.hpp"
+#include "report/diagnostics.hpp"
+#include "report/json.hpp"
 
 namespace espalier::tools {
 
@@ -40,5 +46,33 @@ SceneBake bake_scene_or_throw(const Imported& imported, Instancing instancing, c
 /// Instance::user of the merged mesh. That of other instances is the number of the mesh at their place, counted through
 /// all files.
 inline constexpr std::uint32_t no_user = 0xFFFFFFFF;
+
+/// What was dropped, and the result in numbers.
+void say_scene(const Console& console, const SceneBake& baked, const BakedScene& scene);
+
+Json scene_json(const BakeArguments& arguments, const Imported& imported, const SceneBake& baked,
+                const BakedScene& scene, std::span<const Warning> warnings);
+
+/// Adds up the reports of the meshes of a scene: triangles and findings count once for each instance. Of the tree only
+/// the triangles are added, up to the most that their type holds.
+class ReportTotal {
+public:
+    /// `name` is that of the mesh; empty for the merged mesh.
+    void add(const BakeReport& report, const std::string& name, std::uint64_t instances);
+    /// Returns the sums, with one warning of each kind: that of the first mesh, and how many meshes have one.
+    [[nodiscard]] BakeReport report() const;
+
+private:
+    struct CountedWarning {
+        BakeWarning first;
+        std::uint64_t meshes;
+    };
+    BakeReport sum_;
+    std::vector<CountedWarning> warnings_;
+};
+
+/// Returns a warning if places of an import share edges of their borders, from which the bake may have moved them
+/// apart.
+std::vector<Warning> border_warnings(const Imported& imported, const SceneBake& baked, const BakedScene& scene);
 
 }  // namespace espalier::tools

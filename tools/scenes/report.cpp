@@ -1,10 +1,10 @@
-#include "report.hpp"
+#include "baking.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "bake/report.hpp"
+#include "bake/policy.hpp"
 #include "base/numbers.hpp"
 #include "layout/places.hpp"
 
@@ -14,10 +14,8 @@ namespace {
 
 constexpr std::size_t most_meshes_listed = 16;
 
-const char* words_for(std::uint64_t count, const char* one, const char* several) { return count == 1 ? one : several; }
-
 std::string words_for(const SceneMesh& mesh) {
-    if (mesh.name.empty()) return text("merged from ", mesh.places, words_for(mesh.places, " mesh", " meshes"));
+    if (mesh.name.empty()) return text("merged from ", counted(mesh.places, "mesh"));
     return text(mesh.name, ", ", counted(mesh.instances, "instance"));
 }
 
@@ -35,33 +33,32 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
     say_findings(console, baked.total);
     const SceneReport& report = baked.report;
     if (report.instances == 0) {
-        console.say(text(baked.total.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
-                         "; the scene is valid and empty, and every query of it finds nothing"));
+        console.say(baked.total.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
+                    "; the scene is valid and empty, and every query of it finds nothing");
     }
     std::size_t listed = 0;
     for (const SceneMesh& mesh : baked.meshes) {
         if (mesh.instances == 0) continue;
         if (listed++ == most_meshes_listed) {
-            console.say(text("...; --json lists all of the ", report.meshes, " meshes"));
+            console.say("...; --json lists all of the ", report.meshes, " meshes");
             break;
         }
         const BakeReport& of_mesh = mesh.baked;
-        console.say(text("mesh: ", words_for(mesh), "; ", counted(of_mesh.tree.triangles, "triangle"), ", ",
-                         counted(of_mesh.bytes, "byte"), ", ", of_mesh.lattice.bits, " bits, step ",
-                         rounded(of_mesh.lattice.step), ", max error ", rounded(of_mesh.lattice.max_error)));
+        console.say("mesh: ", words_for(mesh), "; ", counted(of_mesh.tree.triangles, "triangle"), ", ",
+                    counted(of_mesh.bytes, "byte"), ", ", of_mesh.lattice.bits, " bits, step ",
+                    rounded(of_mesh.lattice.step), ", max error ", rounded(of_mesh.lattice.max_error));
     }
     const Box bounds = scene.bounds();
-    console.say(text("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max), " (around boxes of instances)"));
-    console.say(text("max error: ", shortest(report.max_error),
-                     " of the meshes at their places; places differ from the source's by up to ",
-                     rounded(baked.placing_error), ", and surfaces by ", rounded(baked.max_error), " in all"));
-    console.say(text("scene: ", counted(report.instances, "instance"), " of ", report.meshes,
-                     words_for(report.meshes, " mesh", " meshes"), ", ", counted(report.triangles, "triangle"), ", ",
-                     counted(report.nodes, "node"), ", depth ", report.depth));
+    console.say("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max), " (around boxes of instances)");
+    console.say("max error: ", shortest(report.max_error),
+                " of the meshes at their places; places differ from the source's by up to ",
+                rounded(baked.placing_error), ", and surfaces by ", rounded(baked.max_error), " in all");
+    console.say("scene: ", counted(report.instances, "instance"), " of ", counted(report.meshes, "mesh"), ", ",
+                counted(report.triangles, "triangle"), ", ", counted(report.nodes, "node"), ", depth ", report.depth);
     if (report.on_common_lattice > 1)
-        console.say(text("common lattice: ", report.on_common_lattice, " of ", counted(report.instances, "instance"),
-                         "; a ray passes between none of them"));
-    console.say(text("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes));
+        console.say("common lattice: ", report.on_common_lattice, " of ", counted(report.instances, "instance"),
+                    "; a ray passes between none of them");
+    console.say("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes);
 }
 
 Json scene_json(const BakeArguments& arguments, const Imported& imported, const SceneBake& baked,

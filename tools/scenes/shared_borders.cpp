@@ -1,4 +1,4 @@
-#include "shared_borders.hpp"
+#include "baking.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,8 +90,9 @@ std::vector<PlaceState> states_of(std::size_t places, const SceneBake& baked, co
     return states;
 }
 
-}  // namespace
-
+/// Returns how many places of an import share an edge of their borders with another place, from which the bake may have
+/// moved them: the two are neither in one blob nor both on the scene's common lattice. A border edge is one of a single
+/// triangle, on a side of the mesh's box.
 std::uint64_t places_apart(const Imported& imported, const SceneBake& baked, const BakedScene& scene) {
     if (scene.instance_count() < 2) return 0;
     const std::vector<PlaceState> states = states_of(imported.places.size(), baked, scene);
@@ -129,6 +130,8 @@ std::uint64_t places_apart(const Imported& imported, const SceneBake& baked, con
     }
     return static_cast<std::uint64_t>(std::count(is_apart.begin(), is_apart.end(), true));
 }
+
+}  // namespace
 
 std::vector<Warning> border_warnings(const Imported& imported, const SceneBake& baked, const BakedScene& scene) {
     const std::uint64_t count = places_apart(imported, baked, scene);

@@ -24,22 +24,9 @@ std::string escaped_for_xml(std::string_view words) {
     const bool keeps_bytes = is_utf8(clean);
     std::string result;
     for (const char character : clean) {
-        switch (character) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += keeps_bytes || static_cast<unsigned char>(character) < 0x80 ? character : '?';
-        }
+        const std::size_t special = std::string_view("&<>\"").find(character);
+        if (special != std::string_view::npos) result += std::array{"&amp;", "&lt;", "&gt;", "&quot;"}[special];
+        else result += keeps_bytes || static_cast<unsigned char>(character) < 0x80 ? character : '?';
     }
     return result;
 }

@@ -1,11 +1,10 @@
-#include "measure.hpp"
+#include "point.hpp"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include <espalier/distance.hpp>

@@ -1,4 +1,4 @@
-#include "pick.hpp"
+#include "point.hpp"
 
 #include <algorithm>
 #include <array>
@@ -214,27 +214,26 @@ Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal
 void say_pick(const Console& console, const Picked& picked, const BakeOptions& options) {
     const TradePoint& chosen = picked.chosen;
     const TradePoint& first = picked.tried.front();
-    console.say(text("picked: ", describe(chosen), ", out of ", counted(picked.tried.size(), "bake")));
+    console.say("picked: ", describe(chosen), ", out of ", counted(picked.tried.size(), "bake"));
     if (options.resolution.kind() == Resolution::Kind::tolerance) {
-        console.say(
-            text("  error: ", rounded(chosen.max_error), " of ", rounded(options.resolution.value()), " allowed"));
+        console.say("  error: ", rounded(chosen.max_error), " of ", rounded(options.resolution.value()), " allowed");
     } else if (first.bits != chosen.bits) {
-        console.say(text("  error: ", rounded(chosen.max_error), "; given up: ", rounded(first.max_error), " at ",
-                         counted(first.bits, "bit"), ", which takes ", counted(first.bytes, "byte")));
+        console.say("  error: ", rounded(chosen.max_error), "; given up: ", rounded(first.max_error), " at ",
+                    counted(first.bits, "bit"), ", which takes ", counted(first.bytes, "byte"));
     } else {
-        console.say(text("  error: ", rounded(chosen.max_error), ", nothing given up"));
+        console.say("  error: ", rounded(chosen.max_error), ", nothing given up");
     }
     const TradePoint& small = smallest(picked);
-    console.say(text("  bytes: ", chosen.bytes,
-                     small.bytes == chosen.bytes ? std::string(", the fewest at this lattice")
-                                                 : text(", ", more_than(double(chosen.bytes), double(small.bytes)),
-                                                        " than ", small.bytes, " with ", describe(small))));
+    console.say("  bytes: ", chosen.bytes,
+                small.bytes == chosen.bytes ? std::string(", the fewest at this lattice")
+                                            : text(", ", more_than(double(chosen.bytes), double(small.bytes)), " than ",
+                                                   small.bytes, " with ", describe(small)));
     const TradePoint& fast = fastest(picked);
-    console.say(text("  counted work: ", rounded(chosen.cost, 4), " visits a ray",
-                     fast.cost == chosen.cost
-                         ? std::string(", the least at this lattice")
-                         : text(", ", more_than(chosen.cost, fast.cost), "; given up: ", rounded(fast.cost, 4),
-                                " with ", describe(fast), ", which takes ", counted(fast.bytes, "byte"))));
+    console.say("  counted work: ", rounded(chosen.cost, 4), " visits a ray",
+                fast.cost == chosen.cost
+                    ? std::string(", the least at this lattice")
+                    : text(", ", more_than(chosen.cost, fast.cost), "; given up: ", rounded(fast.cost, 4), " with ",
+                           describe(fast), ", which takes ", counted(fast.bytes, "byte")));
 }
 
 Json pick_json(const Picked& picked) {

@@ -1,9 +1,8 @@
-#include "measure.hpp"
+#include "point.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace espalier::tools {
 

@@ -1,4 +1,4 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -11,10 +11,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/exit_code.hpp"
 #include "steps.hpp"
 #include "import/base/text_file.hpp"
-#include "import/guards/crash_guard.hpp"
+#include "import/guards/limit_guard.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {

@@ -1,5 +1,5 @@
 // What an importer returns: triangles in the asset's units and axes, or the places that lead there, and a record of
-// each file.
+// each file; and the importers.
 #pragma once
 
 #include <cstddef>
@@ -112,5 +112,27 @@ std::string words_for_not_finite(Vec3 position);
 /// `kind` that of ErrorDetails.
 [[noreturn]] void refuse_position(const Imported& imported, std::size_t position, const std::string& problem,
                                   const std::string& kind = {});
+
+/// Wavefront OBJ: the geometry, that is v, f, o, g, and the materials of faces. A mesh is what has the same `o` and `g`
+/// names; meshes are numbered by their first face, and triangles by the order of their faces. With
+/// ImportOptions::keep_vertices all is one mesh, named if the file names one.
+void import_obj(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// PLY, as text and binary in both byte orders: the elements vertex, face and tristrips.
+void import_ply(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// STL, binary and as text: each solid that has triangles is a mesh.
+void import_stl(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// RAW, a text with the coordinates of three corners in each line: one mesh for each group. Textures are skipped. A
+/// line has nine numbers, or twelve, of which the first three are a colour, and after them the name of a texture or
+/// nothing. Throws CommandError (invalid_input) for other lines, with their number.
+void import_raw(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// glTF 2.0, .gltf and .glb, of which docs/baking.md lists what is read. Returns false for a file that is no glTF.
+bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// Files of the formats that assimp reads.
+void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported);
 
 }  // namespace espalier::tools

@@ -1,18 +1,16 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "base/numbers.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/gltf/data/accessors.hpp"
 #include "import/gltf/data/container.hpp"
-#include "import/guards/crash_guard.hpp"
+#include "import/guards/limit_guard.hpp"
 #include "nodes.hpp"
-#include "primitive.hpp"
 
 namespace espalier::tools {
 

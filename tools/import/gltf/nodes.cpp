@@ -3,10 +3,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/numbers.hpp"
-#include "primitive.hpp"
 
 namespace espalier::tools {
 
@@ -15,6 +13,42 @@ namespace {
 constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
 
 constexpr double largest_rounding = 1e-6;  // some steps of float32 at 1
+
+/// Returns the transform of a translation, then a rotation as x, y, z, w of any length but zero, then a scale.
+Placement placement_from(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,
+                         const std::array<double, 3>& scale, const GltfObject& described) {
+    auto [x, y, z, w] = rotation;
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    if (!(length > 0.0) || !std::isfinite(length))
+        described.fail("a rotation of it is none: its length is 0 or infinite");
+    x /= length, y /= length, z /= length, w /= length;
+    Placement result;
+    result.linear = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                      {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                      {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
+    for (auto& row : result.linear) {
+        for (std::size_t column = 0; column < 3; ++column) row[column] *= scale[column];
+    }
+    result.offset = translation;
+    return result;
+}
+
+/// Returns the transform of a 4x4 matrix by columns. Throws CommandError, with the words `matrix`, when its last row is
+/// not 0 0 0 1.
+Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
+                              std::string_view matrix) {
+    const auto& m = columns;
+    // Exporters that multiply matrices round the last entry; its digits are no part of the transform.
+    if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || !(std::abs(m[15] - 1.0) <= largest_rounding)) {
+        described.fail(text("the last row of ", matrix, " is not 0 0 0 1"));
+    }
+    Placement result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) result.linear[row][column] = m[column * 4 + row];
+        result.offset[row] = m[12 + row];
+    }
+    return result;
+}
 
 Placement local_placement(const GltfObject& node) {
     if (const auto columns = node.numbers<16>("matrix")) {
@@ -127,39 +161,6 @@ void add_weighted(Placement& sum, const Placement& part, double weight) {
 
 GltfObject gltf_node(const GltfObject& root, std::size_t number) {
     return root.object_in("nodes", number, text(root.words(), ", node ", number));
-}
-
-Placement placement_from(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,
-                         const std::array<double, 3>& scale, const GltfObject& described) {
-    auto [x, y, z, w] = rotation;
-    const double length = std::sqrt(x * x + y * y + z * z + w * w);
-    if (!(length > 0.0) || !std::isfinite(length))
-        described.fail("a rotation of it is none: its length is 0 or infinite");
-    x /= length, y /= length, z /= length, w /= length;
-    Placement result;
-    result.linear = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-                      {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-                      {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
-    for (auto& row : result.linear) {
-        for (std::size_t column = 0; column < 3; ++column) row[column] *= scale[column];
-    }
-    result.offset = translation;
-    return result;
-}
-
-Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
-                              std::string_view matrix) {
-    const auto& m = columns;
-    // Exporters that multiply matrices round the last entry; its digits are no part of the transform.
-    if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || !(std::abs(m[15] - 1.0) <= largest_rounding)) {
-        described.fail(text("the last row of ", matrix, " is not 0 0 0 1"));
-    }
-    Placement result;
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) result.linear[row][column] = m[column * 4 + row];
-        result.offset[row] = m[12 + row];
-    }
-    return result;
 }
 
 GltfNodes read_gltf_nodes(const GltfObject& root) {

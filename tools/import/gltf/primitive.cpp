@@ -1,4 +1,4 @@
-#include "primitive.hpp"
+#include "nodes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,12 +8,13 @@
 
 #include "base/numbers.hpp"
 #include "import/base/polygon.hpp"
-#include "import/gltf/data/compression.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
+/// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
+constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
 constexpr std::uint32_t not_used = std::numeric_limits<std::uint32_t>::max();
 
 /// Reads accessors, or what Draco packs in their place.
@@ -110,7 +111,7 @@ GltfInfluences read_influences(PrimitiveReader& reader, const GltfObject& object
     return result;
 }
 
-enum Mode : std::uint64_t { points, lines, line_loop, line_strip, triangles = gltf_triangles, strip, fan };
+enum Mode : std::uint64_t { points, lines, line_loop, line_strip, triangles, strip, fan };
 
 std::uint64_t lines_of(std::uint64_t mode, std::uint64_t corners) {
     if (mode == points) return corners;
@@ -128,6 +129,40 @@ void refuse_restarts(const GltfObject& object, const GltfAccessor& indices, std:
         if (indices.whole(corner, 0) != restart) continue;
         object.fail(
             text("index ", corner, " is ", restart, ", the largest value of its type, which glTF forbids as an index"));
+    }
+}
+
+/// Sets the triangles of `primitive` with indices into its positions, or counts its points and lines.
+void read_topology(const GltfObject& object, std::uint64_t mode, const std::optional<GltfAccessor>& indices,
+                   GltfPrimitive& primitive) {
+    const std::size_t corners = indices ? indices->count : primitive.positions.count;
+    if (mode > fan) object.fail(text("its mode ", mode, " is none"));
+    if (mode < triangles) {
+        primitive.points_and_lines = lines_of(mode, corners);
+        return;
+    }
+    if (indices) refuse_restarts(object, *indices, primitive.positions.count);
+    const auto vertex = [&](std::size_t corner) {
+        return indices ? indices->whole(corner, 0) : static_cast<std::uint32_t>(corner);
+    };
+    if (mode == triangles) {
+        primitive.left_over_corners = corners % 3;
+        primitive.triangles.reserve(corners / 3);
+        for (std::size_t i = 0; i + 2 < corners; i += 3) {
+            primitive.triangles.push_back({vertex(i), vertex(i + 1), vertex(i + 2)});
+        }
+        return;
+    }
+    if (corners < 3) {
+        primitive.left_over_corners = corners;
+        return;
+    }
+    primitive.triangles.reserve(corners - 2);
+    for (std::size_t i = 0; i + 2 < corners; ++i) {
+        const TriangleVertices triangle =
+            mode == strip ? TriangleVertices{vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)}
+                          : TriangleVertices{vertex(i + 1), vertex(i + 2), vertex(0)};
+        if (!repeats_a_vertex(triangle, primitive.positions.count)) primitive.triangles.push_back(triangle);
     }
 }
 
@@ -170,15 +205,16 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfData& data, bool
         object.refuse("Draco sorts its vertices, so poses of it do not match. Export it without compression.");
     }
     GltfPrimitive result{object, {}, {}, 0, 0, false, false, {}, {}, {}};
-    const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
-    if (reader.is_packed() && mode != gltf_triangles) object.fail("Draco packs triangles, and its mode is another one");
+    const std::uint64_t mode = object.whole("mode").value_or(Mode::triangles);
+    if (reader.is_packed() && mode != Mode::triangles)
+        object.fail("Draco packs triangles, and its mode is another one");
     if (!reader.has("POSITION")) return result;
     result.has_positions = true;
     result.positions = reader.attribute("POSITION", GltfUse::position);
     require_stored(result.positions, object);
     const auto indices = reader.indices();
     if (indices) require_stored(*indices, object);
-    read_gltf_topology(object, mode, indices, result);
+    read_topology(object, mode, indices, result);
     if (keeps_vertices) {
         result.vertices.resize(result.positions.count);
         std::iota(result.vertices.begin(), result.vertices.end(), 0u);
@@ -191,13 +227,13 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfData& data, bool
 }
 
 std::uint64_t count_gltf_triangles(const GltfObject& object, GltfData& data) {
-    const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
+    const std::uint64_t mode = object.whole("mode").value_or(Mode::triangles);
     const auto attributes = object.object("attributes");
     auto corners = object.index("indices", data.accessor_count());
     if (!corners && attributes) corners = attributes->index("POSITION", data.accessor_count());
-    if (mode < gltf_triangles || !corners) return 0;
+    if (mode < Mode::triangles || !corners) return 0;
     const std::uint64_t count = data.claimed_count(*corners);
-    return mode == gltf_triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
+    return mode == Mode::triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
 }
 
 void require_stored(const GltfAccessor& accessor, const GltfObject& user) {
@@ -205,39 +241,6 @@ void require_stored(const GltfAccessor& accessor, const GltfObject& user) {
     if (accessor.is_stored() || accessor.count <= most_elements_without_bytes) return;
     user.refuse(text("an accessor of it has ", accessor.count, " elements without \"bufferView\"; up to ",
                      most_elements_without_bytes, " are read. Export it with stored elements."));
-}
-
-void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std::optional<GltfAccessor>& indices,
-                        GltfPrimitive& primitive) {
-    const std::size_t corners = indices ? indices->count : primitive.positions.count;
-    if (mode > fan) object.fail(text("its mode ", mode, " is none"));
-    if (mode < triangles) {
-        primitive.points_and_lines = lines_of(mode, corners);
-        return;
-    }
-    if (indices) refuse_restarts(object, *indices, primitive.positions.count);
-    const auto vertex = [&](std::size_t corner) {
-        return indices ? indices->whole(corner, 0) : static_cast<std::uint32_t>(corner);
-    };
-    if (mode == triangles) {
-        primitive.left_over_corners = corners % 3;
-        primitive.triangles.reserve(corners / 3);
-        for (std::size_t i = 0; i + 2 < corners; i += 3) {
-            primitive.triangles.push_back({vertex(i), vertex(i + 1), vertex(i + 2)});
-        }
-        return;
-    }
-    if (corners < 3) {
-        primitive.left_over_corners = corners;
-        return;
-    }
-    primitive.triangles.reserve(corners - 2);
-    for (std::size_t i = 0; i + 2 < corners; ++i) {
-        const TriangleVertices triangle =
-            mode == strip ? TriangleVertices{vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)}
-                          : TriangleVertices{vertex(i + 1), vertex(i + 2), vertex(0)};
-        if (!repeats_a_vertex(triangle, primitive.positions.count)) primitive.triangles.push_back(triangle);
-    }
 }
 
 }  // namespace espalier::tools

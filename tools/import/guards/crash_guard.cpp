@@ -1,7 +1,6 @@
-#include "crash_guard.hpp"
+#include "limit_guard.hpp"
 
 #include "base/exit_code.hpp"
-#include "limit_guard.hpp"
 
 namespace espalier::tools {
 

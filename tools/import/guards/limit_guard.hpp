@@ -1,4 +1,5 @@
-// What a signal handler leaves behind when it ends the process while a file is read.
+// Guards against files of strangers, which libraries that are not ours read and that cannot be interrupted: limits on
+// memory and time, and a message where one crashes.
 #pragma once
 
 #include <string>
@@ -43,5 +44,15 @@ private:
 /// baked. Returns 0, no limit, where systems of this kind have none. Throws CommandError (unsupported) where the
 /// machine's memory is unknown.
 std::uint64_t default_import_memory();
+
+/// While it lives, a crash of this process (a bad access, a failed assertion, a stack used up) ends it with
+/// ExitCode::invalid_input and a message that names `path`. Nothing has been written by then. One at a time.
+class CrashGuard {
+public:
+    CrashGuard(const std::string& path, const ImportOptions& options);
+
+private:
+    Guard signals_;
+};
 
 }  // namespace espalier::tools

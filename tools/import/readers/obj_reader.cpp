@@ -1,15 +1,12 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "base/exit_code.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/text_file.hpp"
 #include "import/base/mesh_collector.hpp"

@@ -1,10 +1,8 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "import/base/polygon.hpp"
 #include "import/base/mesh_collector.hpp"

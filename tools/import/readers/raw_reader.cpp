@@ -1,11 +1,7 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <array>
-#include <cstdint>
-#include <optional>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "import/base/text_file.hpp"

@@ -1,13 +1,10 @@
-#include "import/base/importers.hpp"
+#include "import/base/imported.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "base/exit_code.hpp"
 #include "import/base/text_file.hpp"
 #include "import/base/mesh_collector.hpp"
 

@@ -99,4 +99,24 @@ private:
     std::map<std::size_t, std::vector<std::byte>> decompressed_;
 };
 
+/// One decompressed primitive: triangles, and attributes by their Draco id.
+class GltfDracoMesh {
+public:
+    virtual ~GltfDracoMesh() = default;
+
+    /// Returns three vertex numbers for each triangle.
+    [[nodiscard]] virtual GltfAccessor indices() const = 0;
+    /// Returns the attribute's elements with the components and the normalisation of `described`.
+    [[nodiscard]] virtual GltfAccessor attribute(const GltfObject& extension, std::uint64_t id,
+                                                 const GltfAccessor& described) const = 0;
+};
+
+/// Returns what `compressed` holds; `extension` is the primitive's KHR_draco_mesh_compression. Throws CommandError when
+/// the bytes are damaged, and (unsupported) in a build without Draco.
+std::unique_ptr<const GltfDracoMesh> decode_draco(const GltfObject& extension, std::span<const std::byte> compressed);
+
+/// Returns the bytes that `compressed` holds; `extension` describes them. Throws CommandError when they are
+/// damaged, and (unsupported) in a build without meshoptimizer.
+std::vector<std::byte> decode_meshopt(const GltfObject& extension, std::span<const std::byte> compressed);
+
 }  // namespace espalier::tools

@@ -1,12 +1,10 @@
 #include "accessors.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 
 #include "base/numbers.hpp"
-#include "compression.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {

@@ -1,11 +1,10 @@
-#include "compression.hpp"
+#include "accessors.hpp"
 
 #include <draco/compression/decode.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <optional>
 #include <utility>
 
 #include "base/numbers.hpp"

@@ -1,8 +1,6 @@
-#include "compression.hpp"
+#include "accessors.hpp"
 
 #include <meshoptimizer.h>
-
-#include <string>
 
 #include "base/numbers.hpp"
 
