@@ -1,4 +1,4 @@
-// What a picture shows, the eye that sees it, and what its pixels look like: linear light in, PNG out.
+// What a picture shows, where its eye stands, and what its pixels look like: linear light in, PNG out.
 #pragma once
 
 #include <cstddef>
