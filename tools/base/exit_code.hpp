@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -78,7 +79,11 @@ template <class... Parts>
 }
 
 /// Throws CommandError (file_access) with a reason, which may be a value of errno.
-[[noreturn]] void fail_to_read(const std::string& path, const char* reason);
-[[noreturn]] void fail_to_read(const std::string& path, int error);
+[[noreturn]] inline void fail_to_read(const std::string& path, const char* reason) {
+    throw CommandError(ExitCode::file_access,
+                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
+                       {.file = path});
+}
+[[noreturn]] inline void fail_to_read(const std::string& path, int error) { fail_to_read(path, std::strerror(error)); }
 
 }  // namespace espalier::tools

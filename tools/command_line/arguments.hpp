@@ -18,8 +18,7 @@ void add_threads(Verb verb, unsigned& threads, const std::string& description);
 inline constexpr const char* strict_of_a_bake = "Warnings are errors: exit status 3, and nothing is written";
 inline constexpr const char* allow_empty_of_a_bake =
     "Take files without triangles, and let bake write a blob without any; without it either is an error, and nothing "
-    "is "
-    "written";
+    "is written";
 /// The options of mesh files, with the descriptions of two of them. Where the last is null, there is no such option.
 void add_source(Verb verb, SourceArguments& source, const char* strict = strict_of_a_bake,
                 const char* allow_empty = allow_empty_of_a_bake);

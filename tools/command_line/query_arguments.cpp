@@ -135,8 +135,7 @@ void add_query(Verb query) {
     add_json(query, arguments->json);  // before the kind as well as after it
     query.footer(
         "'espalier query BLOB KIND --help' has the options. Lengths and coordinates take units (0.5mm), or count in "
-        "the "
-        "asset's own; inf and nan are numbers.\n");
+        "the asset's own; inf and nan are numbers.\n");
     for (const QueryKind& kind : query_kinds()) {
         const bool is_of_both = kind.scene_options && !kind.is_of_scenes_only;
         Verb verb = query.below(kind.name, text(kind.help, is_of_both ? " (also of scenes)" : ""), kind.family);

@@ -34,10 +34,7 @@ void require_readable(const std::string& path) {
     } else if (file.size() == 0) {
         throw_file_error(ExitCode::invalid_input, path, " is empty. Export it again.");
     }
-    if (reason == nullptr) return;
-    throw CommandError(ExitCode::file_access,
-                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
-                       {.file = path});
+    if (reason != nullptr) fail_to_read(path, reason);
 }
 
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);

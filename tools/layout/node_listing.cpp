@@ -117,7 +117,7 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
     for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
         listing.field_up_to(data + fields[i].data_offset, "padding");
         listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle + fields[i].first));
-        const StripMarks marks = read_marks(bytes, listing.at(), fields[i].entries);
+        const StripMarks marks = read_marks(bytes, listing.at(), fields[i].entries, false);
         listing.field((marks.bits + 7) / 8, marks_text(marks));
         for (unsigned axis = 0; axis < 3; ++axis) {
             const unsigned width = format::strip_leaf::coordinate_width(
@@ -150,7 +150,7 @@ void list_predicted_strips(Bytes bytes, const NodeFields& node, std::size_t numb
     }
     for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
         listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
-        const StripMarks marks = read_predicted_marks(bytes, listing.at(), fields[i].entries);
+        const StripMarks marks = read_marks(bytes, listing.at(), fields[i].entries, true);
         listing.field(fields[i].bytes, predicted_text(bytes, listing.at(), marks));
         triangle += static_cast<std::uint32_t>(std::count(marks.triangles.begin(), marks.triangles.end(), true));
     }

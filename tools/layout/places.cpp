@@ -14,48 +14,6 @@ namespace {
 
 std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
-/// Takes fields off a stream of bits that begins at a byte.
-class BitTaker {
-public:
-    BitTaker(Bytes bytes, std::size_t at) : bytes_(bytes), begin_(at * 8), bit_(begin_) {}
-    std::uint32_t take(unsigned width) {
-        bit_ += width;
-        return read_bits(bytes_, bit_ - width, width);
-    }
-    [[nodiscard]] std::size_t taken() const { return bit_ - begin_; }
-
-private:
-    Bytes bytes_;
-    std::size_t begin_;
-    std::size_t bit_;
-};
-
-/// Both kinds of strips differ in what states which windows are triangles, before the first uses or behind.
-StripMarks read_strip_marks(BitTaker& stream, unsigned entries, bool is_predicted) {
-    namespace predicted = format::predicted_strip;
-    StripMarks marks{};
-    std::vector<bool> first_uses(entries, true);
-    marks.pivots.resize(entries, false);
-    marks.triangles.resize(entries - 2, true);
-    marks.pivots[0] = true;
-    const std::uint32_t joints = is_predicted ? stream.take(predicted::joint_count_bits) : 0;
-    for (unsigned i = 1; i + 2 < entries; ++i) marks.pivots[i] = stream.take(1) != 0;
-    for (unsigned i = 1; i + 2 < entries && !is_predicted; ++i) marks.triangles[i] = stream.take(1) != 0;
-    for (unsigned i = 3; i < entries; ++i) first_uses[i] = stream.take(1) != 0;
-    for (std::uint32_t joint = 0; joint < joints; ++joint) {
-        const std::uint32_t window = stream.take(predicted::place_bits);
-        marks.triangles[window] = marks.triangles[window + 1] = false;
-    }
-    for (const bool first_use : first_uses) marks.vertices += first_use ? 1 : 0;
-    std::uint32_t used = 0;
-    for (unsigned i = 0; i < entries; ++i) {
-        marks.entries.push_back(first_uses[i] ? used++
-                                              : stream.take(format::strip_leaf::reference_width(marks.vertices)));
-    }
-    marks.bits = stream.taken();
-    return marks;
-}
-
 std::size_t sum_of(std::span<const ScenePart> parts) {
     std::size_t sum = 0;
     for (const ScenePart& part : parts) sum += part.bytes;
@@ -64,15 +22,10 @@ std::size_t sum_of(std::span<const ScenePart> parts) {
 
 }  // namespace
 
-std::uint32_t read_u8(Bytes bytes, std::size_t at) { return std::to_integer<std::uint32_t>(bytes[at]); }
-std::uint32_t read_u16(Bytes bytes, std::size_t at) { return read_u8(bytes, at) | read_u8(bytes, at + 1) << 8; }
-std::uint32_t read_u24(Bytes bytes, std::size_t at) { return read_u16(bytes, at) | read_u8(bytes, at + 2) << 16; }
-std::uint32_t read_u32(Bytes bytes, std::size_t at) { return read_u16(bytes, at) | read_u16(bytes, at + 2) << 16; }
-float read_f32(Bytes bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
-
 std::uint32_t read_bits(Bytes bytes, std::size_t bit, unsigned width) {
     std::uint32_t value = 0;
-    for (unsigned i = 0; i < width; ++i, ++bit) value |= ((read_u8(bytes, bit / 8) >> (bit % 8)) & 1u) << i;
+    for (unsigned i = 0; i < width; ++i, ++bit)
+        value |= ((std::to_integer<std::uint32_t>(bytes[bit / 8]) >> (bit % 8)) & 1u) << i;
     return value;
 }
 
@@ -168,7 +121,7 @@ std::uint32_t side_of_child(Bytes bytes, std::size_t at, unsigned child, unsigne
 LeafFields read_leaf(Bytes bytes, const Blob& blob, std::size_t at, unsigned leaf) {
     namespace field = format::plain_leaf;
     const std::uint32_t descriptor =
-        read_u24(bytes, at + format::plain_node::leaves_at + field::descriptor_bytes * leaf);
+        read_bits(bytes, 8 * (at + format::plain_node::leaves_at + field::descriptor_bytes * leaf), 24);
     LeafFields fields{};
     fields.data_offset = descriptor & ((1u << field::offset_bits) - 1);
     fields.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
@@ -188,15 +141,34 @@ PredictedFields read_predicted_strip(std::uint32_t descriptor) {
     return {descriptor & ((1u << field::entries_shift) - 1), (descriptor >> field::entries_shift) + 3};
 }
 
-StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries) {
-    BitTaker stream(bytes, at);
-    return read_strip_marks(stream, entries, false);
-}
-
-StripMarks read_predicted_marks(Bytes bytes, std::size_t at, unsigned entries) {
-    BitTaker stream(bytes, at);
-    static_cast<void>(stream.take(format::predicted_strip::joints_at));
-    return read_strip_marks(stream, entries, true);
+/// Both kinds of strips differ in what states which windows are triangles, before the first uses or behind.
+StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries, bool is_predicted) {
+    namespace predicted = format::predicted_strip;
+    std::size_t bit = 8 * at + (is_predicted ? predicted::joints_at : 0);
+    const auto take = [&](unsigned width) {
+        bit += width;
+        return read_bits(bytes, bit - width, width);
+    };
+    StripMarks marks{};
+    std::vector<bool> first_uses(entries, true);
+    marks.pivots.resize(entries, false);
+    marks.triangles.resize(entries - 2, true);
+    marks.pivots[0] = true;
+    const std::uint32_t joints = is_predicted ? take(predicted::joint_count_bits) : 0;
+    for (unsigned i = 1; i + 2 < entries; ++i) marks.pivots[i] = take(1) != 0;
+    for (unsigned i = 1; i + 2 < entries && !is_predicted; ++i) marks.triangles[i] = take(1) != 0;
+    for (unsigned i = 3; i < entries; ++i) first_uses[i] = take(1) != 0;
+    for (std::uint32_t joint = 0; joint < joints; ++joint) {
+        const std::uint32_t window = take(predicted::place_bits);
+        marks.triangles[window] = marks.triangles[window + 1] = false;
+    }
+    for (const bool first_use : first_uses) marks.vertices += first_use ? 1 : 0;
+    std::uint32_t used = 0;
+    for (unsigned i = 0; i < entries; ++i) {
+        marks.entries.push_back(first_uses[i] ? used++ : take(format::strip_leaf::reference_width(marks.vertices)));
+    }
+    marks.bits = bit - 8 * at;
+    return marks;
 }
 
 std::uint64_t leaf_count(Bytes bytes, const Blob& blob) {

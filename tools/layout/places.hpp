@@ -2,6 +2,7 @@
 // decoder.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,13 +20,12 @@ namespace espalier::tools {
 
 using Bytes = std::span<const std::byte>;
 
-std::uint32_t read_u8(Bytes bytes, std::size_t at);
-std::uint32_t read_u16(Bytes bytes, std::size_t at);
-std::uint32_t read_u24(Bytes bytes, std::size_t at);
-std::uint32_t read_u32(Bytes bytes, std::size_t at);
-float read_f32(Bytes bytes, std::size_t at);
 /// A field of up to 32 bits, low bits first.
 std::uint32_t read_bits(Bytes bytes, std::size_t bit, unsigned width);
+inline std::uint32_t read_u8(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 8); }
+inline std::uint32_t read_u16(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 16); }
+inline std::uint32_t read_u32(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 32); }
+inline float read_f32(Bytes bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
 
 struct Section {
     const char* name;
@@ -95,10 +95,9 @@ struct StripMarks {
     std::size_t bits;
 };
 
-/// The marks that start at byte `at`, of a leaf with so many entries.
-StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries);
-/// The same of a predicted strip; its widths are among the bits.
-StripMarks read_predicted_marks(Bytes bytes, std::size_t at, unsigned entries);
+/// The marks that start at byte `at`, of a leaf with so many entries. The widths of a predicted strip are among the
+/// bits.
+StripMarks read_marks(Bytes bytes, std::size_t at, unsigned entries, bool is_predicted);
 
 std::uint64_t leaf_count(Bytes bytes, const Blob& blob);
 

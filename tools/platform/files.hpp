@@ -27,7 +27,9 @@ public:
     InputFile() : file_(stdin) {}
     /// Opens a file.
     explicit InputFile(const std::filesystem::path& path);
-    ~InputFile();
+    ~InputFile() {
+        if (file_ != nullptr && file_ != stdin) std::fclose(file_);
+    }
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
@@ -35,7 +37,13 @@ public:
     [[nodiscard]] std::uint64_t size() const;
     /// Reads the next bytes and returns their number: fewer than there is room for at the end of the file and at an
     /// error.
-    std::size_t read(std::span<std::byte> bytes);
+    std::size_t read(std::span<std::byte> bytes) {
+        if (file_ == nullptr || error_ != 0) return 0;
+        errno = 0;
+        const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file_);
+        if (count < bytes.size() && std::feof(file_) == 0) error_ = errno == 0 ? EIO : errno;
+        return count;
+    }
     /// Returns 0, or the error of opening or reading.
     [[nodiscard]] int error() const { return error_; }
 

@@ -39,20 +39,13 @@ struct Contestant {
 /// Returns the number of queries that found something, so that the compiler can drop none.
 std::size_t run_queries(const Blob& blob, const SampleQueries& queries, std::size_t query, std::size_t first,
                         std::size_t count) {
-    std::size_t found = 0;
-    switch (query) {
-        case 0:
-            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += bool(raycast(blob, ray));
-            break;
-        case 1:
-            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += occluded(blob, ray).yes();
-            break;
-        default:
-            for (const Sphere& sphere : std::span(queries.spheres).subspan(first, count)) {
-                found += overlaps(blob, sphere).yes();
-            }
-    }
-    return found;
+    const auto count_found = [&](const auto& questions, const auto& finds) {
+        const auto part = std::span(questions).subspan(first, count);
+        return static_cast<std::size_t>(std::count_if(part.begin(), part.end(), finds));
+    };
+    if (query == 0) return count_found(queries.rays, [&](const Ray& ray) { return bool(raycast(blob, ray)); });
+    if (query == 1) return count_found(queries.rays, [&](const Ray& ray) { return occluded(blob, ray).yes(); });
+    return count_found(queries.spheres, [&](const Sphere& sphere) { return overlaps(blob, sphere).yes(); });
 }
 
 double median(std::vector<double> values) {

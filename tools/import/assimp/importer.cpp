@@ -32,7 +32,7 @@ class ImportProgress : public Assimp::ProgressHandler {
 public:
     explicit ImportProgress(const ImportOptions& options) : options_(options) {}
     bool Update(float done) override {
-        if (options_.progress) options_.progress("reading", static_cast<double>(done));
+        options_.show_reading(static_cast<double>(done), 1.0);
         return true;  // go on
     }
 

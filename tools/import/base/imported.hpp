@@ -39,6 +39,10 @@ struct ImportOptions {
     bool keep_vertices = false;
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
+    /// Calls it, if it is not empty, with so much of all that is read.
+    void show_reading(double done, double all) const {
+        if (progress) progress("reading", done / all);
+    }
     /// Called with each warning about a file when the file is read; not called when empty.
     std::function<void(const Warning& warning)> warn;
     /// Called with what an importer reports for people who look for a fault; not called when empty.

@@ -90,9 +90,7 @@ public:
         std::size_t done = 0;
         for (const std::size_t number : nodes_.in_scene) {
             add_node(number);
-            if (options_.progress) {
-                options_.progress("reading", static_cast<double>(++done) / static_cast<double>(nodes_.in_scene.size()));
-            }
+            options_.show_reading(static_cast<double>(++done), static_cast<double>(nodes_.in_scene.size()));
         }
         warn();
     }
@@ -295,7 +293,7 @@ private:
 
 }  // namespace
 
-bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) try {
+bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) {
     const CrashGuard guard(path, options);
     const std::optional<GltfContainer> container = read_gltf_container(path);
     if (!container) return false;
@@ -306,10 +304,6 @@ bool import_gltf(const std::string& path, const ImportOptions& options, Imported
     GltfReader(*container, options, file, imported).read();
     imported.files.push_back(std::move(file));
     return true;
-} catch (const CommandError& error) {
-    ErrorDetails details = error.details();
-    details.file = path;
-    throw CommandError(error.code(), error.what(), details);
 }
 
 }  // namespace espalier::tools

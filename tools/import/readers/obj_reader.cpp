@@ -70,9 +70,8 @@ public:
         Lines lines(content);
         for (std::string_view line; lines.next(line);) {
             line_ = lines.number();
-            if (line_ % lines_per_progress == 0 && options_.progress) {
-                options_.progress("reading", static_cast<double>(lines.offset()) / static_cast<double>(content.size()));
-            }
+            if (line_ % lines_per_progress == 0)
+                options_.show_reading(static_cast<double>(lines.offset()), static_cast<double>(content.size()));
             read_line(joined(line, lines));
         }
         if (options_.keep_vertices) {

@@ -131,30 +131,16 @@ public:
     void begin_element(const PlyElement&) {}
     void end_element() {}
     float coordinate(PlyType type) {
-        switch (type) {
-            case PlyType::float32:
-                return take<float>();
-            case PlyType::float64:
-                return nearest_float(take<double>());
-            default:
-                return static_cast<float>(integer(type));
-        }
+        if (type == PlyType::float32) return take<float>();
+        return type == PlyType::float64 ? nearest_float(take<double>()) : static_cast<float>(integer(type));
     }
     std::int64_t integer(PlyType type) {
-        switch (type) {
-            case PlyType::int8:
-                return take<std::int8_t>();
-            case PlyType::uint8:
-                return take<std::uint8_t>();
-            case PlyType::int16:
-                return take<std::int16_t>();
-            case PlyType::uint16:
-                return take<std::uint16_t>();
-            case PlyType::int32:
-                return take<std::int32_t>();
-            default:
-                return take<std::uint32_t>();
-        }
+        if (type == PlyType::int8) return take<std::int8_t>();
+        if (type == PlyType::uint8) return take<std::uint8_t>();
+        if (type == PlyType::int16) return take<std::int16_t>();
+        if (type == PlyType::uint16) return take<std::uint16_t>();
+        if (type == PlyType::int32) return take<std::int32_t>();
+        return take<std::uint32_t>();
     }
     void skip(PlyType type, std::uint64_t count) {
         require(count, size_of(type));

@@ -5,21 +5,13 @@ namespace espalier::tools {
 namespace {
 
 std::optional<PlyType> type_named(std::string_view name) {
-    struct NamedType {
-        std::string_view name;
-        PlyType type;
+    /// Both names of each type.
+    static constexpr std::array<std::string_view, 2> names[] = {
+        {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},
+        {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"},
     };
-    static constexpr NamedType types[] = {
-        {"char", PlyType::int8},       {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-        {"uint8", PlyType::uint8},     {"short", PlyType::int16},     {"int16", PlyType::int16},
-        {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-        {"int32", PlyType::int32},     {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-        {"float", PlyType::float32},   {"float32", PlyType::float32}, {"double", PlyType::float64},
-        {"float64", PlyType::float64},
-    };
-    for (const NamedType& type : types) {
-        if (type.name == name) return type.type;
-    }
+    for (std::size_t type = 0; type < std::size(names); ++type)
+        if (name == names[type][0] || name == names[type][1]) return static_cast<PlyType>(type);
     return std::nullopt;
 }
 

@@ -34,22 +34,17 @@ void add_solid(UnitlessFile& file, const std::string& name, std::vector<Vec3> co
 }
 
 void read_binary(std::string_view bytes, UnitlessFile& file) {
-    const std::string path = printable(file.path());
     if (bytes.size() < stl_header_bytes) {
-        throw CommandError(ExitCode::invalid_input,
-                           text("'", path, "' is no STL: it does not begin with 'solid', and with ", bytes.size(),
-                                " bytes it is too short for the binary form. Is the file whole?"),
-                           {.file = file.path()});
+        throw_file_error(ExitCode::invalid_input, file.path(), " is no STL: it does not begin with 'solid', and with ",
+                         bytes.size(), " bytes it is too short for the binary form. Is the file whole?");
     }
     const std::uint64_t count = little_endian<std::uint32_t>(bytes.data() + 80);
     const std::size_t stored = (bytes.size() - stl_header_bytes) / triangle_bytes;
     if (count > stored) {
-        throw CommandError(ExitCode::invalid_input,
-                           text("'", path, "' is no whole binary STL: it states ", counted(count, "triangle"),
-                                ", and its ", bytes.size(), " bytes have room for ", stored,
-                                ". It is no text either: that begins with 'solid' and has no zero byte. Export it "
-                                "again."),
-                           {.file = file.path()});
+        throw_file_error(ExitCode::invalid_input, file.path(), " is no whole binary STL: it states ",
+                         counted(count, "triangle"), ", and its ", bytes.size(), " bytes have room for ", stored,
+                         ". It is no text either: that begins with 'solid' and has no zero byte. Export it "
+                         "again.");
     }
     std::vector<Vec3> corners;
     corners.reserve(3 * count);
