@@ -23,7 +23,7 @@ inline constexpr const char* allow_empty_of_a_bake =
 void add_source(Verb verb, SourceArguments& source, const char* strict = strict_of_a_bake,
                 const char* allow_empty = allow_empty_of_a_bake);
 
-// The verbs with the most options, each in <verb>_arguments.cpp; the others are in main.cpp.
+// The verbs with the most options; the others are in main.cpp.
 void add_bake(Verb verb, BakeArguments& arguments);
 void add_query(Verb verb);
 void add_trade(Verb verb, TradeArguments& arguments);

@@ -1,4 +1,5 @@
-// This process: the words of its command line, its standard streams, and guards against crashes and without bound.
+// This process: the words of its command line, its standard streams, and what it holds for a while: handlers of
+// crashes and interrupts, limits on memory and processor time.
 // Errors are values of errno.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A placement as a Transform, where a rotation, a uniform scale and a translation suffice.
+// The forms of one mesh that its instances need: what a Transform cannot do is done to the vertices before the bake.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// What every importer does with the meshes of a file: numbers, names, materials, limits, the asset's units and axes.
+// What every importer does with the meshes of a file: numbers, names, materials, limits, the asset's units and axes;
+// and files of formats that state neither a unit nor an up axis.
 #pragma once
 
 #include <cstdint>
