@@ -110,12 +110,6 @@ void require_last_line(ImportedFile& file, const char* end) {
               text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"));
 }
 
-std::uint32_t big_endian(std::string_view bytes) {
-    std::uint32_t value = 0;
-    for (const char byte : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(byte);
-    return value;
-}
-
 /// FORM, its size, LWO2, and chunks of an id, a size and so many bytes, made even. Each POLS replaces the last in its
 /// layer.
 void check_lwo(const ImportedFile& file) {
@@ -126,7 +120,7 @@ void check_lwo(const ImportedFile& file) {
     unsigned lists = 0;
     for (unsigned layer = 0; chunks.size() >= 8;) {
         const std::string_view id = chunks.substr(0, 4);
-        const std::uint64_t size = big_endian(chunks.substr(4));
+        const std::uint64_t size = stored_number<std::uint32_t>(chunks.data() + 4, std::endian::big);
         if (id == "LAYR") {
             ++layer;
             lists = 0;

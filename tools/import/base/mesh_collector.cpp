@@ -104,6 +104,14 @@ void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std
     meshes_.add(std::move(mesh), placement);
 }
 
+void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3> corners) {
+    std::vector<TriangleVertices> triangles(corners.size() / 3);
+    std::uint32_t next = 0;
+    for (TriangleVertices& triangle : triangles)
+        for (std::uint32_t& vertex : triangle) vertex = next++;
+    if (!triangles.empty()) add(name, std::move(corners), std::move(triangles), {});
+}
+
 void UnitlessFile::warn(const char* kind, const std::string& message) {
     record_.warn(kind, text(printable(path()), message));
 }

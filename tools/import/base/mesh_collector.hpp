@@ -64,6 +64,8 @@ public:
     /// material 0. Throws CommandError (unsupported) beyond the triangles that a blob can hold.
     void add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
              std::vector<std::uint32_t> materials);
+    /// Adds a mesh of triangles whose corners come three by three, if there are any.
+    void add_triangles(const std::string& name, std::vector<Vec3> corners);
     /// Appends a warning that begins with the file's name.
     void warn(const char* kind, const std::string& message);
     /// Appends the record to the import, after the last mesh.

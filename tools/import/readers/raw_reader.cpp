@@ -63,17 +63,13 @@ private:
     }
 
     void add_triangle(const float* coordinates) {
-        const auto first = static_cast<std::uint32_t>(corners_.size());
-        for (int i = 0; i < 3; ++i, coordinates += 3) {
+        for (int i = 0; i < 3; ++i, coordinates += 3)
             corners_.push_back({coordinates[0], coordinates[1], coordinates[2]});
-        }
-        triangles_.push_back({first, first + 1, first + 2});
     }
 
     void end_group() {
-        if (!triangles_.empty()) file_.add(name_, std::move(corners_), std::move(triangles_), {});
+        file_.add_triangles(name_, std::move(corners_));
         corners_ = {};
-        triangles_ = {};
     }
 
     [[noreturn]] void refuse(const std::string& problem) const {
@@ -84,7 +80,6 @@ private:
     UnitlessFile& file_;
     std::string name_;
     std::vector<Vec3> corners_;
-    std::vector<TriangleVertices> triangles_;
     std::uint64_t coloured_line_ = 0;  // the first one
 };
 

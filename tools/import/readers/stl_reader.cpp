@@ -22,17 +22,6 @@ bool is_word(std::string_view word, std::string_view lower_case) {
                       [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
-/// Corners three by three.
-void add_solid(UnitlessFile& file, const std::string& name, std::vector<Vec3> corners) {
-    std::vector<TriangleVertices> triangles;
-    triangles.reserve(corners.size() / 3);
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-        const auto first = static_cast<std::uint32_t>(i);
-        triangles.push_back({first, first + 1, first + 2});
-    }
-    file.add(name, std::move(corners), std::move(triangles), {});
-}
-
 void read_binary(std::string_view bytes, UnitlessFile& file) {
     if (bytes.size() < stl_header_bytes) {
         throw_file_error(ExitCode::invalid_input, file.path(), " is no STL: it does not begin with 'solid', and with ",
@@ -60,7 +49,7 @@ void read_binary(std::string_view bytes, UnitlessFile& file) {
         file.warn("trailing_bytes", text(": ", counted(unread, "byte"), " after the ", counted(count, "triangle"),
                                          " that the file states were not read."));
     }
-    if (count > 0) add_solid(file, "", std::move(corners));
+    file.add_triangles("", std::move(corners));
 }
 
 class TextReader {
@@ -145,7 +134,7 @@ private:
     }
 
     void end_solid() {
-        if (!corners_.empty()) add_solid(file_, name_, std::move(corners_));
+        file_.add_triangles(name_, std::move(corners_));
         corners_ = {};
         state_ = State::outside;
     }
