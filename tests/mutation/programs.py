@@ -1,11 +1,11 @@
 """The programs that judge mutants, built from a copy of the project whose library has every mutant in it: the ordinary
 programs of tests, those that bake and answer for every machine, and those that replay the corpus of the fuzz targets.
-Once as usual, and once as the code for microcontrollers."""
+Once as usual, and once as the code for microcontrollers. One lane and four have between them all that is mutated; what is wider
+is held to their bits elsewhere."""
 import filecmp
 import json
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -34,7 +34,6 @@ def write_sources(folder):
                               folder / "mutants.jsonl"])
     if written.returncode != 0:
         raise SystemExit(written.returncode)
-    leave_out_wide_lanes(fresh)
     # Only what changed is touched, and compiled again.
     for path in fresh.rglob("*"):
         old = source / path.relative_to(fresh)
@@ -47,18 +46,6 @@ def write_sources(folder):
     return [json.loads(line) for line in (folder / "mutants.jsonl").open()]
 
 
-def leave_out_wide_lanes(fresh):
-    """One lane and four have between them all that is mutated; what is wider is held to their bits elsewhere."""
-    for path in fresh.glob("lib/runtime/instruction_sets/avx*.cpp"):
-        path.write_text("")
-    dispatch = fresh / "lib/runtime/lanes/select.hpp"
-    text = dispatch.read_text().replace("defined(__x86_64__)", "0")
-    dispatch.write_text(text.replace("avx2::query", "sse42::query"))
-    paths = fresh / "tests/support/machine/instruction_paths.cpp"
-    text = paths.read_text().replace("defined(__x86_64__)", "0")
-    paths.write_text(re.sub(r".*ESPALIER_PATH\(avx2\).*\n", "", text))
-
-
 def build(folder, mutants):
     source = folder / "source"
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
@@ -66,7 +53,7 @@ def build(folder, mutants):
         small_code = "ON" if name == "build_small_code" else ""
         subprocess.run(["cmake", "-S", source, "-B", folder / name, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
                         "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF", "-DESPALIER_INSTALL=OFF", "-DESPALIER_UNITY=ON",
-                        "-DESPALIER_COUNT_STEPS=ON", f"-DESPALIER_SMALL_CODE={small_code}",
+                        "-DESPALIER_COUNT_STEPS=ON", "-DESPALIER_SETS=sse42", f"-DESPALIER_SMALL_CODE={small_code}",
                         f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}"],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         built = subprocess.run(["cmake", "--build", folder / name, "-j", str(JOBS), "--target", *targets],

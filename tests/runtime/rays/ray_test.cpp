@@ -100,27 +100,27 @@ TEST_CASE("ray: a reported t is inside the window after rounding") {
     std::uint64_t at_the_end = 0;
     ask_each<QueryMaker>(small_test_blobs(), 475, scaled_share(1'000),
                          [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
-            Ray ray = maker.any_ray();
-            RayHit hit = raycast(blob.opened.blob, ray);
+                             Ray ray = maker.any_ray();
+                             RayHit hit = raycast(blob.opened.blob, ray);
                              if (!hit) return;
-            const float t = hit.t;
+                             const float t = hit.t;
                              // The exact t lies between two of these floats: as ends of the window they cut off the
                              // rounding.
                              for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f),
                                                        std::nextafter(t, 0.0f), t, std::nextafter(t, infinity)}) {
-                CAPTURE(describe(ray));
-                ray.t_min = 0.0f;
-                ray.t_max = bound;
-                hit = raycast(blob.opened.blob, ray);
-                if (hit) {
-                    REQUIRE(hit.t <= bound);
-                    if (hit.t == bound) ++at_the_end;
-                }
-                ray.t_min = bound;
-                ray.t_max = infinity;
-                hit = raycast(blob.opened.blob, ray);
-                if (hit) REQUIRE(hit.t >= bound);
-            }
+                                 CAPTURE(describe(ray));
+                                 ray.t_min = 0.0f;
+                                 ray.t_max = bound;
+                                 hit = raycast(blob.opened.blob, ray);
+                                 if (hit) {
+                                     REQUIRE(hit.t <= bound);
+                                     if (hit.t == bound) ++at_the_end;
+                                 }
+                                 ray.t_min = bound;
+                                 ray.t_max = infinity;
+                                 hit = raycast(blob.opened.blob, ray);
+                                 if (hit) REQUIRE(hit.t >= bound);
+                             }
                          });
     CHECK(at_the_end > 0);
 }

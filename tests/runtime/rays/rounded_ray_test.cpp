@@ -31,13 +31,13 @@ QueryStatus status_of(const Lattice& region, const Ray& ray) { return round_ray(
 TEST_CASE("seams: a rounded ray in any region is answered as by the loop over all triangles") {
     std::uint64_t hits = 0, asked = 0;
     const auto ask = [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
-            Ray ray = maker.any_ray();
-            if (maker.random().below(3) == 0) maker.restrict(ray);
-            CAPTURE(describe(ray));
-            std::int32_t before[3];
+        Ray ray = maker.any_ray();
+        if (maker.random().below(3) == 0) maker.restrict(ray);
+        CAPTURE(describe(ray));
+        std::int32_t before[3];
         const RoundedRay rounded = round_ray(region_around(blob.opened.blob.lattice(), maker.random(), before), ray);
-            REQUIRE(rounded);
-            ++asked;
+        REQUIRE(rounded);
+        ++asked;
         hits += require_answers_of_the_loop(blob.decoded, blob.opened.blob, rounded, before) ? 1u : 0u;
     };
     ask_each<QueryMaker>(small_test_blobs(), 24, scaled_share(200), ask);
@@ -46,8 +46,8 @@ TEST_CASE("seams: a rounded ray in any region is answered as by the loop over al
 
 TEST_CASE("seams: a ray rounded for one blob is answered like the plain ray") {
     const auto ask = [](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
-            const Ray ray = maker.any_ray();
-            CAPTURE(describe(ray));
+        const Ray ray = maker.any_ray();
+        CAPTURE(describe(ray));
         const RoundedRay rounded = round_ray(blob.opened.blob.lattice(), ray);
         REQUIRE(same_bits(raycast(blob.opened.blob, rounded), raycast(blob.opened.blob, ray)));
     };

@@ -123,7 +123,7 @@ TEST_CASE("ray: rays of every awkward kind equal the loop on every path") {
         CAPTURE(static_cast<int>(kind));
         check_rays_of_kind(small_test_blobs(), kind, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), kind, scaled_share(100));
-}
+    }
 }
 
 TEST_CASE("closest point: spheres and closest points equal the loop on every path") {

@@ -7,8 +7,15 @@
 #include <espalier/blob.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
+#include <runtime/lanes/select.hpp>
 
 namespace espalier::tests {
+
+/// Whether the code of small cores answers single rays: there, and where the processor has no lanes and the scalar set
+/// is small.
+inline bool small_code_casts_rays() {
+    return !detail::has_fast_scalar && detail::instruction_set() == detail::InstructionSet::scalar;
+}
 
 class MeasuredBlob {
 public:
@@ -25,7 +32,7 @@ public:
     [[nodiscard]] const Blob& for_walks(std::uint64_t walks, std::uint64_t look_ups = 0) const {
         // How often a node's children are asked about at most; a leaf is visited at most once. Small code asks again.
         const std::uint64_t children = format::max_node_children(blob_.profile());
-        const std::uint64_t times = detail::small_code ? children : children / 2;
+        const std::uint64_t times = small_code_casts_rays() ? children : children / 2;
         return allow(times * walks * detail::data_of(blob_).node_count + look_ups * format::max_depth,
                      walks * leaves_ + look_ups * format::max_children);
     }

@@ -119,7 +119,7 @@ void exercise_approximate(Exercise& run) {
                     "accuracy 0 is not exact for a box");
     // Small code sees the boxes of the two in different ways: what is not in its box may be met by one of them alone.
     verdict.require(occluded(blob, ray, Accuracy{accuracy}).yes() || !occluded(blob, ray).yes() ||
-                        (detail::small_code && !run.sound),
+                        (small_code_casts_rays() && !run.sound),
                     "a hit was missed");
     verdict.require(occluded(blob, ray, Accuracy{0.0f}) == occluded(blob, ray), "accuracy 0 is not exact for a ray");
     const Result<DistanceBounds> bounds = distance_bounds(blob, sphere.center, sphere.radius, Accuracy{accuracy});
