@@ -15,38 +15,38 @@ namespace espalier::tools {
 
 namespace {
 
-using Kind = HeaderField::Kind;
+using FieldKind = HeaderField::Kind;
 
 constexpr HeaderField blob_header_fields[] = {
-    {format::header::magic_at, 4, "magic", Kind::text},
-    {format::header::version_major_at, 2, "format version, major", Kind::integer},
-    {format::header::version_minor_at, 2, "format version, minor", Kind::integer},
-    {format::header::total_bytes_at, 4, "bytes in all", Kind::integer},
-    {format::header::checksum_at, 4, "checksum", Kind::hexadecimal},
-    {format::header::features_at, 4, "features", Kind::hexadecimal},
-    {format::header::profile_at, 1, "profile", Kind::integer},
-    {format::header::bits_at, 1, "lattice bits", Kind::integer},
-    {format::header::step_exponent_at, 2, "step exponent", Kind::signed_integer},
-    {format::header::triangle_count_at, 4, "triangles", Kind::integer},
-    {format::header::vertex_count_at, 4, "vertices", Kind::integer},
-    {format::header::node_count_at, 4, "nodes", Kind::integer},
-    {format::header::leaf_bytes_at, 4, "bytes of leaves", Kind::integer},
-    {format::header::origin_at, 12, "origin", Kind::real},
-    {format::header::extent_at, 12, "extent in steps", Kind::integer},
-    {format::header::max_error_at, 4, "max error", Kind::real},
-    {format::header::depth_at, 1, "depth", Kind::integer},
-    {format::header::id_kind_bits_at, 1, "bits of the kind of an id's step", Kind::integer},
-    {format::header::id_kind_bits_at + 1, 2, "reserved", Kind::zero},
-    {format::header::source_count_at, 4, "source meshes", Kind::integer},
-    {format::header::source_triangles_at, 4, "source triangles", Kind::integer},
-    {format::header::id_step_bytes_at, 4, "bytes of the steps of ids", Kind::integer},
+    {format::header::magic_at, 4, "magic", FieldKind::text},
+    {format::header::version_major_at, 2, "format version, major", FieldKind::integer},
+    {format::header::version_minor_at, 2, "format version, minor", FieldKind::integer},
+    {format::header::total_bytes_at, 4, "bytes in all", FieldKind::integer},
+    {format::header::checksum_at, 4, "checksum", FieldKind::hexadecimal},
+    {format::header::features_at, 4, "features", FieldKind::hexadecimal},
+    {format::header::profile_at, 1, "profile", FieldKind::integer},
+    {format::header::bits_at, 1, "lattice bits", FieldKind::integer},
+    {format::header::step_exponent_at, 2, "step exponent", FieldKind::signed_integer},
+    {format::header::triangle_count_at, 4, "triangles", FieldKind::integer},
+    {format::header::vertex_count_at, 4, "vertices", FieldKind::integer},
+    {format::header::node_count_at, 4, "nodes", FieldKind::integer},
+    {format::header::leaf_bytes_at, 4, "bytes of leaves", FieldKind::integer},
+    {format::header::origin_at, 12, "origin", FieldKind::real},
+    {format::header::extent_at, 12, "extent in steps", FieldKind::integer},
+    {format::header::max_error_at, 4, "max error", FieldKind::real},
+    {format::header::depth_at, 1, "depth", FieldKind::integer},
+    {format::header::id_kind_bits_at, 1, "bits of the kind of an id's step", FieldKind::integer},
+    {format::header::id_kind_bits_at + 1, 2, "reserved", FieldKind::zero},
+    {format::header::source_count_at, 4, "source meshes", FieldKind::integer},
+    {format::header::source_triangles_at, 4, "source triangles", FieldKind::integer},
+    {format::header::id_step_bytes_at, 4, "bytes of the steps of ids", FieldKind::integer},
 };
 constexpr HeaderField deformable_fields[] = {
-    {format::header::position_count_at, 4, "positions", Kind::integer},
-    {format::header::vertex_slots_at, 4, "vertices of all leaves together", Kind::integer},
-    {format::header::rest_cost_at, 4, "cost of the tree at rest", Kind::real},
-    {format::header::pose_low_at, 12, "low corner of the pose in steps", Kind::integer},
-    {format::header::pose_high_at, 12, "high corner of the pose in steps", Kind::integer},
+    {format::header::position_count_at, 4, "positions", FieldKind::integer},
+    {format::header::vertex_slots_at, 4, "vertices of all leaves together", FieldKind::integer},
+    {format::header::rest_cost_at, 4, "cost of the tree at rest", FieldKind::real},
+    {format::header::pose_low_at, 12, "low corner of the pose in steps", FieldKind::integer},
+    {format::header::pose_high_at, 12, "high corner of the pose in steps", FieldKind::integer},
 };
 
 /// Of any bytes, also those of a blob that was refused.
@@ -56,7 +56,7 @@ std::vector<HeaderField> fields_of(Bytes bytes) {
     if (bytes.size() >= features_at + 4 && (read_u32(bytes, features_at) & format::feature::deformable) != 0)
         fields.insert(fields.end(), std::begin(deformable_fields), std::end(deformable_fields));
     const std::size_t at = fields.back().at + fields.back().bytes;
-    fields.push_back({at, format::header::bytes - at, "reserved", Kind::zero});
+    fields.push_back({at, format::header::bytes - at, "reserved", FieldKind::zero});
     return fields;
 }
 
