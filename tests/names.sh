@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # names.sh CTEST BUILD_FOLDER: each test name is `area: behaviour` with an area of tests/README.md, in plain words and without
-# commas, and names one test; each pattern of tests/scales.txt selects a test.
+# commas, and names one test; each pattern of tests/scales.txt selects a test, and `tools/dev prove` runs each label of its parts.
 set -euo pipefail
 ctest=$1 build=$(realpath "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -35,5 +35,9 @@ while read -r command factor pattern; do
     done
     [[ $selected -gt 0 ]] || complain "tests/scales.txt: '$command $factor $pattern' selects no test"
 done < <(sed -E '/^(#|$)/d' scales.txt)
+
+while read -r label; do
+    grep -q "prove_labelled ${label#prove_}\b" ../tools/dev_commands/prove.sh || complain "no part of tools/dev prove runs the label $label"
+done < <("$ctest" --test-dir "$build" --print-labels | sed -n 's/^ *\(prove_\)/\1/p')
 
 [[ $failures -eq 0 ]]

@@ -9,12 +9,12 @@ deformation (meshes whose vertices move), or a folder of lib, as runtime/kernels
 with excuses when nothing is chosen. Exit status 1 when a mutant of those survives that no comment in the code excuses
 (excuses.py). --publish writes a row for each part that was run as a whole into the table of docs/testing.md.
 
-mutate.py BUILD --sample N [--seed S] [--survivors] [--publish]: how many of the mutants that any test kills the quick
-tests kill, of N drawn at random over lib (sample.py). Exit status 1 below LEAST_SHARE. --publish writes that table.
+mutate.py BUILD --sample N [--seed S] [--least SHARE] [--survivors] [--publish]: how many of the mutants that any test kills the quick
+tests kill, of N drawn at random over lib (sample.py). Exit status 1 below the least share. --publish writes that table.
 
 All mutants are compiled once, into the same programs, and again as small code (programs.py); they are chosen when a
-program starts. A first run of every claim (claims.py) without any notes how long it takes and by which mutants it comes;
-each mutant is then shown to the claims that come by it (judge.py), until one is red, crashes or takes far too long.
+program starts. A claim is one test, or a corpus, or a list of golden answers (claims.py). A first run of each without a mutant
+notes how long it takes and the code of which mutants it executes; each mutant is then shown to those claims (judge.py), until one is red, crashes or takes far too long.
 
 What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file has the same code: a mutant
 that was noticed is not asked about again, one that survived only by claims that it has not met. --survivors leaves out
@@ -110,7 +110,10 @@ def main():
     asked.add_argument("--most", type=int, default=1_000_000)
     asked.add_argument("--sample", type=int)
     asked.add_argument("--seed", type=int, default=1)
+    asked.add_argument("--least", type=float, default=LEAST_SHARE)
     asked = asked.parse_args()
+    if asked.sample is not None and (asked.parts or asked.files or asked.since):
+        raise SystemExit("mutate.py: --sample draws from the whole library; leave out the parts, --files and --since")
     folder = pathlib.Path(asked.build).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     mutants = write_sources(folder)
@@ -124,7 +127,7 @@ def main():
         share = sample.report(results)
         if asked.publish:
             publish_sample(results, asked.seed)
-        return 0 if share >= LEAST_SHARE else 1
+        return 0 if share >= asked.least else 1
     chosen = chosen_mutants(mutants, asked)
     if not chosen:
         return 0

@@ -51,11 +51,13 @@ def build(folder, mutants):
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
     for name, targets in BUILDS.items():
         small_code = "ON" if name == "build_small_code" else ""
-        subprocess.run(["cmake", "-S", source, "-B", folder / name, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
-                        "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF", "-DESPALIER_INSTALL=OFF", "-DESPALIER_UNITY=ON",
-                        "-DESPALIER_COUNT_STEPS=ON", "-DESPALIER_SETS=sse42", f"-DESPALIER_SMALL_CODE={small_code}",
-                        f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}"],
-                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        configured = subprocess.run(["cmake", "-S", source, "-B", folder / name, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+                                     "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF", "-DESPALIER_INSTALL=OFF", "-DESPALIER_UNITY=ON",
+                                     "-DESPALIER_COUNT_STEPS=ON", "-DESPALIER_SETS=sse42", f"-DESPALIER_SMALL_CODE={small_code}",
+                                     f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}"],
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if configured.returncode != 0:
+            raise SystemExit(configured.stdout)
         built = subprocess.run(["cmake", "--build", folder / name, "-j", str(JOBS), "--target", *targets],
                                stdout=subprocess.PIPE, text=True)
         if built.returncode != 0:

@@ -3,7 +3,7 @@
 Draws N mutants at random over the library. A smaller sample of the same seed is the beginning of a larger one, and a change of
 one file leaves what is drawn of the others as it is.
 Each meets the quick claims (claims.py); one that survives them meets the others. A mutant that no claim kills, and one
-that a comment excuses, says nothing about the tiers: the base is what any claim kills. BUILD/sample.jsonl keeps the results.
+that a comment excuses, says nothing about the tiers: the base is what any claim kills. BUILD/sample_SEED.jsonl keeps the results.
 """
 import collections
 import concurrent.futures
@@ -44,7 +44,7 @@ def run(judge, mutants, earlier, path):
 
 def sample(folder, mutants, claims, count, seed, again=False):
     """The results of the sample, each with its "outcome": quick, the part that alone kills it, none or excused."""
-    path, chosen = folder / "sample.jsonl", drawn(mutants, count, seed)
+    path, chosen = folder / f"sample_{seed}.jsonl", drawn(mutants, count, seed)
     earlier, _ = earlier_results(path, mutants)
     if again:
         earlier = {key: result for key, result in earlier.items() if result["killed"] and result["tier"] == QUICK}

@@ -13,7 +13,7 @@ ab() {
     [[ $base == --help ]] || base=$(commit_of "$base")
     [[ -z $other ]] || other=$(commit_of "$other")
     check_cmake
-    build build/ab/program espalier_bench_ab -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
+    build build/ab/program espalier_bench_ab -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
         -DESPALIER_BENCH_PEERS=OFF >&2
     if [[ $base == --help ]]; then
         "$program" --help

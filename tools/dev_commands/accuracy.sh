@@ -3,7 +3,7 @@ accuracy() {
     local program=build/accuracy/bench/espalier_bench_accuracy rows=build/accuracy/rows.jsonl name
     install_missing "${build_packages[@]}" libcli11-dev python3 >&2
     check_cmake
-    build build/accuracy espalier_bench_accuracy -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
+    build build/accuracy espalier_bench_accuracy -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
         -DESPALIER_BENCH_PEERS=OFF >&2
     if [[ ${1-} == --publish ]]; then
         [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME is the date, as in 2026-11-20_accuracy"

@@ -2,7 +2,8 @@
 bench() {
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev >&2
     check_cmake
-    build build/bench espalier_bench_peers -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF >&2
+    build build/bench espalier_bench_peers -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
+        >&2
     if [[ ${1-} == --publish ]]; then
         [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME is the date and the machine, as in 2026-11-20_epyc_avx2"
         publish_bench "${@:2}"

@@ -54,7 +54,7 @@ guide() {
     check_cmake
     if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(guide_meshes); fi
     [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
-    build "$guide_folder" espalier_bench_study -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
+    build "$guide_folder" espalier_bench_study -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
     for part in "${parts[@]}"; do
         started=$SECONDS
         guide_rows "$part" "${meshes[@]}" >"$guide_folder/$part.partial" || fail "guide: the part '$part' failed"

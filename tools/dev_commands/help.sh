@@ -26,7 +26,7 @@ Every day
 
 Before a release
   coverage    Counts which branches of lib/runtime the tests take (5 minutes). Fails below 95 %, or below 100 % for open.
-  fuzz        Fuzzes open, tree, bake, scene and import for 60 seconds each: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
+  fuzz        Fuzzes each target of fuzz for 60 seconds: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
               fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;
               fuzz --minimise reduces the corpus to fuzz/corpus.
   mutate      Breaks the library in thousands of places, one at a time, and lists the changes that no test finds and no comment
@@ -60,5 +60,6 @@ Publishing
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 
 Missing packages are installed by apt-get, as root or by sudo without a password; otherwise the command to run is printed.
-test and prove compile by ccache, where that is installed. All output is in build/. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build
+test and prove compile by ccache, where that is installed. All output is in build/. Files are named from the
+root of the project, wherever the command is called. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build -LE prove_ -j
 TEXT

@@ -6,47 +6,56 @@ proven=docs/proven.md
 parts=(cases instruction_sets sanitizers small_code i686 armhf aarch64 riscv64 s390x compilers firmware wasm windows python packages
     release coverage lint extremes counts mutants fuzz bench)
 
+# Those that `prove --drawn` draws from, as continuous integration does: at most 12 minutes in a fresh clone.
+drawn_parts=(instruction_sets small_code firmware)
+
 # part_sources PART: a pattern of the files whose change can break it
 part_sources() {
-    local libraries='^(CMakeLists.txt|lib/(CMakeLists.txt|runtime|baker|espalier|cmake))' tests='|^tests/(support|oracle|main.cpp)'
+    local build='CMakeLists.txt|CMakePresets.json|tools/dev_commands/shared/|lib/(CMakeLists.txt|cmake)'
+    local libraries="^($build|lib/(runtime|baker|espalier))" command='|^tools/([^d]|demo/)|^tests/import'
+    local tests='|^tests/(CMakeLists.txt|discover_tests.cmake|main.cpp|scales.txt|support|oracle)|^docs/examples/game'
+    local platform='|^tests/(platform|format_versions)'
     case $1 in
-        cases | sanitizers) echo "$libraries|^tests/|^fuzz/" ;;
-        instruction_sets) echo "$libraries$tests|^tests/(runtime|baker|promises|oracle|c|platform)" ;;
-        small_code | coverage) echo "$libraries$tests|^tests/(small_code|runtime)" ;;
-        i686 | armhf | aarch64 | riscv64 | s390x | compilers) echo "$libraries|^tests/(platform|format_versions)" ;;
-        firmware) echo "$libraries|^tests/(firmware|platform)|^docs/examples/firmware" ;;
-        wasm) echo "$libraries|^lib/wasm|^tests/(wasm|platform)" ;;
-        windows) echo "$libraries|^tools/|^tests/(tools|platform)" ;;
-        python) echo "$libraries|^lib/(python|shared)|^tests/(python|c/shared|c/declarations)|^docs/examples/python" ;;
-        packages) echo "$libraries|^lib/shared|^tools/|^tests/(package|build_step|c/shared)|^docs/examples" ;;
-        release) echo "^(CMakeLists.txt|LICENSE|lib/cmake)|^tools/" ;;
-        lint) echo "^lib/|^tools/" ;;
-        extremes | counts) echo "$libraries$tests|^tests/runtime" ;;
-        mutants) echo "$libraries$tests|^tests/(runtime|baker|mutation)" ;;
-        fuzz) echo "$libraries|^fuzz/|^tests/support|^tools/import" ;;
-        bench) echo "$libraries|^bench/|^tests/support" ;;
+        cases | sanitizers) echo "$libraries$command|^tests/|^fuzz/|^docs/|^README.md" ;;
+        instruction_sets) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c)" ;;
+        small_code) echo "$libraries$tests$platform|^tests/(small_code|runtime)" ;;
+        coverage) echo "$libraries$tests$platform|^tests/(runtime|baker|promises)|^tools/dev_commands/coverage" ;;
+        i686 | armhf | aarch64 | riscv64 | s390x | compilers) echo "$libraries$platform" ;;
+        firmware) echo "$libraries$command$platform|^tests/(firmware|support)|^docs/(examples/firmware|embedding)|^tools/dev_commands/firmware" ;;
+        wasm) echo "$libraries$platform|^lib/wasm|^tests/wasm|^docs/(wasm|format_cube)|^tools/dev_commands/wasm" ;;
+        windows) echo "$libraries$command$platform|^tests/tools" ;;
+        python) echo "$libraries|^lib/(python|shared)|^tests/(python|c)/|^docs/examples/python|^tools/dev_commands/python" ;;
+        packages) echo "$libraries$command|^lib/shared|^tests/(package|build_step|c)/|^docs/(examples|embedding)|^README.md" ;;
+        release) echo "$libraries$command|^(LICENSE|README.md|docs/changelog.md)|^tools/dev_commands/release" ;;
+        lint) echo "$libraries$command|^lib/|^\\.(clang-tidy|cppcheck)|^tools/dev_commands/lint" ;;
+        extremes | counts) echo "$libraries$tests|^tests/(runtime|baker|promises)|^tools/dev_commands/$1" ;;
+        mutants) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c|small_code|mutation)|^fuzz/" ;;
+        fuzz) echo "$libraries$tests$command|^fuzz/|^tools/dev_commands/fuzz" ;;
+        bench) echo "$libraries$tests$command|^bench/|^docs/examples/engines" ;;
     esac
 }
 
-# The build of `tools/dev test`, or the targets of it that a part needs, and the tests with the part's label.
-prove_labelled() { # PART TARGET...
+# prove_labelled PART TARGET...: the targets that the part needs, in the build of `tools/dev test`, and the tests with its label
+prove_labelled() {
     build_test_targets "${@:2}"
     run_tests build/test --label-regex "^prove_$1\$"
     summarise
 }
 
+# build_test_targets TARGET...: with none the build is configured, which names its tests
 build_test_targets() {
     local target
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}"
     check_cmake
-    for target in "$@"; do build build/test "$target" --preset test; done
+    cmake --fresh --preset test -DESPALIER_WARNINGS_ARE_ERRORS=OFF >/dev/null
+    for target in "$@"; do build build/test "$target"; done
 }
 
 # Each include of each file, since nothing is precompiled and no two files are compiled as one; what is released; every random case.
 prove_cases() {
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}"
     check_cmake
-    build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS=ON
+    build build/release all --fresh --preset release -DESPALIER_WARNINGS_ARE_ERRORS=ON
     run_tests build/release --label-regex '^(unit|promises|oracle|c)$'
     run_tests build/release --tests-regex '^(platform: (scalar|sse42|avx2|avx512) |fuzz: )'
     summarise
@@ -60,7 +69,7 @@ prove_instruction_sets() {
         status=0
         bash tests/platform/check_golden.sh tests/platform/golden.txt 2000 "$here/blobs" "$here/espalier_query_answers" --set "$set" ||
             status=$?
-        [[ $status -ne 77 ]] || continue
+        [[ $status -ne 77 ]] || continue  # the processor has no such set
         [[ $status -eq 0 ]] || failed=$((failed + 1))
         ESPALIER_TEST_SET=$set quick_cases quick run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
     done
@@ -70,12 +79,9 @@ prove_instruction_sets() {
 prove_sanitizers() {
     install_missing "${build_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}"
     check_cmake
-    build build/sanitize all --preset sanitize
-    run_tests build/sanitize --label-exclude '^emulated$'
-    build_test_targets
-    cmake --preset test >/dev/null
-    run_tests build/test --label-regex '^prove_sanitizers$'
-    summarise
+    build build/sanitize all --fresh --preset sanitize
+    run_tests build/sanitize --label-exclude '^(emulated|prove_)'
+    prove_labelled sanitizers
 }
 
 prove_small_code() { prove_labelled small_code espalier_query_answers espalier_platform_blobs; }
@@ -88,7 +94,8 @@ prove_packages() {
     prove_labelled packages all
 }
 prove_windows() {
-    install_missing "${windows_packages[@]}"
+    install_missing clang "${windows_packages[@]}"
+    install_missing $(wasm_packages)  # Microsoft's mode of Clang compiles with their C++ library
     prove_labelled windows espalier_query_answers espalier_command
 }
 
@@ -102,7 +109,6 @@ prove_platform() {
         bash tests/platform/run_platform.sh "$name" 2000 "$PWD/build/platforms/$name" cmake Ninja || status=$?
         case $status in
             0) passed=$((passed + 1)) ;;
-            77) skipped=$((skipped + 1)) ;;
             *) failed=$((failed + 1)) ;;
         esac
     done
@@ -118,29 +124,65 @@ prove_compilers() {
     prove_platform {gcc,clang}-{O0,O1,O2,O3,O3-native}
 }
 
-prove_mutants() { tools/dev mutate --sample 100; }
-prove_fuzz() { tools/dev fuzz 45; }
+# Each of these ends with a line about the passed tests.
+prove_wasm() {
+    tools/dev wasm | tee build/prove/wasm.out
+    awk '/^(#|ℹ) (pass|fail|skipped) / { count[$2] += $3 }
+         END { print count["pass"] + 0 " passed, " count["fail"] + 0 " failed, " count["skipped"] + 0 " skipped" }' build/prove/wasm.out
+}
+prove_python() {
+    tools/dev python | tee build/prove/python.out
+    grep -oE '[0-9]+ passed(, [0-9]+ skipped)?' build/prove/python.out | tail -n 1
+}
+prove_release() {
+    tools/dev release
+    echo "packages for Debian and archives for Linux and Windows are made, checked and tried"
+}
+prove_coverage() {
+    tools/dev coverage | tee build/prove/coverage.out
+    awk '/^TOTAL/ { found = found (found == "" ? "" : ", ") $4 } END { print "branches taken of the runtime and of open: " found }' \
+        build/prove/coverage.out
+}
+prove_lint() {
+    tools/dev lint
+    prove_labelled lint
+}
+prove_extremes() { tools/dev extremes; }
+prove_counts() {
+    tools/dev counts | tee build/prove/counts.out
+    echo "$(($(grep -c '^| ' build/prove/counts.out) - 1)) queries and kinds of meshes, no difference"
+}
+# Few are drawn, so that a single one that only the whole kills weighs much.
+prove_mutants() {
+    local hash
+    hash=$(git rev-parse HEAD | cut -c 1-6)
+    tools/dev mutate --sample 100 --seed "$((0x$hash))" --least 0.93
+}
+prove_fuzz() {
+    tools/dev fuzz 45 | tee build/prove/fuzz.out
+    awk '/ executions in / { targets += 1; all += $2 } END { print targets " targets, " all " executions, no findings" }' build/prove/fuzz.out
+}
 
 # Every benchmark builds, and what can be tested of one in a moment is right.
 prove_bench() {
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev \
-        doctest-dev libeigen3-dev libgmp-dev python3
+        nlohmann-json3-dev doctest-dev libeigen3-dev libgmp-dev python3
     check_cmake
-    build build/bench espalier_benches -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_UNITY=ON
-    run_tests build/bench --label-regex '^bench$'
+    build build/prove/bench espalier_benches --fresh -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TOOLS=OFF -DESPALIER_UNITY=ON
+    run_tests build/prove/bench --label-regex '^bench$'
     summarise
 }
 
-# run_part PART: runs it, shows the end of its output, and writes its line of docs/proven.md
+# run_part PART: runs it in a process of its own, which ends at the first error, shows the end of its output, and writes its line of
+# docs/proven.md
 run_part() {
-    local part=$1 log=build/prove/$1.log start=$SECONDS status=0
+    local part=$1 log=build/prove/$1.log start=$SECONDS status=0 commit
     mkdir -p build/prove
+    commit=$(state_of_tree)
     echo "proving $part; all output is in $log"
-    (
-        export WERROR=-Wno-error
-        compile_by_ccache
-        if declare -F "prove_$part" >/dev/null; then "prove_$part"; else tools/dev "$part"; fi  # a part of the same name
-    ) >"$log" 2>&1 || status=$?
+    # No variable of the caller makes the tests fewer or compiles them by other options.
+    env -u ESPALIER_TEST_SCALE -u ESPALIER_TEST_SET -u ESPALIER_TEST_LEAVE_OUT -u ESPALIER_MESHES -u CFLAGS -u CXXFLAGS -u LDFLAGS \
+        WERROR=-Wno-error tools/dev prove --run "$part" >"$log" 2>&1 || status=$?
     local seconds=$((SECONDS - start)) result
     result=$(tail -n 1 "$log" | tr -d '|' | cut -c 1-100)
     if [[ $status -ne 0 ]]; then
@@ -149,21 +191,29 @@ run_part() {
         return 1
     fi
     echo "$part: $seconds s: $result"
-    write_line "$part" "$seconds" "$result"
+    if [[ $commit == *+ || $commit != "$(state_of_tree)" ]]; then
+        echo "not written to $proven, since the tree is not what its commit is"
+    elif [[ $writes == yes ]]; then
+        write_line "$part" "$commit" "$seconds" "$result"
+    fi
 }
 
-# write_line PART SECONDS RESULT: replaces the part's line of docs/proven.md
+# state_of_tree: the commit, and + where a file is another than there
+state_of_tree() {
+    git rev-parse --short=12 HEAD | tr -d '\n'
+    [[ -z $(git status --porcelain -- . ":!$proven") ]] || echo -n +
+}
+
+# write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md
 write_line() {
-    local commit processor flags set sets="" lines part line
-    commit=$(git rev-parse --short=12 HEAD)
-    git diff --quiet HEAD -- . ":!$proven" || commit+=+changes
+    local processor flags set sets="" known part line
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
     flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
     for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
         [[ $flags != *" ${set%:*} "* ]] || sets+=${sets:+, }${set#*:}
     done
-    line="| $1 | $commit | $(nproc) × $processor | ${sets:-none} | $2 | $3 |"
-    lines=$(grep -E '^\| [a-z0-9_]+ \| ' "$proven" 2>/dev/null | grep -v "^| $1 |" | grep -v '^| part ' || true)
+    line="| $1 | $(date -u +%F) | $2 | $(nproc) × $processor | ${sets:-none} | $3 | $4 |"
+    known=$(cat "$proven")
     {
         cat <<'TEXT'
 # What was proven when
@@ -171,50 +221,63 @@ write_line() {
 `tools/dev prove` writes this page: of each part the last run that passed.
 [testing.md](testing.md#two-tiers) describes what the parts are.
 
-| part | commit | processor | instruction sets | seconds | result |
-|---|---|---|---|---|---|
+| part | date | commit | processor | instruction sets | seconds | result |
+|---|---|---|---|---|---|---|
 TEXT
         for part in "${parts[@]}"; do
-            if [[ $part == "$1" ]]; then echo "$line"; else grep "^| $part |" <<<"$lines" || true; fi
+            if [[ $part == "$1" ]]; then echo "$line"
+            else grep "^| $part |" <<<"$known" || echo "| $part | not yet | | | | | |"
+            fi
         done
     } >"$proven.new"
     mv "$proven.new" "$proven"
 }
 
-# drawn_part: one part, by the hash of the commit, of those whose last run took at most 12 minutes
+# drawn_part: one of drawn_parts, by the hash of the commit
 drawn_part() {
-    local known
-    mapfile -t known < <(awk -F ' *[|] *' '$6 ~ /^[0-9]+$/ && $6 <= 720 { print $2 }' "$proven")
-    [[ ${#known[@]} -gt 0 ]] || fail "prove --drawn: $proven lists no part of at most 12 minutes"
-    echo "${known[$((0x$(git rev-parse HEAD | cut -c 1-8) % ${#known[@]}))]}"
+    local hash
+    hash=$(git rev-parse HEAD | cut -c 1-8)
+    echo "${drawn_parts[$((0x$hash % ${#drawn_parts[@]}))]}"
 }
 
-# parts_since COMMIT: those whose sources differ from the commit's, one a line
+# parts_since COMMIT: those whose sources differ from the commit's, one a line; files that git does not have yet differ too
 parts_since() {
     local part changed
     git rev-parse --quiet --verify "$1^{commit}" >/dev/null || fail "prove --since: git finds no commit '$1'"
-    changed=$(git diff --name-only "$1")
+    changed=$(git diff --name-only --no-renames "$1" && git ls-files --others --exclude-standard)
     for part in "${parts[@]}"; do
         if grep -qE "$(part_sources "$part")" <<<"$changed"; then echo "$part"; fi
     done
 }
 
 prove() {
-    local chosen=() part failures=()
+    local chosen=() part failures=() writes=yes since
     case ${1-} in
         --all) chosen=("${parts[@]}") ;;
         --since)
             [[ $# -eq 2 ]] || fail "prove --since COMMIT: one commit is needed"
-            mapfile -t chosen < <(parts_since "$2")
+            since=$(parts_since "$2")
+            [[ -n $since ]] || { echo "nothing to prove: no part has a source that differs from $2"; return; }
+            mapfile -t chosen <<<"$since"
             ;;
-        --drawn) chosen=("$(drawn_part)") ;;
+        --drawn)
+            writes=no
+            part=$(drawn_part)
+            chosen=("$part")
+            ;;
         --list) printf '%s\n' "${parts[@]}" && return ;;
+        --run)  # PART, as run_part calls it
+            compile_by_ccache
+            "prove_$2"
+            return
+            ;;
         "" | -*) fail "prove PART... | --since COMMIT | --all | --drawn | --list: the parts are ${parts[*]}" ;;
         *) chosen=("$@") ;;
     esac
     for part in "${chosen[@]}"; do
         [[ " ${parts[*]} " == *" $part "* ]] || fail "prove: there is no part '$part'; the parts are ${parts[*]}"
     done
+    one_at_a_time
     for part in "${chosen[@]}"; do run_part "$part" || failures+=("$part"); done
     [[ ${#failures[@]} -eq 0 ]] || fail "prove: these parts failed: ${failures[*]}"
     echo "${#chosen[@]} passed, 0 failed"

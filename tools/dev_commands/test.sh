@@ -12,17 +12,20 @@ test_hostile_bytes() {
 }
 
 run_quick_tests() {
-    local options=()
+    local options=(-DESPALIER_WARNINGS_ARE_ERRORS=OFF)
     export WERROR=-Wno-error  # for the tests that run a compiler
     case ${1-} in
         --strict) options=(-DESPALIER_WARNINGS_ARE_ERRORS=ON) WERROR=-Werror ;;
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
+    one_at_a_time
     compile_by_ccache
+    late_test_packages+=($(formatter_packages))
+    # What only the tests use is installed while this machine compiles. Who must install by hand gets one list.
+    [[ $(id -u) -eq 0 ]] || install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}"
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}"
     check_cmake
-    # What only the tests use is installed while this machine compiles.
-    install_missing "${late_test_packages[@]}" $(formatter_packages) &
+    install_missing "${late_test_packages[@]}" &
     local installation=$!
     build build/test all --preset test "${options[@]}" || failed=$((failed + 1))
     wait "$installation" || fail "packages are missing"

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 
+#include <espalier/ray.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier::tests {

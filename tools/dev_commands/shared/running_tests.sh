@@ -4,7 +4,7 @@ passed=0
 failed=0
 skipped=0
 
-# count_cases LOG: adds the cases of the programs of tests, and prints why some were skipped
+# count_cases LOG: adds the cases of the programs of tests, and those of them that skipped themselves
 count_cases() {
     local run
     run=$(awk '/test cases: +[0-9]+ [|] +[0-9]+ passed/ { sub(/.*test cases:/, ""); all += $3 } END { print all + 0 }' "$1")
@@ -34,12 +34,19 @@ run_tests() {
     count_cases "$results"
 }
 
-# summarise: prints the totals; fails if a test failed
+# summarise: prints the totals; fails if a test failed or none passed
 summarise() {
     local summary="$passed passed, $failed failed"
     [[ $skipped -eq 0 ]] || summary+=", $skipped skipped"
     echo "$summary"
-    [[ $failed -eq 0 ]]
+    [[ $failed -eq 0 && $passed -gt 0 ]]
+}
+
+# one_at_a_time: two that test or prove in one checkout would write each other's files
+one_at_a_time() {
+    mkdir -p build
+    exec {lock}>build/lock
+    flock --nonblock "$lock" || fail "another tools/dev test or prove runs in this checkout"
 }
 
 # quick_cases TIER... COMMAND...: with a twentieth of the random cases, without the slow ones that tests/scales.txt lists for these tiers
