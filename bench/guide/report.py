@@ -19,6 +19,9 @@ from report_page import ROOT, fail, fill, links, read_objects, run  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "guide.md"
 FIGURES = ROOT / "docs" / "images" / "guide"
+# Pictures of how something works: no row decides them, and neither does the table between the markers `packages`.
+DRAWINGS = {"aac.svg", "ladder_drawing.svg", "origin.svg", "ray_walk.svg", "subdivision_drawing.svg", "top_down.svg",
+            "volumes_drawing.svg"}
 COMMON = ("measures", "processor", "compiler")
 # A section is a module sections/NAME.py: ROWS (fields by what a row measures), and made(rows), which returns texts by
 # name: FILE.svg is a figure, PAGE.md#MARKER a text of another page, MARKER one of the guide.
@@ -76,18 +79,18 @@ def conditions(rows, files):
 
 
 def check_page(page, figures):
-    """Every figure of the page is made here and shown, and every table stands between markers."""
+    """Every figure is made here, or is one of the drawings; all are shown, and every table stands between markers."""
     shown = set(re.findall(r"\]\(images/guide/([^)]+)\)", page))
-    made = set(figures)
+    made = {*figures, *DRAWINGS}
     if shown != made:
         fail(f"{DOCUMENT.name} shows {sorted(shown - made)}, which no section draws, and lacks {sorted(made - shown)}")
     loose = re.sub(r"<!-- begin (\S+) -->.*?<!-- end \1 -->", "", page, flags=re.DOTALL)
     tables = [line for line in loose.splitlines() if line.startswith("|")]
     if tables:
         fail(f"{DOCUMENT.name} has a table outside of markers: {tables[0]}")
-    old = {file.name for file in FIGURES.glob("*")} - made
-    if old:
-        fail(f"{FIGURES.relative_to(ROOT)} has files that no section draws: {', '.join(sorted(old))}")
+    files = {file.name for file in FIGURES.glob("*")}
+    if files - made or DRAWINGS - files:
+        fail(f"{FIGURES.relative_to(ROOT)} has {sorted(files - made)}, which no section draws, and lacks {sorted(DRAWINGS - files)}")
 
 
 def outputs(files):

@@ -1,10 +1,9 @@
-"""Section 5 of the guide, construction: what each builder's tree costs and brings, and how AAC works."""
+"""Section 5 of the guide, construction: what each builder's tree costs and brings."""
 
 import math
 import statistics
 
 import charts
-import construction_drawings
 from report_page import fail, table
 
 ROWS = {"builders": ("family", "builder", "reinserted", "build_ms", "reinsertion_ms", "references", "height", "sah_cost", "volumes",
@@ -156,6 +155,5 @@ def draw_ratios(comparison):
 def made(rows):
     comparison = Comparison(rows)
     return {"construction": f"{summary_table(comparison)}\n\n{baseline_text(comparison)}",
-            "construction.svg": draw_ratios(comparison), "aac.svg": construction_drawings.draw_aac(),
-            "top_down.svg": construction_drawings.draw_top_down(),
+            "construction.svg": draw_ratios(comparison),
             "bench/results/builders.md#builders": full_table(comparison)}

@@ -1,7 +1,6 @@
 """Section 6 of the guide, memory: Terdiman's ladder, in bytes, work and time."""
 
 import charts
-import ladder_drawing
 import tree_rows
 from report_page import table
 
@@ -61,4 +60,4 @@ def figure(rows):
 
 def made(rows):
     return {"ladder": f"{ladder_table(rows)}\n\n{box_table(rows)}\n\n{words_of(rows)}",
-            "ladder.svg": figure(rows), "ladder_drawing.svg": ladder_drawing.draw()}
+            "ladder.svg": figure(rows)}

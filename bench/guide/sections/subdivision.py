@@ -1,7 +1,6 @@
 """Section 2 of the guide, subdivision of space: a k-d tree and a grid beside a hierarchy of boxes."""
 
 import charts
-import subdivision_drawing
 from report_page import table
 
 SUBDIVISION = "subdivision"
@@ -63,4 +62,4 @@ def figure(rows):
 
 def made(rows):
     return {"subdivision": time_table(rows) + words_of(rows) + lost_table(rows),
-            "subdivision.svg": figure(rows), "subdivision_drawing.svg": subdivision_drawing.draw()}
+            "subdivision.svg": figure(rows)}

@@ -1,7 +1,6 @@
 """Section 7 of the guide, traversal: rules of descent for two trees, orders of children for rays, and how a ray walks."""
 
 import charts
-import ray_walk
 from report_page import table
 
 PAIRS, RAYS = "traversal pairs", "traversal rays"
@@ -89,4 +88,4 @@ def figure(rows):
 
 def made(rows):
     return {"pair_rules": pair_table(rows) + pair_text(rows), "ray_order": ray_table(rows) + ray_text(rows),
-            "traversal.svg": figure(rows), "ray_walk.svg": ray_walk.draw()}
+            "traversal.svg": figure(rows)}

@@ -3,7 +3,6 @@
 from statistics import geometric_mean
 
 import charts
-import volume_drawing
 from report_page import table
 
 VOLUMES = "volumes"
@@ -103,5 +102,5 @@ def figure(rows):
 
 def made(rows):
     return {"volumes": comparison(rows) + conditions(rows),
-            "volumes.svg": figure(rows), "volumes_drawing.svg": volume_drawing.draw(),
+            "volumes.svg": figure(rows),
             "docs/log/volumes.md#volumes": full_table(rows)}
