@@ -7,12 +7,11 @@
 Standard library only.
 """
 
-import pathlib
 import statistics
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
-from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
+from report_page import ROOT, Rows, fail, fill, links, read_objects, run, table  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "moving.md"
 COMMON = ("measures", "mesh", "triangles", "positions", "bits", "rounds", "processor", "instruction_set", "compiler")
@@ -34,53 +33,41 @@ def needed(row):
     return (*COMMON, *FIELDS.get(row.get("measures"), ()))
 
 
-class Rows:
+class MotionRows(Rows):
     def __init__(self, rows):
-        self.all = rows
+        super().__init__(rows)
         machines = {(r["processor"], r["instruction_set"], r["compiler"], r["bits"], r["rounds"]) for r in rows}
         if len(machines) != 1:
             fail("the rows are of several machines, or of runs with other options")
         self.machine = machines.pop()
-        self.meshes = list(dict.fromkeys(row["mesh"] for row in rows))
-        if len({(row["mesh"], row["triangles"]) for row in rows}) != len(self.meshes):
+        self.names = list(dict.fromkeys(row["mesh"] for row in self.all))
+        if len({(row["mesh"], row["triangles"]) for row in self.all}) != len(self.names):
             fail("two meshes have one name")
         for measures in FIELDS:
-            for mesh in self.meshes:
-                if not self.of(measures, mesh):
+            for mesh in self.names:
+                if not self.of(measures, mesh=mesh):
                     fail(f"{mesh}: no row that measures {measures}; the rows are not those of a whole run")
-
-    def of(self, measures, mesh):
-        return [row for row in self.all if row["measures"] == measures and row["mesh"] == mesh]
 
     def systems(self):
         """Names and profiles, in the order of the rows."""
-        return list(dict.fromkeys((r["system"], r["profile"]) for r in self.all if r["measures"] == "refit"))
+        return list(dict.fromkeys((r["system"], r["profile"]) for r in self.of("refit")))
 
     def refit(self, mesh, system, profile):
-        return self.one(self.of("refit", mesh), system=system, profile=profile)
+        return self.one("refit", mesh=mesh, system=system, profile=profile)
 
     def espalier(self, mesh):
-        return self.one(self.of("refit", mesh), system="espalier")
+        return self.one("refit", mesh=mesh, system="espalier")
 
     def fastest(self, mesh, system):
         """The row with the fastest refit of a system, or None."""
-        rows = [row for row in self.of("refit", mesh) if row["system"] == system]
-        return min(rows, key=lambda row: row["ns_per_triangle"], default=None)
+        return min(self.of("refit", mesh=mesh, system=system), key=lambda row: row["ns_per_triangle"], default=None)
 
     def rays(self, mesh, motion):
-        return {row["tree"]: row for row in self.of("rays", mesh) if row["motion"] == motion}
+        return {row["tree"]: row for row in self.of("rays", mesh=mesh, motion=motion)}
 
     def motions(self):
         """Those that deform."""
-        found = dict.fromkeys(r["motion"] for r in self.all if r["measures"] == "rays")
-        return [motion for motion in found if motion != "turn"]
-
-    @staticmethod
-    def one(rows, **fields):
-        found = [row for row in rows if all(row[name] == value for name, value in fields.items())]
-        if len(found) != 1:
-            fail(f"{len(found)} rows with {fields}; the rows are not those of one whole run")
-        return found[0]
+        return [motion for motion in self.values("rays", "motion") if motion != "turn"]
 
 
 def name_of(row_or_pair):
@@ -103,12 +90,12 @@ def per_triangle(row, value):
 
 def conditions(rows, files):
     processor, instruction_set, compiler, bits, rounds = rows.machine
-    versions = {(row["system"], row["version"]) for row in rows.all if row["measures"] == "refit"}
+    versions = {(row["system"], row["version"]) for row in rows.of("refit")}
     peers = ", ".join(f"{SYSTEMS[system]} {version}" for system, version in sorted(versions) if system in LEAST)
-    poses = rows.of("refit", rows.meshes[0])[0]["poses"]
-    rays = rows.of("rays", rows.meshes[0])[0]["rays"]
-    differing = sum(row["rays_that_differ"] for row in rows.all if row["measures"] == "rays" and row["tree"] != "moved rays")
-    meshes = ", ".join(f"{mesh} ({rows.of('refit', mesh)[0]['triangles']:,} triangles)" for mesh in rows.meshes)
+    poses = rows.of("refit", mesh=rows.names[0])[0]["poses"]
+    rays = rows.of("rays", mesh=rows.names[0])[0]["rays"]
+    differing = sum(row["rays_that_differ"] for row in rows.of("rays") if row["tree"] != "moved rays")
+    meshes = ", ".join(f"{mesh} ({rows.of('refit', mesh=mesh)[0]['triangles']:,} triangles)" for mesh in rows.names)
     return (f"{processor}, one thread, {instruction_set}; {compiler.replace('gcc', 'GCC')}; {peers}.\n"
             f"Meshes: {meshes}; a lattice of {bits} bits over the range of motion.\n"
             f"Refits are to {poses} poses of {len(rows.motions())} motions, in which the systems are timed in turn; "
@@ -119,7 +106,7 @@ def conditions(rows, files):
 
 def goals_table(rows):
     lines = []
-    for mesh in rows.meshes:
+    for mesh in rows.names:
         for system, least in LEAST.items():
             row = rows.fastest(mesh, system)
             if row is not None:
@@ -139,21 +126,21 @@ def refits_table(rows):
     lines = []
     for system, profile in rows.systems():
         cells = []
-        for mesh in rows.meshes:
+        for mesh in rows.names:
             row = rows.refit(mesh, system, profile)
             cells.append(f"{times(row['ns_per_triangle'])} ns")
             low, high = row["times_espalier_spread"]
             cells.append("1" if system == "espalier" else f"{times(row['times_espalier'])} ({times(low)}–{times(high)})")
         lines.append([name_of((system, profile)), *cells])
-    header = [cell for mesh in rows.meshes for cell in (mesh, "× Espalier")]
+    header = [cell for mesh in rows.names for cell in (mesh, "× Espalier")]
     return table(["refit, a triangle", *header], lines)
 
 
 def lost_text(rows):
     """A line about the systems that lost poses, or nothing."""
     lost = {}
-    for row in rows.all:
-        if row["measures"] == "refit" and row["lost_poses"]:
+    for row in rows.of("refit"):
+        if row["lost_poses"]:
             lost.setdefault(name_of(row), []).append(row["mesh"])
     if not lost:
         return ""
@@ -165,18 +152,18 @@ def memory_table(rows):
     lines = []
     for what, field in (("Espalier, moving part (RAM)", "moving_bytes"), ("Espalier, vertex sources (flash or RAM)", "source_bytes"),
                         ("Espalier, corners and the rest (flash or RAM)", "still_bytes")):
-        lines.append([what, *(per_triangle(rows.espalier(mesh), rows.espalier(mesh)[field]) for mesh in rows.meshes)])
+        lines.append([what, *(per_triangle(rows.espalier(mesh), rows.espalier(mesh)[field]) for mesh in rows.names)])
     for system, profile in rows.systems():
         if system != "espalier":
             lines.append([f"{name_of((system, profile))}, vertices included",
-                          *(per_triangle(row, row["bytes"]) for row in (rows.refit(mesh, system, profile) for mesh in rows.meshes))])
-    return table(["bytes a triangle", *rows.meshes], lines)
+                          *(per_triangle(row, row["bytes"]) for row in (rows.refit(mesh, system, profile) for mesh in rows.names))])
+    return table(["bytes a triangle", *rows.names], lines)
 
 
 def nodes_table(rows):
     lines = []
-    for mesh in rows.meshes:
-        for row in rows.of("nodes", mesh):
+    for mesh in rows.names:
+        for row in rows.of("nodes", mesh=mesh):
             lines.append([mesh, str(row["most_leaf_triangles"]), f"{row['nodes']:,}", f"{row['leaf_vertices']:,}",
                           f"{row['ns'] / row['triangles']:.2f}", f"{row['ns'] / row['nodes']:.0f}"])
     return table(["mesh", "triangles in a leaf, at most", "Nu: nodes", "leaf vertices", "ns a triangle", "Cu: ns a node, its leaves included"],
@@ -185,7 +172,7 @@ def nodes_table(rows):
 
 def model_text(rows):
     """The costs with the least sum of squared relative differences (normal equations, by Cramer's rule)."""
-    found = [(row["nodes"] / row["ns"], row["leaf_vertices"] / row["ns"]) for row in rows.all if row["measures"] == "nodes"]
+    found = [(row["nodes"] / row["ns"], row["leaf_vertices"] / row["ns"]) for row in rows.of("nodes")]
     nn, nv, vv = (sum(row[i] * row[j] for row in found) for i, j in ((0, 0), (0, 1), (1, 1)))
     n, v = (sum(row[i] for row in found) for i in (0, 1))
     determinant = nn * vv - nv * nv
@@ -203,7 +190,7 @@ def ray_cell(row, bake):
 
 def rays_table(rows):
     lines = []
-    for mesh in rows.meshes:
+    for mesh in rows.names:
         for motion in rows.motions():
             trees = rows.rays(mesh, motion)
             bake = trees["bake"]
@@ -216,9 +203,9 @@ def rays_table(rows):
 
 def rigid_table(rows):
     lines = []
-    for mesh in rows.meshes:
+    for mesh in rows.names:
         trees = rows.rays(mesh, "turn")
-        bake_ns = Rows.one(rows.of("bake", mesh), effort="normal")["ns_per_triangle"]
+        bake_ns = rows.one("bake", mesh=mesh, effort="normal")["ns_per_triangle"]
         work = {"moved rays": "none", "rest": f"{times(rows.espalier(mesh)['ns_per_triangle'])} ns", "bake": f"{times(bake_ns)} ns"}
         ways = {"moved rays": "move the rays", "rest": "refit", "bake": "bake"}
         for tree, way in ways.items():
@@ -227,10 +214,10 @@ def rigid_table(rows):
 
 
 def bakes_table(rows):
-    efforts = list(dict.fromkeys(row["effort"] for row in rows.all if row["measures"] == "bake"))
+    efforts = rows.values("bake", "effort")
     lines = []
-    for mesh in rows.meshes:
-        bakes = [Rows.one(rows.of("bake", mesh), effort=effort)["ns_per_triangle"] for effort in efforts]
+    for mesh in rows.names:
+        bakes = [rows.one("bake", mesh=mesh, effort=effort)["ns_per_triangle"] for effort in efforts]
         refit = rows.espalier(mesh)["ns_per_triangle"]
         lines.append([mesh, f"{times(refit)} ns", *(f"{times(bake)} ns ({times(bake / refit)} ×)" for bake in bakes)])
     return table(["mesh", "refit, a triangle", *(f"bake, effort `{effort}`" for effort in efforts)], lines)
@@ -240,7 +227,7 @@ def break_even(rows, mesh, motion, effort, tree):
     """The rays into one pose from which on a bake and its rays take less time than a refit and its rays."""
     trees = rows.rays(mesh, motion)
     saved = trees[tree]["ns_per_ray"] - trees["bake"]["ns_per_ray"]
-    bake = Rows.one(rows.of("bake", mesh), effort=effort)
+    bake = rows.one("bake", mesh=mesh, effort=effort)
     more = (bake["ns_per_triangle"] - rows.espalier(mesh)["ns_per_triangle"]) * bake["triangles"]
     # A ray's time is not known to one per cent.
     return None if saved <= 0.01 * trees["bake"]["ns_per_ray"] else more / saved
@@ -248,7 +235,7 @@ def break_even(rows, mesh, motion, effort, tree):
 
 def choice_table(rows):
     lines = []
-    for mesh in rows.meshes:
+    for mesh in rows.names:
         for motion in rows.motions():
             rays = [break_even(rows, mesh, motion, "fast", tree) for tree in ("rest", "pose")]
             lines.append([mesh, motion, *("none" if count is None else f"{count:,.0f}" for count in rays)])
@@ -257,16 +244,15 @@ def choice_table(rows):
 
 def boxes_table(rows):
     lines = []
-    for mesh in rows.meshes:
-        for motion in dict.fromkeys(row["motion"] for row in rows.of("boxes", mesh)):
-            aabb, obb = (Rows.one(rows.of("boxes", mesh), motion=motion, boxes=boxes) for boxes in ("aabb", "obb anew"))
+    for mesh in rows.names:
+        for motion in rows.values("boxes", "motion"):
+            aabb, obb = (rows.one("boxes", mesh=mesh, motion=motion, boxes=boxes) for boxes in ("aabb", "obb anew"))
             lines.append([mesh, motion, times(aabb["times_built"]), times(obb["times_built"]), times(obb["times_built_aabb"])])
     return table(["mesh", "motion", "AABB, refit / built", "OBB, fitted anew / built", "OBB, fitted anew / AABB, built"], lines)
 
 
 def outputs(files):
-    objects = read_objects(files, "espalier_bench_study deformation", needed)
-    rows = Rows([{**row, "mesh": pathlib.PurePath(row["mesh"]).stem} for row in objects])
+    rows = MotionRows(read_objects(files, "espalier_bench_study deformation", needed))
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions(rows, files), "goals": goals_table(rows), "refits": refits_table(rows) + lost_text(rows),
                                       "memory": memory_table(rows), "nodes": f"{nodes_table(rows)}\n\n{model_text(rows)}",
                                       "bakes": bakes_table(rows), "rays": rays_table(rows), "rigid": rigid_table(rows),

@@ -1,4 +1,4 @@
-"""What pages made from measured rows share: reading rows, tables, filling a page between its markers, and --check."""
+"""What pages made from measured rows share: reading and selecting rows, tables, filling a page between its markers, and --check."""
 
 import argparse
 import json
@@ -32,6 +32,36 @@ def read_objects(files, program, needed):
     if not rows:
         fail("no rows to report")
     return rows
+
+
+class Rows:
+    """Rows of a whole run; meshes are in the order of the rows."""
+
+    def __init__(self, rows):
+        self.all = [{**row, "mesh": pathlib.PurePath(row["mesh"]).stem} if "mesh" in row else row for row in rows]
+        self.machines = list(dict.fromkeys((row["processor"], row["compiler"]) for row in self.all))
+
+    def of(self, measures, **fields):
+        """The rows that measure this, with these values."""
+        return [row for row in self.all if row["measures"] == measures and all(row[name] == value for name, value in fields.items())]
+
+    def one(self, measures, **fields):
+        found = self.of(measures, **fields)
+        if len(found) != 1:
+            fail(f"{len(found)} rows measure {measures} with {fields}; the rows are not those of one whole run")
+        return found[0]
+
+    def values(self, measures, field):
+        """The values of a field, each once, in the order of the rows."""
+        return list(dict.fromkeys(row[field] for row in self.of(measures)))
+
+    def meshes(self, measures):
+        return self.values(measures, "mesh")
+
+    def ratios(self, measures, field, compared, **fields):
+        """Of each mesh, the value over that of the row in which the fields of `compared` are others."""
+        return [self.one(measures, mesh=mesh, **fields)[field] / self.one(measures, mesh=mesh, **{**fields, **compared})[field]
+                for mesh in self.meshes(measures)]
 
 
 def table(header, rows):

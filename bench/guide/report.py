@@ -15,7 +15,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from report_page import ROOT, fail, fill, links, read_objects, run  # noqa: E402
+from report_page import ROOT, Rows, fail, fill, links, read_objects, run  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "guide.md"
 FIGURES = ROOT / "docs" / "images" / "guide"
@@ -26,36 +26,6 @@ COMMON = ("measures", "processor", "compiler")
 # A section is a module sections/NAME.py: ROWS (fields by what a row measures), and made(rows), which returns texts by
 # name: FILE.svg is a figure, PAGE.md#MARKER a text of another page, MARKER one of the guide.
 SECTIONS = tuple(sorted(file.stem for file in (pathlib.Path(__file__).parent / "sections").glob("*.py")))
-
-
-class Rows:
-    """Rows of a whole run; meshes are in the order of the rows."""
-
-    def __init__(self, rows):
-        self.all = [{**row, "mesh": pathlib.PurePath(row["mesh"]).stem} if "mesh" in row else row for row in rows]
-        self.machines = list(dict.fromkeys((row["processor"], row["compiler"]) for row in self.all))
-
-    def of(self, measures, **fields):
-        """The rows that measure this, with these values."""
-        return [row for row in self.all if row["measures"] == measures and all(row[name] == value for name, value in fields.items())]
-
-    def one(self, measures, **fields):
-        found = self.of(measures, **fields)
-        if len(found) != 1:
-            fail(f"{len(found)} rows measure {measures} with {fields}; the rows are not those of one whole run")
-        return found[0]
-
-    def values(self, measures, field):
-        """The values of a field, each once, in the order of the rows."""
-        return list(dict.fromkeys(row[field] for row in self.of(measures)))
-
-    def meshes(self, measures):
-        return self.values(measures, "mesh")
-
-    def ratios(self, measures, field, compared, **fields):
-        """Of each mesh, the value over that of the row in which the fields of `compared` are others."""
-        return [self.one(measures, mesh=mesh, **fields)[field] / self.one(measures, mesh=mesh, **{**fields, **compared})[field]
-                for mesh in self.meshes(measures)]
 
 
 def section_modules(names):
