@@ -63,6 +63,11 @@ void finish_standard_output() {
     }
 }
 
+void print_json(const Json& document) {
+    std::cout << json_text(document);
+    finish_standard_output();
+}
+
 void give(std::span<const Warning> found, std::vector<Warning>& warnings) {
     for (const Warning& warning : found) Console::warn(warning);
     warnings.insert(warnings.end(), found.begin(), found.end());

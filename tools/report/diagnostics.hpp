@@ -52,6 +52,9 @@ private:
 /// full disk: data that is silently cut short is worse than none.
 void finish_standard_output();
 
+/// To stdout, and checks that it got there.
+void print_json(const Json& document);
+
 /// Prints warnings and adds them to the list.
 void give(std::span<const Warning> found, std::vector<Warning>& warnings);
 

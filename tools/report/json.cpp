@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
-#include "diagnostics.hpp"
 
 namespace espalier::tools {
 
@@ -136,10 +134,5 @@ Json json_point(Vec3 value) { return Json::array({json_number(value.x), json_num
 Json json_box(Vec3 min, Vec3 max) { return {{"min", json_point(min)}, {"max", json_point(max)}}; }
 
 std::string json_text(const Json& document) { return document.dump() + '\n'; }
-
-void print_json(const Json& document) {
-    std::cout << json_text(document);
-    finish_standard_output();
-}
 
 }  // namespace espalier::tools

@@ -84,7 +84,5 @@ Json json_point(Vec3 value);
 Json json_box(Vec3 min, Vec3 max);
 /// Returns the document as it is printed, with a line's end.
 std::string json_text(const Json& document);
-/// To stdout, and checks that it got there.
-void print_json(const Json& document);
 
 }  // namespace espalier::tools
