@@ -1,6 +1,6 @@
-#include "builders.hpp"
+#include <baker/build/sah_split.hpp>
 
-#include "top_down.hpp"
+#include "builders.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -8,6 +8,25 @@ namespace {
 using namespace baker;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Returns a reference to each triangle, in the order of the mesh.
+std::vector<Reference> references_of(const LatticeMesh& mesh) {
+    std::vector<Reference> references(mesh.triangles.size());
+    for (std::uint32_t i = 0; i < references.size(); ++i) put_reference(mesh, i, references[i]);
+    return references;
+}
+
+void write_node(BinaryNode& node, const LaneBox& box, std::uint32_t first, std::uint32_t count) {
+    std::memcpy(&node, &box, sizeof node);
+    node.first = first;
+    node.count = count;
+}
+
+/// Returns the axis along which the box is longest, of equal ones the first.
+unsigned longest_side(const LaneBox& box) {
+    const Lanes side = box.hi - box.lo;
+    return side[0] >= side[1] && side[0] >= side[2] ? 0 : side[1] >= side[2] ? 1 : 2;
+}
 
 /// The box around some references, and the box around twice their centres.
 struct Bounds {
