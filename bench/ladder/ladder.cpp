@@ -2,7 +2,7 @@
 // of degree 2, 4, 8 and 16: bytes, work and time of rays and boxes, beside Espalier's own. One thread; one JSON object
 // a line.
 
-#include "../program.hpp"
+#include "../study/study.hpp"
 #include "systems.hpp"
 #include "walk.hpp"
 
@@ -37,20 +37,20 @@ struct Queries {
 struct Run {
     const char* measures;
     TreeSystem* system;
-    std::vector<float> hits = {};                           ///< of each ray
-    std::vector<std::uint64_t> touching = {};               ///< of each box
-    std::vector<double> ns_of_rays = {}, ns_of_boxes = {};  ///< of one query, in each round
+    Timed<float, TreeWork> rays = {};           ///< t of the closest hit
+    Timed<std::uint64_t, TreeWork> boxes = {};  ///< how many triangles touch
 };
 
 void make_round(Run& run, const Queries& queries) {
-    run.hits.resize(queries.rays.size());
-    run.touching.resize(queries.boxes.size());
-    const ProcessorTime ray_time;
-    run.system->find_closest(queries.rays, run.hits);
-    run.ns_of_rays.push_back(1e9 * ray_time.seconds() / static_cast<double>(queries.rays.size()));
-    const ProcessorTime box_time;
-    run.system->count_touching(queries.boxes, run.touching);
-    run.ns_of_boxes.push_back(1e9 * box_time.seconds() / static_cast<double>(queries.boxes.size()));
+    run.rays.make_round(queries.rays, [&](const Ray& ray, TreeWork&) { return run.system->closest(ray, nullptr); });
+    run.boxes.make_round(queries.boxes,
+                         [&](const Aabb& box, TreeWork&) { return run.system->count_touching(box, nullptr); });
+}
+
+/// Asks once more, and counts the work.
+void count_work(Run& run, const Queries& queries) {
+    for (const Ray& ray : queries.rays) static_cast<void>(run.system->closest(ray, &run.rays.work));
+    for (const Aabb& box : queries.boxes) static_cast<void>(run.system->count_touching(box, &run.boxes.work));
 }
 
 bool are_equal(float a, float b, bool exactly) {
@@ -64,19 +64,17 @@ struct Difference {
 };
 
 Difference difference(const Run& run, const Run& reference) {
-    Difference found;
-    for (std::size_t i = 0; i < run.hits.size(); ++i)
-        found.rays += are_equal(run.hits[i], reference.hits[i], run.system->is_textbook()) ? 0u : 1u;
-    for (std::size_t i = 0; i < run.touching.size(); ++i)
-        found.boxes += run.touching[i] != reference.touching[i] ? 1u : 0u;
+    Difference found{0, run.boxes.differing(reference.boxes)};
+    for (std::size_t i = 0; i < run.rays.answers.size(); ++i)
+        found.rays += are_equal(run.rays.answers[i], reference.rays.answers[i], run.system->is_textbook()) ? 0u : 1u;
     return found;
 }
 
 void check_answers(const std::string& mesh, const Run& run, const Run& reference) {
     const Difference found = difference(run, reference);
     const double most = run.system->is_textbook() ? 0.0 : most_differing_share;
-    if (static_cast<double>(found.rays) > most * static_cast<double>(run.hits.size()) ||
-        static_cast<double>(found.boxes) > most * static_cast<double>(run.touching.size()))
+    if (static_cast<double>(found.rays) > most * static_cast<double>(run.rays.answers.size()) ||
+        static_cast<double>(found.boxes) > most * static_cast<double>(run.boxes.answers.size()))
         throw std::runtime_error(mesh + ": " + run.system->name() + " has other answers than " +
                                  reference.system->name());
 }
@@ -86,24 +84,26 @@ void check_by_loops(const Mesh& mesh, const Run& run, const Queries& queries) {
     for (std::size_t i = 0; i < queries.hits.size(); ++i) {
         float nearest = no_hit;
         for (const TriangleOnRay& hit : queries.hits[i]) nearest = std::min(nearest, hit.t);
-        if (run.hits[i] != nearest) throw std::runtime_error(mesh.name + ": a ray has another hit than the loop finds");
+        if (run.rays.answers[i] != nearest)
+            throw std::runtime_error(mesh.name + ": a ray has another hit than the loop finds");
     }
     for (std::size_t i = 0; i < queries.recounted_boxes().size(); ++i) {
         const TriangleBoxTest test(queries.boxes[i]);
         std::uint64_t touching = 0;
         for (const TriangleVertices& triangle : mesh.triangles)
             touching += test.touches(corners_of(mesh, triangle)) ? 1u : 0u;
-        if (run.touching[i] != touching)
+        if (run.boxes.answers[i] != touching)
             throw std::runtime_error(mesh.name + ": a box touches other triangles than the loop finds");
     }
 }
 
-void add_work(JsonObject& row, const std::string& query, const TreeWork& work, std::size_t count, bool has_boxes) {
-    const auto mean = [&](std::uint64_t sum) { return per(sum, count); };
-    row.add("nodes_per_" + query, mean(work.nodes), 2);
-    row.add("leaves_per_" + query, mean(work.leaves), 2);
-    row.add("box_tests_per_" + query, has_boxes ? std::optional(mean(work.box_tests)) : std::nullopt, 2);
-    row.add("triangle_tests_per_" + query, mean(work.triangle_tests), 2);
+template <class Answer>
+void add_work(JsonObject& row, const std::string& query, const Timed<Answer, TreeWork>& timed, bool has_boxes) {
+    const TreeWork& work = timed.work;
+    row.add("nodes_per_" + query, timed.mean(work.nodes), 2);
+    row.add("leaves_per_" + query, timed.mean(work.leaves), 2);
+    row.add("box_tests_per_" + query, has_boxes ? std::optional(timed.mean(work.box_tests)) : std::nullopt, 2);
+    row.add("triangle_tests_per_" + query, timed.mean(work.triangle_tests), 2);
 }
 
 void print(const LadderSubject& subject, const Run& run, const Run& reference, const Queries& queries,
@@ -121,14 +121,14 @@ void print(const LadderSubject& subject, const Run& run, const Run& reference, c
     row.add("bytes_per_triangle", tree_bytes / triangles, 2);
     row.add("all_bytes_per_triangle", static_cast<double>(bytes.all_bytes) / triangles, 2);
     row.add("rays", queries.rays.size());
-    add_work(row, "ray", run.system->count_rays(queries.rays), queries.rays.size(), run.system->is_textbook());
-    add_spread(row, "ns_per_ray", run.ns_of_rays, 1);
+    add_work(row, "ray", run.rays, run.system->is_textbook());
+    add_spread(row, "ns_per_ray", run.rays.nanoseconds, 1);
     row.add("boxes", queries.boxes.size());
-    add_work(row, "box", run.system->count_boxes(queries.boxes), queries.boxes.size(), true);
+    add_work(row, "box", run.boxes, true);
     double touching = 0.0;
-    for (const std::uint64_t count : run.touching) touching += static_cast<double>(count);
+    for (const std::uint64_t count : run.boxes.answers) touching += static_cast<double>(count);
     row.add("touching_per_box", touching / static_cast<double>(queries.boxes.size()), 2);
-    add_spread(row, "ns_per_box", run.ns_of_boxes, 0);
+    add_spread(row, "ns_per_box", run.boxes.nanoseconds, 0);
     row.add("rays_that_differ", differing.rays);
     row.add("boxes_that_differ", differing.boxes);
     row.add("counted_twice", queries.hits.size());
@@ -159,6 +159,7 @@ void measure_ladder(Mesh mesh, const LadderOptions& options) {
         for (Run& run : runs) make_round(run, queries);
     check_by_loops(subject.mesh, runs.front(), queries);
     for (const Run& run : runs) check_answers(subject.mesh.name, run, runs.front());
+    for (Run& run : runs) count_work(run, queries);
     for (const Run& run : runs) print(subject, run, runs.front(), queries, options);
 }
 

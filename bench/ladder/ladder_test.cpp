@@ -126,10 +126,10 @@ TEST_CASE("bench: every layout has the answers of a loop over all triangles and 
                 CAPTURE(subject.mesh.name);
                 CAPTURE(system->name());
                 CHECK_NOTHROW(system->recount(rays, hits, boxes));
-                std::vector<float> found(rays.size());
-                std::vector<std::uint64_t> counts(boxes.size());
-                system->find_closest(rays, found);
-                system->count_touching(boxes, counts);
+                std::vector<float> found;
+                std::vector<std::uint64_t> counts;
+                for (const Ray& ray : rays) found.push_back(system->closest(ray, nullptr));
+                for (const Aabb& box : boxes) counts.push_back(system->count_touching(box, nullptr));
                 CHECK(counts == touching);
                 if (system->is_textbook()) CHECK(found == nearest);
             }

@@ -27,31 +27,20 @@ public:
         const std::size_t node_bytes = format::node_bytes(baked_->blob.profile());
         return {detail::data_of(baked_->blob).node_count, node_bytes, baked_->baked.bytes.size()};
     }
-    void find_closest(std::span<const Ray> rays, std::span<float> hits) override {
-        for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = raycast(baked_->blob, rays[i]).t;
-    }
-    void count_touching(std::span<const Aabb> boxes, std::span<std::uint64_t> counts) override {
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            std::uint64_t count = 0;
-            const QueryStatus status = for_each_overlap(baked_->blob, box_of(boxes[i]), [&](TriangleId) { ++count; });
-            if (is_refused(status)) throw std::runtime_error(std::string("a box is refused: ") + describe(status));
-            counts[i] = count;
-        }
-    }
-    [[nodiscard]] TreeWork count_rays(std::span<const Ray> rays) override {
+    [[nodiscard]] float closest(const Ray& ray, TreeWork* work) override {
+        if (work == nullptr) return raycast(baked_->blob, ray).t;
         QueryCounters counters;
-        for (const Ray& ray : rays) static_cast<void>(raycast(baked_->blob, ray, counters));
-        TreeWork work;
-        work.nodes = counters.nodes;
-        work.leaves = counters.leaves;
-        work.triangle_tests = counters.triangles;
-        return work;
+        const float t = raycast(baked_->blob, ray, counters).t;
+        *work += {counters.nodes, counters.leaves, 0, counters.triangles};
+        return t;
     }
     /// Counts the nodes whose boxes the query meets: the library counts no overlaps.
-    [[nodiscard]] TreeWork count_boxes(std::span<const Aabb> boxes) override {
-        TreeWork work;
-        for (const Aabb& box : boxes) work += work_of(box_of(box));
-        return work;
+    [[nodiscard]] std::uint64_t count_touching(const Aabb& box, TreeWork* work) override {
+        std::uint64_t count = 0;
+        const QueryStatus status = for_each_overlap(baked_->blob, box_of(box), [&](TriangleId) { ++count; });
+        if (is_refused(status)) throw std::runtime_error(std::string("a box is refused: ") + describe(status));
+        if (work != nullptr) *work += work_of(box_of(box));
+        return count;
     }
     /// Compares the work of boxes with that of a loop over all nodes of a decoder that shares no code with the library.
     void recount(std::span<const Ray>, std::span<const std::vector<TriangleOnRay>>,
@@ -141,23 +130,13 @@ public:
                 tree_.nodes.size() * node_bytes + mesh.triangles.size() * sizeof(TriangleVertices) +
                     mesh.positions.size() * sizeof(Vec3)};
     }
-    void find_closest(std::span<const Ray> rays, std::span<float> hits) override {
-        NoWork work;
-        for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = walk_.closest(rays[i], work);
+    [[nodiscard]] float closest(const Ray& ray, TreeWork* work) override {
+        NoWork none;
+        return work != nullptr ? walk_.closest(ray, *work) : walk_.closest(ray, none);
     }
-    void count_touching(std::span<const Aabb> boxes, std::span<std::uint64_t> counts) override {
-        NoWork work;
-        for (std::size_t i = 0; i < boxes.size(); ++i) counts[i] = walk_.count_touching(boxes[i], work);
-    }
-    [[nodiscard]] TreeWork count_rays(std::span<const Ray> rays) override {
-        TreeWork work;
-        for (const Ray& ray : rays) static_cast<void>(walk_.closest(ray, work));
-        return work;
-    }
-    [[nodiscard]] TreeWork count_boxes(std::span<const Aabb> boxes) override {
-        TreeWork work;
-        for (const Aabb& box : boxes) static_cast<void>(walk_.count_touching(box, work));
-        return work;
+    [[nodiscard]] std::uint64_t count_touching(const Aabb& box, TreeWork* work) override {
+        NoWork none;
+        return work != nullptr ? walk_.count_touching(box, *work) : walk_.count_touching(box, none);
     }
     void recount(std::span<const Ray> rays, std::span<const std::vector<TriangleOnRay>> hits,
                  std::span<const Aabb> boxes) override {

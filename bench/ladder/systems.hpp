@@ -95,14 +95,10 @@ public:
     [[nodiscard]] virtual unsigned degree() const = 0;
     [[nodiscard]] virtual TreeBytes bytes() const = 0;
 
-    /// Writes t of each ray's closest hit, or infinity.
-    virtual void find_closest(std::span<const Ray> rays, std::span<float> hits) = 0;
-    /// Writes how many triangles touch each box.
-    virtual void count_touching(std::span<const Aabb> boxes, std::span<std::uint64_t> counts) = 0;
-
-    /// Adds up the work of queries. A blob's rays have no number of box tests.
-    [[nodiscard]] virtual TreeWork count_rays(std::span<const Ray> rays) = 0;
-    [[nodiscard]] virtual TreeWork count_boxes(std::span<const Aabb> boxes) = 0;
+    /// Returns t of the closest hit, or infinity. Adds the work where that is asked for, of a blob without box tests.
+    [[nodiscard]] virtual float closest(const Ray& ray, TreeWork* work) = 0;
+    /// Returns how many triangles touch the box. Adds the work where that is asked for.
+    [[nodiscard]] virtual std::uint64_t count_touching(const Aabb& box, TreeWork* work) = 0;
 
     /// Throws std::runtime_error if a second counter counts other work for one of the queries. `hits` has the triangles
     /// on each ray.
