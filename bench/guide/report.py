@@ -29,8 +29,7 @@ SECTIONS = tuple(sorted(file.stem for file in (pathlib.Path(__file__).parent / "
 
 
 def section_modules(names):
-    folder = pathlib.Path(__file__).resolve().parent
-    sys.path[:0] = [str(folder), str(folder / "sections")]
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "sections"))
     return [importlib.import_module(name) for name in names]
 
 
