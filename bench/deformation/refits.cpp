@@ -1,6 +1,7 @@
 // The time of a refit. Systems take turns within each pose. A turn begins with a refit to the pose before, which is not
 // measured: it brings the tree back into the cache, where those of the other systems were.
 
+#include "../selected.hpp"
 #include "box_tree.hpp"
 #include "subject.hpp"
 
@@ -22,21 +23,6 @@ RefitMakers all_makers(unsigned bits) {
     append(fcl_refit_makers());
 #endif
     append(textbook_refit_makers());
-    return makers;
-}
-
-/// Returns Espalier, and the systems whose names begin with a word of `only`.
-RefitMakers selected(RefitMakers makers, const std::vector<std::string>& only) {
-    if (only.empty()) return makers;
-    for (const std::string& word : only)
-        if (std::none_of(makers.begin(), makers.end(),
-                         [&](const RefitMaker& maker) { return maker.name().starts_with(word); }))
-            throw std::invalid_argument("there is no system '" + word + "'");
-    std::erase_if(makers, [&](const RefitMaker& maker) {
-        return maker.system != "espalier" && std::none_of(only.begin(), only.end(), [&](const std::string& word) {
-                   return maker.name().starts_with(word);
-               });
-    });
     return makers;
 }
 
@@ -98,14 +84,17 @@ void print(const MotionSubject& subject, const Run& run, const Run& reference) {
         row.add("step", work->step, 9);
     }
     row.print();
-    std::fprintf(stderr, "%-10s %-28s %9.2f ns/triangle %8.2f x\n", subject.rest().name.c_str(),
-                 run.maker->name().c_str(), median_of(nanoseconds), median_of(ratios));
 }
 
 }  // namespace
 
 void measure_refits(const MotionSubject& subject) {
-    const RefitMakers makers = selected(all_makers(subject.options().bits), subject.options().only);
+    RefitMakers makers = all_makers(subject.options().bits);
+    select(
+        makers, subject.options().only,
+        [](const RefitMaker& maker, const std::string& word) { return maker.name().starts_with(word); },
+        [](const RefitMaker& maker) { return maker.system == "espalier"; },
+        [](const RefitMaker& maker) { return maker.name(); });
     std::vector<Run> runs;
     for (const RefitMaker& maker : makers) runs.push_back({&maker, maker.make(subject.rest(), subject.range()), {}});
     for (std::size_t round = 0; round < subject.options().rounds; ++round) {

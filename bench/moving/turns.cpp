@@ -1,5 +1,7 @@
 #include "turns.hpp"
 
+#include "../selected.hpp"
+
 namespace espalier::bench::moving {
 namespace {
 
@@ -127,16 +129,11 @@ BroadPhaseMakers selected(BroadPhaseMakers makers, const Scenario& scenario) {
     const auto is_named = [](const BroadPhaseMaker& maker, const std::string& name) {
         return maker.name == name || (maker.by_default && maker.name.starts_with(name));
     };
-    for (const std::string& name : scenario.only)
-        if (std::none_of(makers.begin(), makers.end(),
-                         [&](const BroadPhaseMaker& maker) { return is_named(maker, name); }))
-            throw std::invalid_argument("there is no system '" + name + "'");
-    std::erase_if(makers, [&](const BroadPhaseMaker& maker) {
-        if (maker.name.starts_with("espalier") || maker.finds == Finds::none) return false;
-        if (scenario.only.empty()) return !maker.by_default;
-        return std::none_of(scenario.only.begin(), scenario.only.end(),
-                            [&](const std::string& name) { return is_named(maker, name); });
-    });
+    if (scenario.only.empty()) std::erase_if(makers, [](const BroadPhaseMaker& maker) { return !maker.by_default; });
+    select(
+        makers, scenario.only, is_named,
+        [](const BroadPhaseMaker& maker) { return maker.name.starts_with("espalier") || maker.finds == Finds::none; },
+        [](const BroadPhaseMaker& maker) { return maker.name; });
     return makers;
 }
 
