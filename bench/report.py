@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns rows of espalier_bench_peers rays --json into tables and plots.
+"""Turns rows of espalier_bench_peers rays into tables and plots.
 
     bench/report.py FILE.jsonl...          writes docs/benchmarks.md and the README (between their markers), the plots in
                                            docs/images, from these files
@@ -238,4 +238,4 @@ def replace_machine(named, added):
 
 
 if __name__ == "__main__":
-    run(DOCUMENT, "Tables and plots from rows of espalier_bench_peers rays --json.", outputs, replace_machine)
+    run(DOCUMENT, "Tables and plots from rows of espalier_bench_peers rays.", outputs, replace_machine)

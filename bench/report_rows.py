@@ -1,4 +1,4 @@
-"""Groups rows of espalier_bench_peers rays --json: by machine, mesh and system, with the figures of all runs."""
+"""Groups rows of espalier_bench_peers rays: by machine, mesh and system, with the figures of all runs."""
 
 import pathlib
 import statistics
@@ -112,7 +112,7 @@ def make_machine(rows):
 
 def read_rows(file):
     needed = ("system", "profile", "mesh", "date", "load", "any_contradictions", *MACHINE)
-    return read_objects([file], "espalier_bench_peers rays --json", lambda _: needed)
+    return read_objects([file], "espalier_bench_peers rays", lambda _: needed)
 
 
 def machine_of(file):

@@ -9,7 +9,7 @@ fail() {
 }
 
 rows=$("$program" --base "$side" --other "$side" --base-name one --other-name two \
-    --seconds 0.02 --slice 0.01 --loads 2 --json torus)
+    --seconds 0.02 --slice 0.01 --loads 2 torus)
 printf '%s\n' "$rows"
 for profile in fast balanced small tiny; do
     for questions in closest_hit_incoherent closest_hit_coherent any_hit_incoherent closest_hit_batch_incoherent \
@@ -29,11 +29,12 @@ done
 
 # The table, in another instruction set; and a file that is no side.
 table=$("$program" --base "$side" --other "$side" --profile fast --questions closest_point --seconds 0.02 --slice 0.01 --loads 1 \
-    --set scalar torus)
-grep -q 'torus, 60000 triangles, fast, scalar' <<<"$table" || fail "no heading: $table"
+    --set scalar torus | "$(dirname "${BASH_SOURCE[0]}")/../rows.py" mesh triangles profile instruction_set -- questions ratio)
+grep -q 'mesh torus; triangles 60000; profile fast; instruction_set scalar' <<<"$table" || fail "no heading: $table"
+grep -Eq '^closest_point +[0-9.]+$' <<<"$table" || fail "no ratio: $table"
 # The 99th percentile is at least the median.
 slow=$("$program" --base "$side" --other "$side" --profile fast --questions sweep_box_short --seconds 0.02 --slice 0.01 --loads 1 \
-    --slow-cases 200 --json torus)
+    --slow-cases 200 torus)
 awk -F '[:,}]' '{ for (i = 1; i < NF; ++i) { if ($i ~ /other_median_ns/) median = $(i + 1); if ($i ~ /other_percentile_99_ns/) slow = $(i + 1) } }
     END { exit !(0 < median && median + 0 <= slow + 0) }' <<<"$slow" || fail "no slow cases: $slow"
 if "$program" --base "$side" --other "$program" torus 2>/dev/null; then fail "a program was taken for a side"; fi

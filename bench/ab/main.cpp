@@ -18,7 +18,6 @@ struct Options {
     Turns turns;
     std::size_t loads = 5;
     std::size_t single_questions = 0;
-    bool json = false;
 };
 
 /// A file, or one of the meshes that the tests make.
@@ -44,17 +43,7 @@ bool finds(const bench::Instance& instance, const char* name, const std::vector<
     return digest != 0;
 }
 
-/// The farthest ratio on either side of 1, and which row it is of.
-struct Extremes {
-    double low = 1.0, high = 1.0;
-    std::string low_row = "none", high_row = "none";
-    void add(double ratio, const std::string& row) {
-        if (ratio < low) low = ratio, low_row = row;
-        if (ratio > high) high = ratio, high_row = row;
-    }
-};
-
-void compare(const std::string& word, const Options& options, Heading& heading, Extremes& extremes) {
+void compare(const std::string& word, const Options& options, Heading& heading) {
     Mesh mesh = mesh_named(word);
     bring_to_common_size(mesh);
     std::vector<QuestionSet> sets;
@@ -73,8 +62,6 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
                 sets.push_back(make_questions(name, mesh, collides, touches));
         heading.base_compiler = any.base().calls().compiler;
         heading.other_compiler = any.other().calls().compiler;
-        if (!options.json && !heading.printed) print_heading(heading);
-        heading.printed = true;
         const Baking baking = {mesh.name,
                                profile,
                                any.base().set(),
@@ -82,14 +69,11 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
                                base.bytes.size(),
                                other.bytes.size(),
                                base.bytes == other.bytes};
-        if (!options.json) print_baking(baking);
         for (const QuestionSet& set : sets) {
             auto comparison = take_turns(pairs, set, options.turns);
             if (comparison && options.single_questions > 0)
                 comparison->slow_cases = slow_cases(any.other(), set, options.single_questions);
-            if (comparison) extremes.add(comparison->ratio.median, set.name + " of " + mesh.name + ", " + profile);
-            if (options.json) print_json(heading, baking, set.name, comparison);
-            else print_row(set.name, comparison);
+            print_row(heading, baking, set.name, comparison);
         }
     }
 }
@@ -101,8 +85,9 @@ int main(int count, char** words) {
     options.profiles = names_of(tools::profile_choices);
     options.questions = question_names();
     Heading heading;
-    Program program("espalier_bench_ab",
-                    "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level");
+    Program program(
+        "espalier_bench_ab",
+        "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level; JSON");
     program.add_word("--base", options.base_file, "Shared object of the one side");
     program.add_word("--other", options.other_file, "Shared object of the other side");
     program.add_word("--base-name", heading.base, "What the report calls it");
@@ -119,14 +104,9 @@ int main(int count, char** words) {
                        "How often each side is loaded, with a copy of the bytes each");
     program.add_count("--slow-cases", options.single_questions,
                       "Also times so many questions one by one: the other side's median and 99th percentile");
-    program.add_flag("--json", options.json, "A JSON object for each row instead of tables");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {
         if (options.base_file.empty() || options.other_file.empty())
             throw std::invalid_argument("--base and --other are required");
-        Extremes extremes;
-        for (const std::string& word : meshes) compare(word, options, heading, extremes);
-        if (!options.json)
-            std::printf("\nratios from %.3f (%s) to %.3f (%s)\n", extremes.low, extremes.low_row.c_str(), extremes.high,
-                        extremes.high_row.c_str());
+        for (const std::string& word : meshes) compare(word, options, heading);
     });
 }

@@ -35,14 +35,13 @@ struct Comparison {
 /// Nothing where a commit has no such kind of query. At least one pair.
 std::optional<Comparison> take_turns(std::vector<PairOfInstances>& pairs, const QuestionSet& set, const Turns& turns);
 
-// What bench/ab prints: a table for people, or one JSON object for each row.
+// What bench/ab prints: a JSON object for each row.
 
 /// What is compared, the same for all rows.
 struct Heading {
     std::string base, other;  ///< commits
     std::string base_compiler, other_compiler;
     unsigned bits = 16;
-    bool printed = false;
 };
 
 /// The rows of one mesh in one profile have this in common.
@@ -53,10 +52,7 @@ struct Baking {
     bool same_bytes = false;
 };
 
-void print_heading(const Heading& heading);
-void print_baking(const Baking& baking);
-void print_row(const std::string& questions, const std::optional<Comparison>& comparison);
-void print_json(const Heading& heading, const Baking& baking, const std::string& questions,
-                const std::optional<Comparison>& comparison);
+void print_row(const Heading& heading, const Baking& baking, const std::string& questions,
+               const std::optional<Comparison>& comparison);
 
 }  // namespace espalier::bench

@@ -33,7 +33,6 @@ using Counts = std::vector<std::uint64_t>;
 template <class Call>
 struct Query {
     const char* name;
-    const char* call;
     std::vector<Term> terms;  ///< of the counts; calls are grouped by the first two
     /// Makes it and returns its counts.
     Counts (*count)(const Blob& blob, const Call& call);
@@ -43,11 +42,10 @@ struct Query {
     Differences differences;
 };
 
-/// Np are the tested triangles (the classic one), Ng the groups of 8 of a leaf that lanes test at once, and Nl the
-/// leaves they lie in.
+/// Nv are the visited nodes, Np the tested triangles (the classic count), Ng the groups of 8 of a leaf that lanes test
+/// at once, and Nl the leaves they lie in.
 const Query<Ray> ray_query = {"raycast",
-                              "a ray",
-                              {{"Nv", "node"}, {"Np", "triangle"}, {"Ng", "group of 8 triangles"}, {"Nl", "leaf"}},
+                              {"Nv", "Np", "Ng", "Nl"},
                               [](const Blob& blob, const Ray& ray) -> Counts {
                                   QueryCounters work;
                                   static_cast<void>(raycast(blob, ray, work));
@@ -66,13 +64,7 @@ Counts counts_of(QueryStatus status, const PairCounters& work) {
 /// of leaves that they lie in, or both.
 Query<Transform> pair_query(const char* name, Counts (*count)(const Blob&, const Transform&),
                             bool (*run)(const Blob&, const Transform&)) {
-    return {name,
-            "a pose",
-            {{"Nv", "pair of boxes"}, {"Np", "pair of triangles"}, {"Nl", "pair of leaves"}},
-            count,
-            run,
-            {{0, 1}, {0, 2}, {0, 2, 1}},
-            Differences::relative};
+    return {name, {"Nv", "Np", "Nl"}, count, run, {{0, 1}, {0, 2}, {0, 2, 1}}, Differences::relative};
 }
 
 const Query<Transform> pair_queries[] = {
@@ -152,41 +144,19 @@ std::vector<Model> measure(const Query<Call>& query, const std::string& mesh, co
     return models;
 }
 
-void print_ray_costs(const std::vector<Model>& models) {
-    const double node = models[1].fit.coefficients[0], group = models[1].fit.coefficients[1];
-    if (node > 0.0 && group >= 0.0)
-        std::printf("  RayCosts of collapse.hpp: node_visit 1, leaf_visit 0, leaf_group %.3f\n", group / node);
-    else std::printf("  no cost model: a cost came out negative; measure on a quiet machine, with more rays\n");
-}
-
 template <class Call>
 void model(const Query<Call>& query, const Mesh& mesh, const std::string& profile, const std::vector<BakedBlob>& blobs,
            const std::vector<Call>& calls, const CostOptions& options) {
-    constexpr bool is_ray = std::is_same_v<Call, Ray>;
-    const std::vector<Model> models = measure(query, mesh.name, blobs, calls, options.repetitions);
-    if (options.json) {
-        print_json(models, [&](const std::string& measures) {
-            JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
-            row.add("query", query.name);
-            row.add("profile", profile);
-            return row;
-        });
-    } else {
-        std::printf("%s, %s%s%s:\n", mesh.name.c_str(), profile.c_str(), is_ray ? "" : ", ", is_ray ? "" : query.name);
-        for (const Model& each : models) print_text(each, query.call);
-        if (is_ray) print_ray_costs(models);
-    }
-    std::fflush(stdout);
+    print_rows(measure(query, mesh.name, blobs, calls, options.repetitions), [&](const std::string& measures) {
+        JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
+        row.add("query", query.name);
+        row.add("profile", profile);
+        return row;
+    });
 }
 
 /// Fits the cost of a ray, or of overlaps() and of distance() of two blobs, for each mesh and profile, and prints it.
 void model_meshes(const std::vector<std::string>& meshes, bool pairs, const CostOptions& options) {
-    if (!options.json)
-        std::printf("%s",
-                    pairs ? "Nv: pairs of boxes visited; Np: pairs of triangles in the leaves that were compared; "
-                            "Nl: pairs of these\nleaves. Nu is 0: Nv includes that a box is placed beside another.\n"
-                          : "Nv: nodes visited; Np: triangles tested; Ng: groups of 8 of them in a leaf; Nl: leaves "
-                            "visited; all\ncounted by the scalar path. Nu is 0: a ray updates no boxes.\n");
     for (const std::string& path : meshes) {
         const Mesh mesh = tests::read_mesh(path);
         std::vector<Transform> poses;
@@ -214,11 +184,11 @@ void model_meshes(const std::vector<std::string>& meshes, bool pairs, const Cost
 int cost_model_part(int count, char** words) {
     CostOptions options;
     bool pairs = false, scene = false;
-    Program program("espalier_bench_study cost_model", "What queries cost on this machine, fitted to measured times");
+    Program program("espalier_bench_study cost_model",
+                    "What queries cost on this machine, fitted to measured times; JSON");
     program.allow_no_meshes();
     program.add_flag("--pairs", pairs, "Two blobs of each mesh instead of rays: overlaps and distances");
     program.add_flag("--scene", scene, "A scene of moving cubes instead of rays; takes no meshes");
-    program.add_flag("--json", options.json, "A JSON object for each row instead of text");
     program.add_words("--profile", options.profiles, "Only this profile; may be repeated",
                       names_of(tools::profile_choices));
     program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");

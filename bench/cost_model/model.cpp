@@ -97,26 +97,12 @@ Model fit_model(const std::string& subject, std::vector<Term> terms, std::vector
     return {std::move(terms), std::move(observations), std::move(*fitted), std::move(*held_out)};
 }
 
-void print_text(const Model& model, const char* call) {
-    const std::vector<double>& costs = model.fit.coefficients;
-    std::printf("  T =");
-    for (std::size_t i = 0; i < model.terms.size(); ++i)
-        std::printf("%s %s * %.2f", i == 0 ? "" : " +", model.terms[i].symbol, costs[i]);
-    std::printf(
-        " %c %.1f ns, residual %.1f of %.1f ns %s, %.1f %% explained; held out %.1f %%, median error %.1f %%, worst "
-        "%.0f %%\n",
-        costs.back() < 0.0 ? '-' : '+', std::abs(costs.back()), model.fit.residual, model.fit.mean, call,
-        100.0 * model.fit.explained, 100.0 * model.held_out.explained, 100.0 * model.held_out.median_error,
-        100.0 * model.held_out.worst_error);
-}
-
-void print_json(const std::vector<Model>& models, const RowOf& row_of) {
+void print_rows(const std::vector<Model>& models, const RowOf& row_of) {
     for (const Model& model : models) {
         const bool is_first = &model == &models.front();
         JsonObject row = row_of(is_first ? "cost" : "cost by other counts");
         JsonObject costs;
-        for (std::size_t i = 0; i < model.terms.size(); ++i)
-            costs.add(model.terms[i].symbol, model.fit.coefficients[i], 4);
+        for (std::size_t i = 0; i < model.terms.size(); ++i) costs.add(model.terms[i], model.fit.coefficients[i], 4);
         costs.add("constant", model.fit.coefficients.back(), 4);
         row.add_raw("costs_ns", costs.text());
         row.add("mean_ns", model.fit.mean, 4);

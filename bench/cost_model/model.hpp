@@ -58,11 +58,8 @@ std::vector<double> time_in_turns(std::span<const std::size_t> calls, unsigned r
 
 // Models of time: counts of work, each with a cost that is fitted, and how they are printed.
 
-/// A count of work.
-struct Term {
-    const char* symbol;
-    const char* name;
-};
+/// The symbol of a count of work.
+using Term = const char*;
 
 /// Costs for some counts and a constant one.
 struct Model {
@@ -80,16 +77,13 @@ Model fit_model(const std::string& subject, std::vector<Term> terms, std::vector
 /// Returns a row that says what was measured: a mesh or scene, and a query.
 using RowOf = std::function<JsonObject(const std::string& measures)>;
 
-/// Prints a line. `call` is what takes the time: "a ray".
-void print_text(const Model& model, const char* call);
 /// Completes a row for each model and prints it. The first model's has the groups too, each as
 /// [counts..., measured, predicted], as which it measures "cost"; the others measure "cost by other counts".
-void print_json(const std::vector<Model>& models, const RowOf& row_of);
+void print_rows(const std::vector<Model>& models, const RowOf& row_of);
 
 // The options of the command line, and the models that it chooses from.
 
 struct CostOptions {
-    bool json = false;
     std::vector<std::string> profiles;  ///< of those of blobs.hpp; none: all
     unsigned rays = 200'000;
     unsigned poses = 2'000;

@@ -128,8 +128,7 @@ struct StepTerm {
     Term term;
     double StepGroup::*count;
 };
-constexpr StepTerm step_terms[] = {{{"Nu", "box renewed"}, &StepGroup::boxes},
-                                   {{"Nn", "node renewed"}, &StepGroup::nodes}};
+constexpr StepTerm step_terms[] = {{"Nu", &StepGroup::boxes}, {"Nn", &StepGroup::nodes}};
 
 }  // namespace
 
@@ -153,24 +152,14 @@ void model_scene(const CostOptions& options) {
         std::vector<Observation> observations;
         for (std::size_t i = 0; i < groups.size(); ++i)
             observations.push_back({{groups[i].box_tests, groups[i].pairs, groups[i].*updates.count, 1.0}, times[i]});
-        models.push_back(fit_model("cubes", {{"Nv", "box test"}, {"Np", "pair"}, updates.term}, observations,
-                                   Differences::relative));
+        models.push_back(fit_model("cubes", {"Nv", "Np", updates.term}, observations, Differences::relative));
     }
-    if (options.json) {
-        print_json(models, [&](const std::string& measures) {
-            JsonObject row = guide_row(measures, "cubes", cube.triangle_count());
-            row.add("query", "step");
-            row.add("instances", std::size_t{options.cubes});
-            return row;
-        });
-        return;
-    }
-    std::printf(
-        "Nv: tests of a box against the boxes of a node; Np: pairs whose boxes touch; Nu: boxes that were renewed, of\n"
-        "instances that moved and of nodes; Nn: these nodes alone. A step is move(), refit() and "
-        "collect_candidate_pairs().\n%u cubes:\n",
-        options.cubes);
-    for (const Model& model : models) print_text(model, "a step");
+    print_rows(models, [&](const std::string& measures) {
+        JsonObject row = guide_row(measures, "cubes", cube.triangle_count());
+        row.add("query", "step");
+        row.add("instances", std::size_t{options.cubes});
+        return row;
+    });
 }
 
 }  // namespace espalier::bench

@@ -1,5 +1,5 @@
 // One step of a simulation in which objects move: new boxes or places, and all pairs that touch. Or the tree of a
-// moving scene under insertions and removals, or meshes that tumble. JSON objects to stdout, a table to stderr.
+// moving scene under insertions and removals, or meshes that tumble. JSON, an object a line.
 
 #include "../program.hpp"
 #include "broad_phase.hpp"
@@ -49,7 +49,7 @@ void fit_into_unit_cube(tests::Mesh& mesh) {
 }
 
 /// Scales and moves the mesh so that it fills a unit cube around the origin, runs the scenario with it in place of a
-/// cube, and prints rows and a table. Peers find pairs with the mesh itself, which the library has rounded to a
+/// cube, and prints rows. Peers find pairs with the mesh itself, which the library has rounded to a
 /// lattice: pairs that only just touch may differ.
 void print_bunnies(const Scenario& scenario, tests::Mesh mesh) {
     fit_into_unit_cube(mesh);
@@ -90,10 +90,8 @@ void run(Options& options, const std::vector<std::string>& meshes) {
 int part(int count, char** words) {
     Options options;
     Scenario& scenario = options.scenario;
-    Program program(
-        "espalier_bench_study moving",
-        "A step of many moving objects: new boxes, and all pairs whose boxes touch. JSON to stdout, a table "
-        "to stderr");
+    Program program("espalier_bench_study moving",
+                    "A step of many moving objects: new boxes, and all pairs whose boxes touch; JSON");
     program.allow_no_meshes();
     program.add_number("--objects", scenario.objects, std::size_t{2}, std::size_t{1'000'000}, "Objects");
     program.add_number("--speed", scenario.speed, 0.0, 10.0, "The largest step of an object in multiples of its edge");

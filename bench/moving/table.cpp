@@ -1,7 +1,5 @@
 #include "turns.hpp"
 
-#include <cstdlib>
-
 namespace espalier::bench::moving {
 namespace {
 
@@ -9,7 +7,7 @@ constexpr const char* part_names[part_count] = {"update", "refit", "repack", "pa
 
 const char* name_of(Sizes sizes) { return sizes == Sizes::cubes ? "cubes" : "mixed"; }
 
-/// One line of the table.
+/// What a row states.
 struct Line {
     std::string name, from;
     double median, mean, slowest;
@@ -79,37 +77,6 @@ void print_row(const Line& line, const Line& reference, const Scenario& scenario
     row.print();
 }
 
-void print_line(const Line& line, const Line& reference) {
-    std::fprintf(stderr, "%-26s %-11s %10.1f %10.1f %9.2f %9.2f %9.2f", line.name.c_str(), line.from.c_str(),
-                 microseconds(line.median), microseconds(line.mean), line.median / reference.median,
-                 line.mean / reference.mean, line.slowest / line.median);
-    if (line.from == line.measured->from) {
-        std::fprintf(stderr, "  ");
-        for (std::size_t i = 0; i < part_count; ++i)
-            if (const double part = part_median(*line.measured, i); part > 0.0)
-                std::fprintf(stderr, " %s %.1f", part_names[i], microseconds(part));
-    }
-    if (line.measured->differing_steps > 0)
-        std::fprintf(stderr, "  PAIRS DIFFER in %zu steps, %zu pairs", line.measured->differing_steps,
-                     line.measured->differing_pairs);
-    std::fprintf(stderr, "\n");
-}
-
-/// Prints which system of those whose names begin so is the fastest.
-void print_best(const std::vector<Line>& lines, const std::string& family) {
-    const Line* best = nullptr;
-    for (const Line& line : lines)
-        if (line.from == "boxes" && line.name.starts_with(family) && (best == nullptr || line.median < best->median))
-            best = &line;
-    if (best == nullptr) return;
-    std::fprintf(stderr, "best of %s: %s, %.2f x from boxes", family.c_str(), best->name.c_str(),
-                 best->median / reference_of(lines, *best).median);
-    for (const Line& line : lines)
-        if (line.from == "placements" && line.name == best->name)
-            std::fprintf(stderr, ", %.2f x from placements", line.median / reference_of(lines, line).median);
-    std::fprintf(stderr, "\n");
-}
-
 }  // namespace
 
 JsonObject row_of(const Scenario& scenario, const std::string& measures) {
@@ -132,17 +99,7 @@ JsonObject row_of(const Scenario& scenario, const std::string& measures) {
 
 void print_steps(const std::vector<Measured>& measured, const Scenario& scenario, const std::string& measures) {
     const std::vector<Line> lines = lines_of(measured);
-    std::fprintf(stderr, "%s: %zu objects, sizes %s, speed %g, %g of them move%s; %zu steps, %zu repeats; %zu pairs\n",
-                 measures.c_str(), scenario.objects, name_of(scenario.sizes), scenario.speed, scenario.moving,
-                 scenario.turning ? " and turn" : "", scenario.steps, scenario.repeats, measured.front().pairs);
-    std::fprintf(stderr, "%s, %s\n", processor().c_str(), instruction_set_name());
-    std::fprintf(stderr, "%-26s %-11s %10s %10s %9s %9s %9s   %s\n", "", "from", "median us", "mean us", "x median",
-                 "x mean", "slowest/m", "parts, median us of the steps that have them");
-    for (const Line& line : lines) {
-        print_row(line, reference_of(lines, line), scenario, measures);
-        print_line(line, reference_of(lines, line));
-    }
-    for (const char* family : {"bullet", "ode", "fcl"}) print_best(lines, family);
+    for (const Line& line : lines) print_row(line, reference_of(lines, line), scenario, measures);
     std::fflush(stdout);
 }
 

@@ -33,25 +33,25 @@ std::vector<Measured> measure(const BroadPhaseMakers& makers, const Scenario& sc
 /// Leaves out the systems that the scenario does not name. Throws std::invalid_argument for a name of no system.
 BroadPhaseMakers selected(BroadPhaseMakers makers, const Scenario& scenario);
 
-// What was measured, for people and as rows.
+// What was measured, as rows.
 
 /// Returns a row with the scenario and the machine, to which figures are added.
 JsonObject row_of(const Scenario& scenario, const std::string& measures);
 
-/// Prints the rows to stdout and a table to stderr. A system that takes boxes has a second row for placements, with the
-/// time of the loop that makes boxes. A ratio is its time by that of the first system, from the same input.
+/// Prints the rows. A system that takes boxes has a second row for placements, with the time of the loop that makes
+/// boxes. A ratio is its time by that of the first system, from the same input.
 void print_steps(const std::vector<Measured>& measured, const Scenario& scenario, const std::string& measures);
 
 // How good a tree stays while its boxes move, and how even the work of its steps is.
 
-/// Moves the tree that many steps, without a measurement of time, and prints a row to stdout and lines to stderr:
-/// its area beside that of a fresh tree in the last steps, and the slowest step in counted work beside the median one.
+/// Moves the tree that many steps, without a measurement of time, and prints a row: its area beside that of a fresh
+/// tree in the last steps, and the slowest step in counted work beside the median one.
 void print_upkeep(const Scenario& scenario, std::size_t steps);
 
 // A tree from which random boxes are removed and into which others are inserted, and which is never packed.
 
-/// Inserts the scenario's objects, then removes one and inserts one so many times. Prints a row to stdout and lines to
-/// stderr: area beside that of a fresh tree, depth, fill, and the time of an operation.
+/// Inserts the scenario's objects, then removes one and inserts one so many times. Prints a row: area beside that of a
+/// fresh tree, depth, fill, and the time of an operation.
 void print_churn(const Scenario& scenario, std::size_t operations);
 
 }  // namespace espalier::bench::moving

@@ -138,13 +138,6 @@ void print_upkeep(const Scenario& scenario, std::size_t steps) {
     }
     const auto [best, worst] = std::minmax_element(to_fresh.begin(), to_fresh.end());
     const double slowest = slowest_of(work) / median_of(work);
-    std::fprintf(
-        stderr,
-        "tree after %zu steps: area / fresh SAH %.3f to %.3f between two repacks, fill %.2f (fresh %.2f), depth "
-        "%zu (fresh %zu)\n",
-        steps, *best, *worst, own.fill, fresh.fill, own.depth, fresh.depth);
-    std::fprintf(stderr, "counted work (nodes written + tests of boxes): median %.0f, slowest / median %.2f\n",
-                 median_of(work), slowest);
     JsonObject row = row_of(scenario, "upkeep");
     row.add("aged_steps", steps);
     row.add("area_to_fresh_best", *best, 4);
@@ -152,6 +145,7 @@ void print_upkeep(const Scenario& scenario, std::size_t steps) {
     row.add("fill", own.fill, 3);
     row.add("fresh_fill", fresh.fill, 3);
     row.add("depth", own.depth);
+    row.add("fresh_depth", fresh.depth);
     row.add("median_work", median_of(work), 0);
     row.add("slowest_to_median_work", slowest, 3);
     row.print();
@@ -248,13 +242,6 @@ void print_churn(const Scenario& scenario, std::size_t operations) {
     detail::repack_boxes(made.block);
     const TreeShape packed = shape_of(made.block, step_exponent);
 
-    std::fprintf(stderr, "churn: %u %s, %zu removals and insertions\n", objects,
-                 scenario.sizes == Sizes::cubes ? "cubes" : "mixed cubes", operations);
-    std::fprintf(stderr, "area / fresh SAH %.3f (packed %.3f), fill %.2f (fresh %.2f), depth %zu (packed %zu)\n",
-                 own.area / fresh.area, packed.area / fresh.area, own.fill, fresh.fill, deepest, packed.depth);
-    std::fprintf(stderr, "insert %.3f us, remove %.3f us; the slowest mean of %zu in a row %.2f us and %.2f us\n",
-                 inserts.microseconds(), removals.microseconds(), size, inserts.slowest_microseconds(),
-                 removals.slowest_microseconds());
     JsonObject row = row_of(scenario, "churn");
     row.add("operations", operations);
     row.add("area_to_fresh", own.area / fresh.area, 4);
@@ -262,8 +249,11 @@ void print_churn(const Scenario& scenario, std::size_t operations) {
     row.add("fill", own.fill, 3);
     row.add("fresh_fill", fresh.fill, 3);
     row.add("deepest", deepest);
+    row.add("packed_depth", packed.depth);
     row.add("insert_us", inserts.microseconds(), 4);
+    row.add("slowest_insert_us", inserts.slowest_microseconds(), 4);
     row.add("remove_us", removals.microseconds(), 4);
+    row.add("slowest_remove_us", removals.slowest_microseconds(), 4);
     row.print();
 }
 

@@ -8,7 +8,6 @@
 namespace espalier::bench {
 
 struct Options {
-    bool json = false;
     std::vector<std::string> systems;  ///< NAME or NAME/PROFILE; none: all
     unsigned repetitions = 9;
     unsigned builds = 3;
@@ -52,11 +51,7 @@ struct MeshResult {
 /// Throws std::exception when the mesh cannot be read or baked.
 MeshResult measure(const std::string& path, const std::vector<Maker>& makers, const Options& options);
 
-// Rows for programs (JSON lines) and for people (a table).
-
-/// One JSON object a line for each row; null where a system has no such query and where there is no reference.
-void print_json(const MeshResult& result, const Options& options);
-
-void print_table(const MeshResult& result, const Options& options);
+/// Prints one JSON object a line for each row; null where a system has no such query and where there is no reference.
+void print_rows(const MeshResult& result, const Options& options);
 
 }  // namespace espalier::bench

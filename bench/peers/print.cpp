@@ -18,18 +18,9 @@ void add_ratio(JsonObject& object, const std::string& name, const std::optional<
     object.add_raw(name + "_spread", range);
 }
 
-std::string with_spread(const std::optional<Spread>& ratio) {
-    if (!ratio) return "-";
-    return decimal(ratio->median, 2) + " (" + decimal(ratio->low, 2) + "-" + decimal(ratio->high, 2) + ")";
-}
-
-std::string or_dash(const std::optional<double>& value, int digits) { return value ? decimal(*value, digits) : "-"; }
-
-std::string or_dash(const std::optional<std::size_t>& value) { return value ? std::to_string(*value) : "-"; }
-
 }  // namespace
 
-void print_json(const MeshResult& result, const Options& options) {
+void print_rows(const MeshResult& result, const Options& options) {
     for (const Row& row : result.rows) {
         JsonObject object;
         object.add("system", row.system);
@@ -71,29 +62,6 @@ void print_json(const MeshResult& result, const Options& options) {
         object.add("any_contradictions", row.any_contradictions);
         object.print();
     }
-    std::fflush(stdout);
-}
-
-void print_table(const MeshResult& result, const Options& options) {
-    std::printf("%s, %zu triangles", result.mesh.c_str(), result.triangles);
-    for (const Row& row : result.rows)
-        if (row.lattice) {
-            std::printf("; %u-bit lattice: step %.6g, extent %.6g", options.bake.bits, row.lattice->step,
-                        row.lattice->extent);
-            break;
-        }
-    std::printf("\n%-9s %-14s %8s %8s %8s  %-18s %-18s %-18s %-18s %7s %8s %7s %7s %5s\n", "system", "profile", "B/tri",
-                "20 bits", "with ids", "incoherent", "coherent", "any", "build", "Mray/s", "build s", "differ", "t",
-                "any");
-    for (const Row& row : result.rows)
-        std::printf("%-9s %-14s %8.2f %8s %8.2f  %-18s %-18s %-18s %-18s %7s %8.4f %7s %7s %5s\n", row.system.c_str(),
-                    row.profile.c_str(), row.bytes_per_triangle, or_dash(row.bytes_per_triangle_20_bits, 2).c_str(),
-                    row.bytes_per_triangle_with_ids, with_spread(row.incoherent.ratio).c_str(),
-                    with_spread(row.coherent.ratio).c_str(), with_spread(row.any.ratio).c_str(),
-                    with_spread(row.build_ratio).c_str(), or_dash(row.incoherent.mrays, 2).c_str(), row.build_seconds,
-                    or_dash(row.disagreeing).c_str(), or_dash(row.t_disagreeing).c_str(),
-                    or_dash(row.any_contradictions).c_str());
-    std::printf("\n");
     std::fflush(stdout);
 }
 

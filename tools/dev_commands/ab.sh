@@ -9,7 +9,7 @@ ab() {
     [[ ${1-} == --help || $# -ge 2 ]] || fail "ab [--against COMMIT] COMMIT MESH...: a commit and a mesh are needed; a mesh is a file, or torus, terrain or level"
     base=$1
     shift
-    install_missing "${build_packages[@]}" libcli11-dev git >&2
+    install_missing "${build_packages[@]}" libcli11-dev git python3 >&2
     [[ $base == --help ]] || base=$(commit_of "$base")
     [[ -z $other ]] || other=$(commit_of "$other")
     check_cmake
@@ -28,8 +28,12 @@ ab() {
         name="working tree ($(git describe --always --dirty))"
         build_side build/ab/tree "$PWD"
     fi
+    # A ratio is the other's time by the base's: below 1 the other is faster.
     "$program" --base "build/ab/$base/libespalier_side.so" --base-name "$base" \
-        --other "build/ab/$other/libespalier_side.so" --other-name "$name" "$@"
+        --other "build/ab/$other/libespalier_side.so" --other-name "$name" "$@" | tee build/ab/rows.jsonl |
+        bench/rows.py base base_compiler other other_compiler processor mesh triangles profile instruction_set \
+            {base,other}_bytes_per_triangle same_bytes -- \
+            questions base_ns ratio ratio_low ratio_high queries found differing other_median_ns other_percentile_99_ns
 }
 
 # commit_of NAME: the first 12 digits of its hash

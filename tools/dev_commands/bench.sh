@@ -7,8 +7,14 @@ bench() {
     if [[ ${1-} == --publish ]]; then
         [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME is the date and the machine, as in 2026-11-20_epyc_avx2"
         publish_bench "${@:2}"
+    elif [[ ${1-} == --help ]]; then
+        build/bench/bench/espalier_bench_peers rays --help
     else
-        build/bench/bench/espalier_bench_peers rays "$@"
+        install_missing python3 >&2
+        build/bench/bench/espalier_bench_peers rays "$@" |
+            bench/rows.py mesh triangles bits -- system profile step bytes_per_triangle bytes_per_triangle_20_bits \
+                bytes_per_triangle_with_ids {incoherent,coherent,any,build}_{ratio,spread} incoherent_mrays build_seconds \
+                disagreeing t_disagreeing any_contradictions
     fi
 }
 
@@ -20,7 +26,7 @@ publish_bench() {
     : >"$rows"
     for run in 1 2 3; do
         echo "run $run of 3" >&2
-        build/bench/bench/espalier_bench_peers rays --json "$@" >>"$rows"
+        build/bench/bench/espalier_bench_peers rays "$@" >>"$rows"
     done
     mv "$rows" "bench/results/$name.jsonl"
     python3 bench/report.py --add "bench/results/$name.jsonl"

@@ -14,9 +14,9 @@ guide_rows() {
     case $part in
         growth) "$study" growth ;;
         cost_model)
-            "$study" cost_model --profile fast --json "$@"
-            "$study" cost_model --profile fast --pairs --json "$@"
-            "$study" cost_model --scene --json
+            "$study" cost_model --profile fast "$@"
+            "$study" cost_model --profile fast --pairs "$@"
+            "$study" cost_model --scene
             ;;
         deformation) # a bake over many poses of a large mesh takes minutes
             mapfile -t few < <(smaller_meshes "$@")
