@@ -14,16 +14,14 @@ class LoadedSide {
 public:
     /// Throws std::runtime_error, which names the file.
     explicit LoadedSide(const std::filesystem::path& file);
-    ~LoadedSide();
-    LoadedSide(const LoadedSide&) = delete;
-    LoadedSide& operator=(const LoadedSide&) = delete;
-    LoadedSide(LoadedSide&& other) noexcept;
-    LoadedSide& operator=(LoadedSide&&) = delete;
 
     const EspalierSide* operator->() const { return calls_; }
 
 private:
-    void* handle_;
+    struct Close {
+        void operator()(void* handle) const;
+    };
+    std::unique_ptr<void, Close> handle_;
     const EspalierSide* calls_;
 };
 

@@ -3,12 +3,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 
 #include "../../tools/base/choices.hpp"
+#include "../temporary_file.hpp"
 #include "ways.hpp"
 
 namespace espalier::bench {
@@ -45,30 +43,6 @@ public:
 private:
     void* data_;
     std::size_t size_;
-};
-
-/// A file that is removed with its last user.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(std::span<const std::byte> bytes) {
-        std::string name = (std::filesystem::temp_directory_path() / "espalier_load_XXXXXX").string();
-        const int file = mkstemp(name.data());
-        if (file < 0) throw std::system_error(errno, std::generic_category(), name);
-        close(file);
-        path_ = name;
-        std::ofstream(path_, std::ios::binary)
-            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
 };
 
 class MappedBlob final : public Loaded {
@@ -135,7 +109,9 @@ void add_espalier_ways(std::vector<Way>& ways, const Mesh& mesh) {
         ways.push_back({"blob, " + name, "open", blob, [](std::span<const std::byte> file) -> std::unique_ptr<Loaded> {
                             return std::make_unique<BlobLoaded>(open(file));
                         }});
-        const auto on_disk = std::make_shared<TemporaryFile>(blob);
+        const auto on_disk = std::make_shared<TemporaryFile>();
+        std::ofstream(on_disk->path(), std::ios::binary)
+            .write(reinterpret_cast<const char*>(blob.data()), static_cast<std::streamsize>(blob.size()));
         ways.push_back({"blob, " + name, "map, open_unchecked", blob,
                         [on_disk](std::span<const std::byte>) -> std::unique_ptr<Loaded> {
                             return std::make_unique<MappedBlob>(on_disk->path());

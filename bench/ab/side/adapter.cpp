@@ -1,9 +1,8 @@
 // Implements ../side.h over the public calls of the commit whose headers are on the include path.
 //
-// The calls themselves are in returned_values.hpp, for commits that have espalier/distance.hpp, and in
-// out_parameters.hpp, for those before. Where a later commit renames a call or a field, test for it there with `if
-// constexpr (requires ...)`. Where the calls change as a whole, put the new ones into a third file beside these, and
-// select one by a header that only one generation has.
+// It serves commits from e2cbbab4 on, whose queries return their results. Where a later commit renames a call or a
+// field, test for it with `if constexpr (requires ...)`. Where the calls change as a whole, put both generations into
+// headers of their own, and select one by a header of the library that only one of them has.
 #include "../side.h"
 
 #include <bit>
@@ -15,6 +14,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <runtime/lanes/select.hpp>
 
 #if !defined(ESPALIER_SIDE_FLAGS)
 #define ESPALIER_SIDE_FLAGS ""
@@ -39,20 +39,16 @@ std::uint64_t digest_of(const Values&... values) {
 
 Vec3 vector_at(const float* n) { return {n[0], n[1], n[2]}; }
 
+// ---- answers: what of each two commits must agree about; the digest is 0 for no and for nothing found ----
+
 std::uint64_t digest(std::uint32_t count) { return count; }
+std::uint64_t digest(YesNo answer) { return answer.yes() ? 1 : 0; }
 std::uint64_t digest(const RayHit& hit) {
     return hit.t < std::numeric_limits<float>::infinity() ? digest_of(hit.t, hit.normal) : 0;
 }
-
-}  // namespace
-
-#if __has_include(<espalier/nearest.hpp>)
-#include "out_parameters.hpp"
-#else
-#include "returned_values.hpp"
-#endif
-
-namespace {
+std::uint64_t digest(const ClosestPoint& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
+std::uint64_t digest(const SweepHit& hit) { return hit ? digest_of(hit.t, hit.starts_overlapping) : 0; }
+std::uint64_t digest(const BlobDistance& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
 
 // ---- questions: how each is made of floats ----
 
@@ -103,9 +99,9 @@ struct SweepQuestion {
 };
 
 struct PlacementQuestion {
-    using Question = Placement;
+    using Question = Transform;
     static constexpr std::size_t floats = 8;
-    static Placement make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
+    static Transform make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
 };
 
 struct NoQuestion {
@@ -116,14 +112,14 @@ struct NoQuestion {
 
 // ---- kinds ----
 
-/// Answers one question after the other with `ask(blob, question, answer)`.
-template <class QuestionMaker, class AnswerType, auto ask>
+/// Answers one question after the other with `ask(blob, question)`.
+template <class QuestionMaker, auto ask>
 struct OneByOne : QuestionMaker {
-    using Answer = AnswerType;
+    using Answer = decltype(ask(std::declval<const Blob&>(), std::declval<const typename QuestionMaker::Question&>()));
     static void run(const EspalierSideAsset& asset, std::span<const typename QuestionMaker::Question> questions,
                     std::span<Answer> answers) {
         const Blob& blob = *static_cast<const Blob*>(asset.blob);
-        for (std::size_t i = 0; i < questions.size(); ++i) ask(blob, questions[i], answers[i]);
+        for (std::size_t i = 0; i < questions.size(); ++i) answers[i] = ask(blob, questions[i]);
     }
 };
 /// Answers all questions with one call of `ask(blob, questions, answers)`.
@@ -131,31 +127,41 @@ template <class AnswerType, auto ask>
 struct Batch : RayQuestion {
     using Answer = AnswerType;
     static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<Answer> answers) {
-        ask(*static_cast<const Blob*>(asset.blob), rays, answers);
+        static_cast<void>(ask(*static_cast<const Blob*>(asset.blob), rays, answers));
     }
 };
 struct Open : NoQuestion {
-    using Answer = Yes;
-    static void run(const EspalierSideAsset& asset, std::span<const Question>, std::span<Yes> answers) {
+    using Answer = YesNo;
+    static void run(const EspalierSideAsset& asset, std::span<const Question>, std::span<YesNo> answers) {
         const std::span bytes(static_cast<const std::byte*>(asset.bytes), asset.size);
-        for (Yes& answer : answers) ask_open(bytes, answer);
+        for (YesNo& answer : answers) answer = YesNo::of(bool(open(bytes)));
     }
 };
 
-constexpr auto closest = [](const Blob& blob, const auto& rays, auto&& to) { ask_closest(blob, rays, to); };
-constexpr auto any = [](const Blob& blob, const auto& rays, auto&& to) { ask_any(blob, rays, to); };
-constexpr auto overlap = [](const Blob& blob, const auto& shape, Yes& to) { ask_overlap(blob, shape, to); };
-constexpr auto moved = [](const Blob& blob, const auto& question, Contact& to) {
-    ask_sweep(blob, question.shape, question.displacement, to);
+constexpr auto closest = [](const Blob& blob, const auto&... rest) { return raycast(blob, rest...); };
+constexpr auto any = [](const Blob& blob, const auto&... rest) { return occluded(blob, rest...); };
+constexpr auto nearest = [](const Blob& blob, const Vec3& point) { return closest_point(blob, point); };
+constexpr auto overlap = [](const Blob& blob, const auto& shape) { return overlaps(blob, shape); };
+constexpr auto moved = [](const Blob& blob, const auto& question) {
+    return sweep(blob, question.shape, question.displacement);
 };
-template <auto count_all>
-constexpr auto count_of = [](const Blob& blob, const auto& question, std::uint32_t& to) {
+constexpr auto count_overlaps = [](const Blob& blob, const Sphere& sphere) {
     std::uint32_t count = 0;
-    count_all(blob, question, count);
-    to = count;
+    static_cast<void>(for_each_overlap(blob, sphere, [&count](TriangleId) { ++count; }));
+    return count;
 };
-template <class Shape>
-using Sweep = OneByOne<SweepQuestion<Shape>, Contact, moved>;
+constexpr auto collision = [](const Blob& blob, const Transform& place) {
+    return overlaps(blob, PlacedBlob(blob, place), WorkLimit::unlimited());
+};
+constexpr auto count_contacts = [](const Blob& blob, const Transform& place) {
+    std::uint32_t count = 0;
+    static_cast<void>(for_each_contact(
+        blob, PlacedBlob(blob, place), [&count](const PairContact&) { ++count; }, WorkLimit::unlimited()));
+    return count;
+};
+constexpr auto apart = [](const Blob& blob, const Transform& place) {
+    return distance(blob, PlacedBlob(blob, place), WorkLimit::unlimited());
+};
 
 template <class Kind>
 constexpr EspalierSideKind kind_named(const char* name) {
@@ -178,22 +184,21 @@ constexpr EspalierSideKind kind_named(const char* name) {
         }};
 }
 
-const EspalierSideKind kinds[] = {
-    kind_named<OneByOne<RayQuestion, Hit, closest>>("closest_hit"),
-    kind_named<OneByOne<RayQuestion, Yes, any>>("any_hit"),
-    kind_named<Batch<RayHit, closest>>("closest_hit_batch"),
-    kind_named<Batch<BatchYes, any>>("any_hit_batch"),
-    kind_named<OneByOne<PointQuestion, Nearest, ask_nearest>>("closest_point"),
-    kind_named<OneByOne<SphereQuestion, Yes, overlap>>("overlaps_sphere"),
-    kind_named<OneByOne<SphereQuestion, std::uint32_t, count_of<count_overlaps>>>("all_overlaps_sphere"),
-    kind_named<OneByOne<BoxQuestion, Yes, overlap>>("overlaps_box"),
-    kind_named<Sweep<SphereQuestion>>("sweep_sphere"),
-    kind_named<Sweep<CapsuleQuestion>>("sweep_capsule"),
-    kind_named<Sweep<BoxQuestion>>("sweep_box"),
-    kind_named<OneByOne<PlacementQuestion, Yes, ask_collision>>("collides"),
-    kind_named<OneByOne<PlacementQuestion, std::uint32_t, count_of<count_contacts>>>("all_contacts"),
-    kind_named<OneByOne<PlacementQuestion, Apart, ask_distance>>("minimum_distance"),
-    kind_named<Open>("open")};
+const EspalierSideKind kinds[] = {kind_named<OneByOne<RayQuestion, closest>>("closest_hit"),
+                                  kind_named<OneByOne<RayQuestion, any>>("any_hit"),
+                                  kind_named<Batch<RayHit, closest>>("closest_hit_batch"),
+                                  kind_named<Batch<YesNo, any>>("any_hit_batch"),
+                                  kind_named<OneByOne<PointQuestion, nearest>>("closest_point"),
+                                  kind_named<OneByOne<SphereQuestion, overlap>>("overlaps_sphere"),
+                                  kind_named<OneByOne<SphereQuestion, count_overlaps>>("all_overlaps_sphere"),
+                                  kind_named<OneByOne<BoxQuestion, overlap>>("overlaps_box"),
+                                  kind_named<OneByOne<SweepQuestion<SphereQuestion>, moved>>("sweep_sphere"),
+                                  kind_named<OneByOne<SweepQuestion<CapsuleQuestion>, moved>>("sweep_capsule"),
+                                  kind_named<OneByOne<SweepQuestion<BoxQuestion>, moved>>("sweep_box"),
+                                  kind_named<OneByOne<PlacementQuestion, collision>>("collides"),
+                                  kind_named<OneByOne<PlacementQuestion, count_contacts>>("all_contacts"),
+                                  kind_named<OneByOne<PlacementQuestion, apart>>("minimum_distance"),
+                                  kind_named<Open>("open")};
 
 const EspalierSideKind* find_kind(const char* name) {
     for (const EspalierSideKind& kind : kinds)
@@ -204,12 +209,14 @@ const EspalierSideKind* find_kind(const char* name) {
 const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigned bits,
                       void (*take)(void* to, const void* bytes, std::size_t size), void* to) {
     static std::string message;
-    AnyProfile wanted = AnyProfile::fast;
+    BakeOptions options;
+    options.resolution = Resolution::bits(bits);
     const std::string_view word = profile;
-    if (word == "balanced") wanted = AnyProfile::balanced;
-    else if (word == "small") wanted = AnyProfile::small;
-    else if (word == "tiny") wanted = tiny;
-    else if (word != "fast") return "this commit has no such profile";
+    if (word == "fast") options.profile = Profile::fast;
+    else if (word == "balanced") options.profile = Profile::balanced;
+    else if (word == "small") options.profile = Profile::small;
+    else if (word == "tiny") options.profile = Profile::tiny;
+    else return "this commit has no such profile";
     std::vector<Vec3> positions;
     std::vector<TriangleVertices> triangles;
     for (std::size_t i = 0; i < mesh->vertices; ++i) positions.push_back(vector_at(mesh->positions + 3 * i));
@@ -221,16 +228,18 @@ const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigne
     view.positions = positions;
     view.triangles = triangles;
     view.name = mesh->name;
-    const std::vector<std::byte> bytes = bake_bytes(view, wanted, bits, message);
-    if (bytes.empty()) return message.c_str();
-    take(to, bytes.data(), bytes.size());
+    const BakeResult baked = bake({&view, 1}, options);
+    message = baked.message;
+    if (!baked) return message.c_str();
+    take(to, baked.bytes.data(), baked.bytes.size());
     return nullptr;
 }
 
 /// The bytes are this side's own, so that their header is all that there is to check.
 const char* open_asset(EspalierSideAsset* asset) {
     Blob& blob = *new (asset->blob) Blob;
-    return open_own({static_cast<const std::byte*>(asset->bytes), asset->size}, blob);
+    blob = open_unchecked({static_cast<const std::byte*>(asset->bytes), asset->size});
+    return blob ? nullptr : describe(blob.status());
 }
 
 const char* use_set(const char* set) {
