@@ -18,20 +18,8 @@ run 1
 run 1 fold box.obj
 run 1 bake box.obj
 run 1 bake -o x.espl
-run 1 bake box.obj -o x.espl --bits 25
-run 1 bake box.obj -o x.espl --bits 0
-run 1 bake box.obj -o x.espl --profile huge
-run 1 bake box.obj -o x.espl --flat-angle 90
-run 1 bake box.obj -o x.espl --flat-angle wide
-run 1 bake box.obj -o x.espl --flat-angle
-run 1 bake box.obj -o x.espl --bounds obb,ball
-run 1 bake box.obj -o x.espl --effort 5
-run 1 bake box.obj -o x.espl --byte-price -1
-run 1 bake box.obj -o x.espl --builder oak
-run 1 bake box.obj -o x.espl --bits 12 --tolerance 1mm
-run 1 bake box.obj -o x.espl --scale 0
-run 1 bake box.obj -o x.espl --scale -1
-run 1 bake box.obj -o x.espl --up w
+run_each 1 "bake box.obj -o x.espl" "--bits 25" "--bits 0" "--profile huge" "--flat-angle 90" "--flat-angle wide" "--flat-angle" \
+    "--bounds obb,ball" "--effort 5" "--byte-price -1" "--builder oak" "--bits 12 --tolerance 1mm" "--scale 0" "--scale -1" "--up w"
 refuses 1 "um, mm, cm, m, km, in and ft" bake box.obj -o x.espl --unit parsec
 refuses 1 "--nonsense" bake box.obj -o x.espl --nonsense
 absent x.espl

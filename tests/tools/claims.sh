@@ -67,6 +67,14 @@ finish() {
     [ $broken = 0 ]
 }
 
+# A square sheet of 2 * SIDE^2 triangles; its heights are an expression of awk in i and j.
+write_sheet() { # SIDE HEIGHT
+    awk -v n="$1" 'BEGIN {
+        for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, '"$2"', j
+        for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+            printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }'
+}
+
 # A closed box of 12 triangles from 0 0 0 to 1 2 3.
 corners=("0 0 0" "1 0 0" "0 2 0" "1 2 0" "0 0 3" "1 0 3" "0 2 3" "1 2 3")
 faces=("0 2 3" "0 3 1" "4 5 7" "4 7 6" "0 1 5" "0 5 4" "2 6 7" "2 7 3" "0 4 6" "0 6 2" "1 3 7" "1 7 5")

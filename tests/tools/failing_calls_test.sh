@@ -46,28 +46,18 @@ cp sheet.espl failing.espl
 cp box.ply failing.ply
 cp box.stl failing.stl
 sed -n 's/^v //p' box.obj | tr '\n' ' ' | awk '{ for (i = 0; i < 50; ++i) print $1, $2, $3, $4, $5, $6, $7, $8, $9 }' >failing.raw
-python3 - <<'PYTHON' || fail "no glTF was made"
+python3 -B - "$tests_folder" <<'PYTHON' || fail "no glTF was made"
 import json
-import struct
-numbers = [(i * i * 31 + i * 7) % 97 for i in range(3600)]
-bounds = {"min": [min(numbers[k::3]) for k in range(3)], "max": [max(numbers[k::3]) for k in range(3)]}
-positions = struct.pack("<3600f", *numbers)
-def document(**buffer):
-    return {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 1200, "type": "VEC3", **bounds}],
-            "bufferViews": [{"buffer": 0, "byteLength": len(positions)}], "buffers": [{"byteLength": len(positions), **buffer}]}
-with open("failing.bin", "wb") as file:
-    file.write(positions)
-with open("mesh.gltf", "w") as file:
-    json.dump(document(uri="failing.bin"), file)
-text = json.dumps(document()).encode()
-text += b" " * (-len(text) % 4)
-with open("failing.glb", "wb") as file:
-    file.write(struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(positions), len(text), 0x4E4F534A) + text)
-    file.write(struct.pack("<II", len(positions), 0x004E4942) + positions)
+import sys
+sys.path.insert(0, sys.argv[1])
+from gltf.builder import Gltf
+gltf = Gltf()
+points = [[(i * i * 31 + i * 7) % 97 for i in range(3 * k, 3 * k + 3)] for k in range(1200)]
+gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(points)}}))
+gltf.write("failing.glb")
+gltf.write("mesh.gltf", ("failing.bin", "failing.bin"))
 with open("failing.gltf", "w") as file:
-    json.dump(document(uri="failing.bin"), file, indent=60)
+    json.dump(gltf.document("failing.bin"), file, indent=60)
 PYTHON
 { printf '\377\376' && iconv -t UTF-16LE failing.dae; } >failing_utf16.dae
 printf 'mtllib failing.mtl\n' | cat - box.obj >materials.obj

@@ -4,6 +4,12 @@
 # shellcheck source=claims.sh
 . "$(dirname "${BASH_SOURCE[0]}")/claims.sh"
 
+# dumps_all BLOB: `espalier dump` shows every byte once and in order
+dumps_all() {
+    "$espalier" dump "$1" | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
+    od -A n -v -t x1 "$1" | tr -d ' \n' >expected
+    same dumped expected
+}
 # The bounds that stderr names, up to what the lattice may move them.
 bounds_near() {
     sed -n 's/^bounds: \(.*\) to \(.*\), extent.*/\1 \2/p' err | awk -v expected="$*" '
@@ -59,11 +65,7 @@ write_box_obj 10 >far_box.obj
 write_box_ply >box.ply
 write_box_stl >box.stl
 # A bumpy sheet, large enough for a tree of several levels, of material 1.
-awk 'BEGIN { n = 40
-    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
-    print "usemtl stone"
-    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
-        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >sheet.obj
+write_sheet 40 '3 * sin(i / 5) * cos(j / 7)' | sed '0,/^f/s/^f/usemtl stone\nf/' >sheet.obj
 "$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
 "$espalier" bake sheet.obj -o sheet.espl -q --ids --materials || fail "the sheet cannot be baked"
 "$espalier" bake box.obj far_box.obj -o two.espl -q --ids --materials || fail "the boxes cannot be baked"

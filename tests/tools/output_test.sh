@@ -78,10 +78,7 @@ makes sheet.espl kept/x.espl bake sheet.obj -o kept/x.espl --ids --materials
 only kept "x.espl "
 
 claim "a bake that is killed at any moment leaves the old blob or the new one, never a part"
-awk 'BEGIN { n = 150
-    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
-    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
-        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >large.obj
+write_sheet 150 '3 * sin(i / 5) * cos(j / 7)' >large.obj
 run 0 bake large.obj -o large.espl -q --effort fast
 mkdir killed
 start_baking() { # a shell has what it starts in the background ignore interrupts

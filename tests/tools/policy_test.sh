@@ -168,10 +168,7 @@ if ! grep -q __asan_init "$espalier"; then
 fi
 
 claim "a file that takes longer than --import-seconds is refused by that name and leaves nothing"
-awk 'BEGIN { n = 300
-    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %d %d %d\n", i, i * j % 7, j
-    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
-        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >slow.obj
+write_sheet 300 'i * j % 7' >slow.obj
 refused import_seconds "'slow.obj': reading it took more than 0.002 s of processor time, the limit of --import-seconds" slow.obj --import-seconds 0.002
 fails 3 '.error.kind == "import_seconds" and [.warnings[].kind] == ["unknown_statement"]' bake unknown.obj slow.obj -o x.espl --import-seconds 0.002
 run 0 bake slow.obj -o x.espl --effort fast -q

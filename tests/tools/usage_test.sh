@@ -146,10 +146,7 @@ run 2 embed box.espl -o x.c --header no/x.h
 claim "the outputs of a bake are all new or all old"
 mkdir kept
 for file in x.espl x.remap x.ply x.d; do echo old >kept/$file; done
-awk 'BEGIN { n = 30
-    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
-    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
-        printf "f %d %d %d\n", a, a + 1, a + n + 2 } }' >sheet.obj
+write_sheet 21 '3 * sin(i / 5) * cos(j / 7)' >sheet.obj
 if ! on_windows; then # which has no such limit
     # The blob has less than 8 KiB and the reordered mesh more: the disk "fills up" after the depfile is written.
     (ulimit -f 8 && trap '' XFSZ &&
