@@ -94,6 +94,15 @@ def assimp(claims):
         is_turned = name.endswith((".ase", ".dxf"))  # from +Z up
         claims.bakes(claim, name, content, triangles, ([0, 0, -2], [2, 0, 0]) if is_turned else SQUARE_BOUNDS, warnings, **options)
 
+    def warns(claim, name, content, kinds, *options, metres=None):
+        """The file bakes with warnings of these kinds alone, and its unit is so many metres if that is stated."""
+        claims.write(name, content)
+        code, document, stderr = claims.run(name, *options)
+        found = [warning["kind"] for warning in document.get("warnings", [])]
+        claims.check(claim, code == 0 and found == kinds, (found, stderr))
+        if metres is not None:
+            claims.check(claim, code == 0 and document["inputs"][0]["metres_per_unit"] == metres, (document, stderr))
+
     square("reports: a whole Collada is baked without a warning", "node.dae", COLLADA.format(""))
     for name, node in (("missing", "#zz"), ("external", "other.dae#zz")):
         square(f"reports: a {name} node of Collada is warned of", "node.dae", COLLADA.format(f'<instance_node url="{node}"/>'),
@@ -101,10 +110,10 @@ def assimp(claims):
     square("reports: a missing block of DXF is warned of", "block.dxf",
            "0\nSECTION\n2\nENTITIES\n" + DXF_FACE + "0\nINSERT\n2\nBLK\n10\n5\n20\n5\n30\n5\n0\nENDSEC\n0\nEOF\n", ["importer_report"])
     square("reports: a whole AC3D is baked without a warning", "square.ac", AC.format(2))
-    code, document, _ = bake(claims, "two.fbx", fbx("9,0,0,8,0,0,8,2,0"))
-    claims.check("reports: two meshes of FBX are baked without a warning", code == 0 and document["warnings"] == [], document)
+    warns("reports: two meshes of FBX are baked without a warning", "two.fbx", fbx("9,0,0,8,0,0,8,2,0"), [])
     for name, vertices in (("floats that are no multiple of three", "9,0,0,8,0,0,8,2"), ("a word among the floats", "9,x,0,8,0,0,8,2,0")):
-        code, document, _ = bake(claims, "two.fbx", fbx(vertices))
+        claims.write("two.fbx", fbx(vertices))
+        code, document, _ = claims.run("two.fbx")
         kinds = [warning["kind"] for warning in document.get("warnings", [])]
         claims.check(f"reports: {name} of FBX are warned of", code != 0 or "importer_report" in kinds, document)
 
@@ -125,9 +134,7 @@ def assimp(claims):
     for index in (4, 9):
         claims.refuses(f"Ogre: vertex {index} of four is refused", "index.mesh.xml", OGRE.format(index), f"vertex {index}")
     square("X: a whole file is baked without a warning", "square.x", X.format(3))
-    code, document, _ = bake(claims, "index.x", X.format(9))
-    kinds = [warning["kind"] for warning in document.get("warnings", [])]
-    claims.check("X: a face with a missing vertex is warned of", code == 0 and kinds == ["empty_face"], document)
+    warns("X: a face with a missing vertex is warned of", "index.x", X.format(9), ["empty_face"])
     square("LWO: one list of polygons is baked without a warning", "square.lwo", lwo((b"FACE", [(0, 1, 2), (0, 2, 3)])))
     claims.refuses("LWO: two lists of polygons are refused", "two.lwo", lwo((b"FACE", [(0, 1, 2)]), (b"FACE", [(0, 2, 3)])), "POLS", "glTF")
 
@@ -136,37 +143,21 @@ def assimp(claims):
     square("DXF: a whole file is baked without a warning", "end.dxf", dxf + end)
     square("DXF: a missing EOF is warned of", "end.dxf", dxf + end.replace("EOF\n", ""), ["missing_end"])
     for text, warnings in ((SMD, []), (SMD[:-4], ["missing_end"])):
-        code, document, _ = bake(claims, "end.smd", text)
-        kinds = [warning["kind"] for warning in document.get("warnings", [])]
-        claims.check("SMD: a missing end is warned of", code == 0 and kinds == warnings, document)
+        warns("SMD: a missing end is warned of", "end.smd", text, warnings)
 
     for unit, metres in (("", 0.001), (' unit="inch"', 0.0254), (' version="1.1" unit="meter"', 1)):
-        code, document, stderr = bake(claims, "unit.amf", AMF.format(unit))
-        found = document.get("inputs", [{}])[0].get("metres_per_unit")
-        claims.check(f"AMF: the unit of <amf{unit}> is read", code == 0 and found == metres, (found, stderr))
+        warns(f"AMF: the unit of <amf{unit}> is read", "unit.amf", AMF.format(unit), [], metres=metres)
     for options, metres, warnings in (((), 0.001, ["unit_not_read"]), (("--unit", "in"), 0.0254, [])):
-        code, document, stderr = bake(claims, "unit.3mf", three_mf(), *options)
-        found = document.get("inputs", [{}])[0].get("metres_per_unit"), [warning["kind"] for warning in document.get("warnings", [])]
-        claims.check("3MF: a unit that is not read is warned of", code == 0 and found == (metres, warnings), (found, stderr))
+        warns("3MF: a unit that is not read is warned of", "unit.3mf", three_mf(), warnings, *options, metres=metres)
     for options, warnings in (((), ["up_axis_kept"]), (("--up", "z"), [])):
-        code, document, stderr = bake(claims, "up.fbx", fbx("9,0,0,8,0,0,8,2,0", 2), *options)
-        kinds = [warning["kind"] for warning in document.get("warnings", [])]
-        claims.check("FBX: an up axis that was kept is warned of", code == 0 and kinds == warnings, (kinds, stderr))
+        warns("FBX: an up axis that was kept is warned of", "up.fbx", fbx("9,0,0,8,0,0,8,2,0", 2), warnings, *options)
     square("names: an ending without an importer is warned of if the content has one", "square.model", AC.format(2), ["unknown_ending"])
     skeleton = SMD[:SMD.index("triangles")]
-    code, document, stderr = bake(claims, "skeleton.smd", skeleton, "--allow-empty")
-    kinds = [warning["kind"] for warning in document.get("warnings", [])]
-    claims.check("SMD: a skeleton alone is an incomplete scene", code == 0 and kinds == ["incomplete_scene"], (kinds, stderr))
+    warns("SMD: a skeleton alone is an incomplete scene", "skeleton.smd", skeleton, ["incomplete_scene"], "--allow-empty")
     claims.refuses("SMD: a skeleton alone is refused with the cause", "skeleton.smd", skeleton, "incomplete", "--allow-empty")
     claims.refuses("LWO: splines alone are refused", "spline.lwo", lwo((b"CURV", [(0, 1, 2), (0, 2, 3)])), "No meshes")
     square("AC3D: more surfaces than stated are warned of", "square.ac", AC.format(1), ["surface_count"], triangles=1)
     square("AC3D: fewer vertices than stated are warned of", "square.ac", AC.format(2).replace("numvert 4", "numvert 5"), ["importer_report"])
-    code, document, stderr = bake(claims, "square.ac", AC.format(2).replace("3 0 0\nkids", "9 0 0\nkids"), "--max-dropped", "50")
-    kinds = [warning["kind"] for warning in document.get("warnings", [])]
-    claims.check("AC3D: a missing vertex is warned of", code == 0 and kinds == ["importer_report"], (kinds, stderr))
+    warns("AC3D: a missing vertex is warned of", "square.ac", AC.format(2).replace("3 0 0\nkids", "9 0 0\nkids"),
+          ["importer_report"], "--max-dropped", "50")
     claims.refuses("AMF: an unknown unit is refused", "unit.amf", AMF.format(' unit="ell"'), "ell")
-
-
-def bake(claims, name, content, *options):
-    claims.write(name, content)
-    return claims.run(name, *options)
