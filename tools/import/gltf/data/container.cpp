@@ -101,11 +101,9 @@ std::string without_number(std::string reason) {
     return quoted(std::move(reason));
 }
 
-void refuse_repeated_keys(const std::string& path, std::string_view json) {
-    const std::optional<RepeatedKey> repeated = repeated_key(json);
-    if (!repeated) return;
-    const std::string object = repeated->object.empty() ? "" : text(", at ", quoted(repeated->object));
-    fail(path, text("its JSON has the key \"", quoted(repeated->key), "\" twice in one object", object,
+[[noreturn]] void refuse_repeated_key(const std::string& path, const RepeatedKey& repeated) {
+    const std::string object = repeated.object.empty() ? "" : text(", at ", quoted(repeated.object));
+    fail(path, text("its JSON has the key \"", quoted(repeated.key), "\" twice in one object", object,
                     ", and only one of the two can count. Export it again."));
 }
 
@@ -148,7 +146,7 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     if (version.empty()) fail(path, "its JSON has no asset.version, which glTF requires. Export it again.");
     if (!version.starts_with("2.")) refuse_version(path, version);
     if (!least.empty() && least != "2.0") refuse_version(path, least);
-    refuse_repeated_keys(path, characters(json));
+    if (parsed.repeated) refuse_repeated_key(path, *parsed.repeated);
     if (content == Content::json) container.file = {};
     return container;
 }

@@ -16,21 +16,20 @@
 
 namespace espalier::tools {
 
-/// The value that a JSON text is, or why it is none.
-struct ParsedJson {
-    std::shared_ptr<const nlohmann::json> value;
-    std::string problem;
-};
-ParsedJson parse_json(std::string_view json);
-
 /// A key that an object has twice, of which readers differ in which one counts. The object is named by its path,
 /// "meshes[0].primitives[1]", which is empty for the outermost one.
 struct RepeatedKey {
     std::string key;
     std::string object;
 };
-/// Returns the first repeated key of a JSON text, and nothing for one without, or for broken JSON.
-std::optional<RepeatedKey> repeated_key(std::string_view json);
+
+/// The value that a JSON text is, or why it is none; and the first key in it that is repeated, if any.
+struct ParsedJson {
+    std::shared_ptr<const nlohmann::json> value;
+    std::string problem;
+    std::optional<RepeatedKey> repeated;
+};
+ParsedJson parse_json(std::string_view json);
 
 /// Return whether a value has this object, and the text in it, which is empty where it has none.
 bool has_object(const nlohmann::json& value, const char* object);
