@@ -11,17 +11,18 @@ namespace espalier::tools {
 
 namespace {
 
+/// So many numbers of one width, from where the listing stands.
+std::string numbers_text(Bytes bytes, unsigned count, unsigned width, const ByteListing& listing) {
+    std::string values;
+    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
+    return values;
+}
+
 /// A row of planes for each axis, of `plane_bytes` each.
-void list_planes(Bytes bytes, const char* side, unsigned children, std::size_t row_bytes, std::size_t plane_bytes,
+void list_planes(Bytes bytes, const char* side, unsigned children, std::size_t row_bytes, unsigned plane_bytes,
                  ByteListing& listing) {
-    for (const char axis : {'x', 'y', 'z'}) {
-        std::string planes;
-        for (std::size_t i = 0; i < children; ++i) {
-            const std::size_t at = listing.at() + plane_bytes * i;
-            planes += text(' ', plane_bytes == 1 ? read_u8(bytes, at) : read_u16(bytes, at));
-        }
-        listing.field(row_bytes, text(side, ' ', axis, planes));
-    }
+    for (const char axis : {'x', 'y', 'z'})
+        listing.field(row_bytes, text(side, ' ', axis, numbers_text(bytes, children, 8 * plane_bytes, listing)));
 }
 
 void list_plain_node(Bytes bytes, const Blob& blob, std::size_t number, ByteListing& listing) {
@@ -48,9 +49,8 @@ void list_plain_node(Bytes bytes, const Blob& blob, std::size_t number, ByteList
 /// Fields of one width, low bits first.
 void list_numbers(Bytes bytes, const std::string& name, unsigned count, unsigned width, ByteListing& listing) {
     if (width == 0) return;
-    std::string values;
-    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
-    listing.field((std::size_t{count} * width + 7) / 8, text(name, ", ", width, " bits:", values));
+    listing.field((std::size_t{count} * width + 7) / 8,
+                  text(name, ", ", width, " bits:", numbers_text(bytes, count, width, listing)));
 }
 
 /// A row of numbers of so many bytes each.
@@ -182,9 +182,7 @@ std::vector<Leaf> leaves_of(Bytes bytes, const Blob& blob) {
 
 /// The next `count` numbers as one field.
 void list_motion_row(Bytes bytes, const std::string& name, unsigned count, unsigned bits, ByteListing& listing) {
-    std::string values;
-    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * bits, bits));
-    listing.field(std::size_t{count} * bits / 8, text(name, ':', values));
+    listing.field(std::size_t{count} * bits / 8, text(name, ':', numbers_text(bytes, count, bits, listing)));
 }
 
 }  // namespace
