@@ -114,6 +114,7 @@ TEST_CASE("error: max_error is rounded up to float32 and never subnormal") {
     CHECK(round_up_to_float(1.0 + 0x1p-23 - 0x1p-50) == 1.0f + 0x1p-23f);
     CHECK(round_up_to_float(1e-300) == std::numeric_limits<float>::min());
     CHECK(round_up_to_float(0x1p-140) == std::numeric_limits<float>::min());
+    CHECK(round_up_to_float(double(std::numeric_limits<float>::min())) == std::numeric_limits<float>::min());
     CHECK(round_up_to_float(0x1.fffffep127) == std::numeric_limits<float>::max());
     CHECK(round_up_to_float(0x1.ffffff8p127) == std::numeric_limits<float>::infinity());
 }

@@ -87,15 +87,6 @@ TEST_CASE("lattice: a step too fine for the meshes is refused with the finest th
     CHECK(baker::lattice_for_step(baker::SourceBounds{}, -7)->step_exponent == -7);
 }
 
-TEST_CASE("lattice: an error is rounded up to the next float at most and never to a subnormal") {
-    CHECK(baker::round_up_to_float(0.0) == 0.0f);
-    CHECK(baker::round_up_to_float(1.0) == 1.0f);
-    CHECK(baker::round_up_to_float(1.0 + 0x1p-40) == 1.0f + 0x1p-23f);
-    CHECK(baker::round_up_to_float(1.0 + 0x1p-23 - 0x1p-40) == 1.0f + 0x1p-23f);
-    CHECK(baker::round_up_to_float(0x1p-140) == least_normal);
-    CHECK(baker::round_up_to_float(double(least_normal)) == least_normal);
-}
-
 TEST_CASE("lattice: a step finer than the spacing of the source floats is reported and only then") {
     const auto bounds = bounds_between({0.0f, 0.0f, 0.0f}, {1.5f, 1.0f, 1.0f});  // a spacing of 2^-23
     CHECK_FALSE(baker::is_below_float_spacing({{}, -23, 24}, bounds));
