@@ -22,6 +22,15 @@ def torus(rings=40, sides=24):
     return positions.reshape(-1, 3).astype(np.float32), triangles.astype(np.uint32)
 
 
+def ply_of(positions, triangles):
+    """Returns the parts of a binary PLY file: header, vertices and faces."""
+    faces = np.zeros(len(triangles), [("n", "u1"), ("v", "<3i4")])
+    faces["n"], faces["v"] = 3, triangles
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(positions)}\nproperty float x\nproperty float y\n"
+              f"property float z\nelement face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
+    return header.encode(), positions.astype("<f4").tobytes(), faces.tobytes()
+
+
 @pytest.fixture(scope="session")
 def mesh():
     return torus()
@@ -65,6 +74,12 @@ def library():
     if not path:
         pytest.skip("ESPALIER_LIBRARY does not name a libespalier.so to compare with")
     return Library(path)
+
+
+def raises(error, message, call, *arguments, **options):
+    """Tests whether a call raises this error with this message, a regular expression."""
+    with pytest.raises(error, match=message or None):
+        call(*arguments, **options)
 
 
 def same(answers, expected):

@@ -1,10 +1,9 @@
 """Arrays of any type and strides, shapes that broadcast, and what is refused."""
 
 import numpy as np
-import pytest
 
 import espalier
-from conftest import same
+from conftest import raises, same
 
 
 def test_strides_and_types_do_not_change_answers(blob, points, directions):
@@ -59,8 +58,7 @@ def test_wrong_arguments_raise(blob, points):
             (ValueError, "no transform",
              lambda: espalier.transform_from_matrix(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]))),
             (ValueError, "places", lambda: espalier.bake_scene([blob], np.zeros((4, 16))))):
-        with pytest.raises(error, match=message):
-            call()
+        raises(error, message, call)
 
 
 def test_statuses_of_single_queries(blob, open_mesh_blob):
@@ -71,8 +69,7 @@ def test_statuses_of_single_queries(blob, open_mesh_blob):
     refused = open_mesh_blob.contains([0, 0, 0])
     assert refused.status == espalier.Status.NOT_CLOSED and not refused.yes and not refused.no
     assert refused.value_or(True) and not refused.value_or(False)
-    with pytest.raises(TypeError, match="no truth value"):
-        bool(refused)
+    raises(TypeError, "no truth value", bool, refused)
     assert open_mesh_blob.raycast_sources([3, 0, 5], [0, 0, -1]).sources["status"] == espalier.Status.NO_DATA
     assert blob.original_triangles([0, -1, 2**40])["status"].tolist() == [0, 1, 1]
     assert all(each.describe() for each in espalier.Status)
@@ -101,14 +98,11 @@ def test_lists_of_any_length(blob, points):
     assert blob.closest_triangles(points[20], 2**62).counts() == blob.triangle_count
     assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 2**62).counts() == 2
     assert blob.closest_hits([3, 0.1, 5], [0, 0, -1], 0).counts() == 0
-    with pytest.raises(MemoryError):
-        blob.contacts(espalier.Sphere([4, 0, 0], 1), most=2**62)
-    with pytest.raises((TypeError, ValueError)):
-        blob.closest_triangles(points, -1)
+    raises(MemoryError, "", blob.contacts, espalier.Sphere([4, 0, 0], 1), most=2**62)
+    raises((TypeError, ValueError), "", blob.closest_triangles, points, -1)
     # 2^62 rays: their bytes do not fit an integer of 64 bits.
     origins, far = np.zeros((2, 1, 1, 3), np.float32), np.broadcast_to(np.float32(1), (1, 1, 2**31))
-    with pytest.raises(MemoryError):
-        blob.raycast(origins, np.broadcast_to(np.float32([0, 0, 1]), (1, 2**30, 1, 3)), t_max=far)
+    raises(MemoryError, "", blob.raycast, origins, np.broadcast_to(np.float32([0, 0, 1]), (1, 2**30, 1, 3)), t_max=far)
 
 
 def test_triangles(blob, mesh):

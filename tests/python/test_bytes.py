@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import espalier
-from conftest import same
+from conftest import ply_of, raises, same
 
 
 @pytest.fixture
@@ -50,11 +50,9 @@ def test_a_file_that_cannot_be_written_stays(blob, tmp_path, monkeypatch):
 
     with monkeypatch.context() as patch:
         patch.setattr(os, "replace", refuse)
-        with pytest.raises(PermissionError):
-            blob.save(path)
+        raises(PermissionError, "", blob.save, path)
     assert path.read_bytes() == b"before" and list(tmp_path.iterdir()) == [path]
-    with pytest.raises(FileNotFoundError):
-        blob.save(tmp_path / "absent" / "torus.espl")
+    raises(FileNotFoundError, "", blob.save, tmp_path / "absent" / "torus.espl")
     link = tmp_path / "link.espl"
     link.symlink_to("target.espl")
     blob.save(link)
@@ -70,8 +68,7 @@ def test_files_are_mapped(blob, points, directions, expected, tmp_path):
     with open(tmp_path / "torus.espl", "rb") as file:
         mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     by_hand = espalier.open_blob(mapped)
-    with pytest.raises(BufferError):
-        mapped.close()
+    raises(BufferError, "", mapped.close)
     same(by_hand.raycast(points, directions), expected)
     memmap = np.memmap(tmp_path / "torus.espl", np.uint8, "r")
     assert espalier.open_blob(memmap).is_view
@@ -86,10 +83,8 @@ def test_writable_and_misaligned_bytes(blob, points, directions, expected):
     for shift in (1, 2, 8):
         moved = memoryview(bytes(shift) + bytes(blob))[shift:]
         same(espalier.open_blob(moved).raycast(points, directions), expected)
-    with pytest.raises((BufferError, ValueError), match="contiguous"):
-        espalier.open_blob(np.frombuffer(bytes(blob), np.uint8)[::2])
-    with pytest.raises(TypeError):
-        espalier.open_blob(5)
+    raises((BufferError, ValueError), "contiguous", espalier.open_blob, np.frombuffer(bytes(blob), np.uint8)[::2])
+    raises(TypeError, "", espalier.open_blob, 5)
 
 
 def test_pickles(blob, points, directions, expected):
@@ -104,14 +99,11 @@ def test_damaged_bytes_raise(blob, tmp_path):
         assert str(error.value) and error.value.status > 0
         assert pickle.loads(pickle.dumps(error.value)).status == error.value.status
     (tmp_path / "empty").write_bytes(b"")
-    with pytest.raises(espalier.OpenError):
-        espalier.open_blob(tmp_path / "empty")
-    with pytest.raises(FileNotFoundError):
-        espalier.open_blob(tmp_path / "missing")
+    raises(espalier.OpenError, "", espalier.open_blob, tmp_path / "empty")
+    raises(FileNotFoundError, "", espalier.open_blob, tmp_path / "missing")
     espalier.verify(blob)
     data[-1] ^= 1
-    with pytest.raises(ValueError):
-        espalier.verify(bytes(data))
+    raises(ValueError, "", espalier.verify, bytes(data))
 
 
 def test_bake_takes_any_arrays(mesh):
@@ -152,12 +144,10 @@ def test_refused_bakes_raise_with_the_place(mesh):
     assert espalier.bake(positions, wrong, drop_bad_triangles=True).report["index_out_of_range"]["count"] == 1
     for options in ({"bits": 25}, {"profile": "large"}, {"bits": 8, "tolerance": 0.1}, {"effort": "none"},
                     {"flat_angle": -5.0}, {"flat_angle": float("nan")}):
-        with pytest.raises(ValueError):
-            espalier.bake(positions, triangles, **options)
+        raises(ValueError, "", espalier.bake, positions, triangles, **options)
     many, fractions = np.full(len(triangles), 2**32 + 5), np.full(len(triangles), 1.5)
     for arguments in ((positions, triangles, [1, 2]), (positions, triangles, many), (positions, triangles, fractions), (positions[:, :2], triangles), (positions, positions)):
-        with pytest.raises((ValueError, TypeError)):
-            espalier.bake(*arguments)
+        raises((ValueError, TypeError), "", espalier.bake, *arguments)
 
 
 def test_several_meshes_and_materials(mesh):
@@ -175,11 +165,8 @@ def test_mesh_files(mesh, tmp_path):
     lines = ["v %.9g %.9g %.9g" % tuple(row) for row in positions] + ["f %d//1 %d//1 %d//1" % tuple(row + 1) for row in triangles]
     (tmp_path / "a.obj").write_text("\n".join(lines))
     assert bytes(espalier.bake_file(tmp_path / "a.obj")) == expected
-    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(positions)}\nproperty float x\nproperty float y\n"
-              f"property float z\nelement face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
-    faces = np.zeros(len(triangles), [("n", "u1"), ("v", "<3i4")])
-    faces["n"], faces["v"] = 3, triangles
-    (tmp_path / "a.ply").write_bytes(header.encode() + positions.tobytes() + faces.tobytes())
+    header, vertices, faces = ply_of(positions, triangles)
+    (tmp_path / "a.ply").write_bytes(header + vertices + faces)
     assert bytes(espalier.bake_file(tmp_path / "a.ply")) == expected
     facets = np.zeros(len(triangles), [("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])
     facets["corners"] = positions[triangles].reshape(-1, 9)
@@ -189,11 +176,7 @@ def test_mesh_files(mesh, tmp_path):
     corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
     for text in ("v 0 0 0\nf 1 2 3\n", corners + "f 0 1 2\n", corners + "v 1 1\nv 2 2\nf 1 2 3\n", corners + "f 1 2 -4\n"):
         (tmp_path / "b.obj").write_text(text)
-        with pytest.raises(ValueError, match="b.obj"):
-            espalier.bake_file(tmp_path / "b.obj")
-    counts = header.replace(" uchar int", " char int").encode() + positions.tobytes()
-    (tmp_path / "b.ply").write_bytes(counts + b"\xff" + faces.tobytes())
-    with pytest.raises(ValueError, match="b.ply"):
-        espalier.bake_file(tmp_path / "b.ply")
-    with pytest.raises(ValueError, match="only"):
-        espalier.bake_file(tmp_path / "a.glb")
+        raises(ValueError, "b.obj", espalier.bake_file, tmp_path / "b.obj")
+    (tmp_path / "b.ply").write_bytes(header.replace(b" uchar int", b" char int") + vertices + b"\xff" + faces)
+    raises(ValueError, "b.ply", espalier.bake_file, tmp_path / "b.ply")
+    raises(ValueError, "only", espalier.bake_file, tmp_path / "a.glb")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import espalier
-from conftest import same
+from conftest import raises, same
 
 
 @pytest.fixture(scope="module")
@@ -60,36 +60,28 @@ def test_poses_are_baked_less_the_origin(mesh, stretched):
     plain = espalier.bake(*mesh, range=[[-6, -6, -4], [6, 6, 4]], **options)
     assert bytes(plain) != bytes(near)
     plain.refit(mesh[0] * 1.3)  # outside of the range that a bake takes by itself
-    with pytest.raises(ValueError, match="outside"):
-        espalier.bake(*mesh, **options).refit(mesh[0] * 1.3)
+    raises(ValueError, "outside", espalier.bake(*mesh, **options).refit, mesh[0] * 1.3)
 
 
 def test_refits_are_refused_by_position(mesh, cloth):
     positions = mesh[0].copy()
     positions[17] = 50
-    with pytest.raises(ValueError, match=r"position 17, \[50.0, 50.0, 50.0\], is outside"):
-        cloth.refit(positions)
+    raises(ValueError, r"position 17, \[50.0, 50.0, 50.0\], is outside", cloth.refit, positions)
     positions[17] = np.nan
-    with pytest.raises(ValueError, match="position 17, .nan, nan, nan., is no number of float32"):
-        cloth.refit(positions)
-    with pytest.raises(ValueError, match="position 17, .*no number of float32"):
-        cloth.refit(np.where(np.isnan(positions), 1e300, positions.astype(np.float64)))
+    raises(ValueError, "position 17, .nan, nan, nan., is no number of float32", cloth.refit, positions)
+    raises(ValueError, "position 17, .*no number of float32", cloth.refit,
+           np.where(np.isnan(positions), 1e300, positions.astype(np.float64)))
     for count in (0, 959, 961, 5000):
-        with pytest.raises(ValueError, match=f"from 960 positions, not from {count}"):
-            cloth.refit(np.resize(np.where(np.arange(960)[:, None] == 0, np.nan, mesh[0]), (count, 3)))
-    with pytest.raises(ValueError, match="without deformable"):
-        espalier.bake(*mesh).refit(mesh[0])
+        raises(ValueError, f"from 960 positions, not from {count}", cloth.refit,
+               np.resize(np.where(np.arange(960)[:, None] == 0, np.nan, mesh[0]), (count, 3)))
+    raises(ValueError, "without deformable", espalier.bake(*mesh).refit, mesh[0])
     for bad in (mesh[0].ravel(), mesh[0][:, :2], [["a", "b", "c"]]):
-        with pytest.raises(ValueError, match="shape"):
-            cloth.refit(bad)
+        raises(ValueError, "shape", cloth.refit, bad)
 
 
 def test_bakes_are_refused(mesh, stretched):
-    with pytest.raises(ValueError, match="deformable=True"):
-        espalier.bake(*mesh, poses=[stretched])
-    with pytest.raises(ValueError, match=r"pose 1 must be numbers in the shape \(960, 3\)"):
-        espalier.bake(*mesh, deformable=True, poses=[stretched, stretched[1:]])
-    with pytest.raises(ValueError, match=r"range must be"):
-        espalier.bake(*mesh, deformable=True, range=[-6, 6])
-    with pytest.raises(espalier.BakeError):
-        espalier.bake(*mesh, deformable=True, profile="small")
+    raises(ValueError, "deformable=True", espalier.bake, *mesh, poses=[stretched])
+    raises(ValueError, r"pose 1 must be numbers in the shape \(960, 3\)", espalier.bake,
+           *mesh, deformable=True, poses=[stretched, stretched[1:]])
+    raises(ValueError, r"range must be", espalier.bake, *mesh, deformable=True, range=[-6, 6])
+    raises(espalier.BakeError, "", espalier.bake, *mesh, deformable=True, profile="small")

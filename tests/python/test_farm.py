@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import espalier
-from conftest import torus
+from conftest import ply_of, torus
 
 pytest.importorskip("distributed", reason="no Dask (python3-distributed)")
 FARM = pathlib.Path(__file__).resolve().parents[2] / "docs" / "examples" / "farm"
@@ -21,14 +21,6 @@ from store import Store  # noqa: E402
 
 COUNT = 500
 OPTIONS = {"bits": 14, "tolerance": None, "profile": "balanced", "effort": "normal", "original_ids": False}
-
-
-def write_ply(path, positions, triangles):
-    faces = np.zeros(len(triangles), [("n", "u1"), ("v", "<3i4")])
-    faces["n"], faces["v"] = 3, triangles
-    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(positions)}\nproperty float x\nproperty float y\n"
-              f"property float z\nelement face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
-    path.write_bytes(header.encode() + positions.astype("<f4").tobytes() + faces.tobytes())
 
 
 def start(sources, out):
@@ -61,7 +53,7 @@ def sources(tmp_path):
     for number in range(COUNT):
         positions, triangles = torus(40 + number % 7, 30)
         paths.append(str(folder / f"{number:03}.ply"))
-        write_ply(pathlib.Path(paths[-1]), positions * np.float32(1 + number / COUNT), triangles)
+        pathlib.Path(paths[-1]).write_bytes(b"".join(ply_of(positions * np.float32(1 + number / COUNT), triangles)))
     return paths
 
 

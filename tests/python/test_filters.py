@@ -5,7 +5,7 @@ import pytest
 
 import espalier
 from c_library import SCENE_FILTER, TRIANGLE_FILTER, MovingScene, ray
-from conftest import same
+from conftest import raises, same
 from test_bits import of, volumes
 from test_moving_scenes import some_places
 
@@ -116,11 +116,9 @@ def test_strides_and_messages(blob, flags, points, directions):
                   lambda points, ways, only: scene.sweep(espalier.Sphere(points), ways, only=only),
                   lambda points, ways, only: scene.overlaps(espalier.Sphere(points), only=only),
                   lambda points, ways, only: scene.overlapping_triangles(espalier.Sphere(points), only=only)):
-        with pytest.raises(ValueError, match="only must have a flag for each of the"):
-            query(points, directions, only=np.ones(7, bool))
-        with pytest.raises(TypeError, match="bool or uint8, not float64"):
-            query(points, directions, only=np.ones(len(flags)))
-        with pytest.raises(TypeError, match=r"not int64; from numbers: flags = np.zeros"):
-            query(points, directions, only=np.flatnonzero(flags))
-    with pytest.raises(ValueError, match=rf"{blob.triangle_count} triangles, .* not \(1, {blob.triangle_count}\)"):
-        blob.raycast(points, directions, only=flags[None])
+        raises(ValueError, "only must have a flag for each of the", query, points, directions, only=np.ones(7, bool))
+        raises(TypeError, "bool or uint8, not float64", query, points, directions, only=np.ones(len(flags)))
+        raises(TypeError, r"not int64; from numbers: flags = np.zeros", query,
+               points, directions, only=np.flatnonzero(flags))
+    raises(ValueError, rf"{blob.triangle_count} triangles, .* not \(1, {blob.triangle_count}\)", blob.raycast,
+           points, directions, only=flags[None])

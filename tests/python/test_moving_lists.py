@@ -1,10 +1,9 @@
 """Lists of a moving scene: arrays of instances and handles, of which no refused one changes anything, and results."""
 
 import numpy as np
-import pytest
 
 import espalier
-from conftest import same
+from conftest import raises, same
 from test_moving_scenes import OK, scene, some_places  # noqa: F401
 
 HUGE = 2**57  # elements, whose results no memory can hold
@@ -12,8 +11,7 @@ HUGE = 2**57  # elements, whose results no memory can hold
 
 def refuses(scene, error, message, call):  # noqa: F811
     before = scene.snapshot()
-    with pytest.raises(error, match=message):
-        call()
+    raises(error, message, call)
     assert scene.snapshot() == before
 
 
@@ -106,8 +104,7 @@ def test_lists_of_any_length(blob, scene):  # noqa: F811
                 espalier.Sphere(np.broadcast_to(np.float32(1), (HUGE, 3)), 1.0)))):
         refuses(scene, error, message, call)
     for capacity in (-1, 2**24 + 1, 2**64):
-        with pytest.raises(ValueError, match="capacity must be from 1 to 16777216"):
-            espalier.MovingScene([blob], capacity)
+        raises(ValueError, "capacity must be from 1 to 16777216", espalier.MovingScene, [blob], capacity)
     # Many more than there are: the first of them leaves, and what no place is left for is refused.
     assert scene.remove(np.repeat(handle[None], 100_000)).tolist() == [OK] + [espalier.Status.STALE_HANDLE] * 99_999
     inserted = scene.insert(np.repeat(place[None], 100_000, axis=0))["status"]

@@ -9,7 +9,7 @@ import pytest
 
 import espalier
 from c_library import MovingScene, ray
-from conftest import same
+from conftest import raises, same
 from test_bits import of, volumes
 
 OK = espalier.Status.OK
@@ -217,13 +217,11 @@ def test_another_pose(mesh):
     same(scene.raycast([[23, 0, 10], [3, 0, 10]], [0, 0, -1]), other.raycast([[23, 0, 10], [3, 0, 10]], [0, 0, -1]))
     assert scene.blobs == (pose,)
     for wrong in (-1, 1):
-        with pytest.raises(IndexError, match=f"no mesh {wrong}"):
-            scene.set_mesh(wrong, pose)
+        raises(IndexError, f"no mesh {wrong}", scene.set_mesh, wrong, pose)
     far = espalier.MovingScene([rest], 1, -30)
     far.insert(espalier.transform(scale=0.1))
     before = far.raycast([0.3, 0, 10], [0, 0, -1])
-    with pytest.raises(ValueError, match="mesh 0 keeps its blob"):
-        far.set_mesh(0, espalier.bake(mesh[0] * 100, mesh[1]))
+    raises(ValueError, "mesh 0 keeps its blob", far.set_mesh, 0, espalier.bake(mesh[0] * 100, mesh[1]))
     same(far.raycast([0.3, 0, 10], [0, 0, -1]), before)
     assert before["status"] == OK and far.blobs == (rest,)
 
@@ -248,10 +246,8 @@ def test_snapshots(blob, scene, points, directions):
     handle = scene.handles()[20]
     assert again.remove(handle) == OK and again.instance_count == scene.instance_count - 1 == 49
     for wrong in (b"", scene.snapshot()[:-1], bytes(1000)):
-        with pytest.raises(ValueError, match="no snapshot"):
-            espalier.open_moving_scene(wrong, [blob])
-    with pytest.raises(ValueError, match="no snapshot"):
-        espalier.open_moving_scene(scene.snapshot(), [])
+        raises(ValueError, "no snapshot", espalier.open_moving_scene, wrong, [blob])
+    raises(ValueError, "no snapshot", espalier.open_moving_scene, scene.snapshot(), [])
 
 
 def test_slots_and_facts(scene):
@@ -311,5 +307,4 @@ def test_messages(blob, scene):
             (lambda: scene.colliding_pairs(work_limit=-1), ValueError, "work_limit"),
             (lambda: scene.insert(np.zeros((2, 7))), ValueError, "places must have the shape"),
             (lambda: scene.overlaps(espalier.ConvexVolume(np.zeros((4, 4)))), TypeError, "takes no ConvexVolume")):
-        with pytest.raises(error, match=message):
-            call()
+        raises(error, message, call)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import espalier
-from conftest import same
+from conftest import raises, same
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +67,7 @@ def test_points_sweeps_and_volumes(scene, random):
     np.testing.assert_allclose(turned["t"], moved["t"], atol=1e-5)
     hulls = scene.sweep(espalier.ConvexHull(points[:, None] + signs), ways)
     np.testing.assert_allclose(hulls["t"], moved["t"], atol=1e-5)
-    with pytest.raises(TypeError):
-        scene.sweep(espalier.Cone(points, points, 1.0), ways)
+    raises(TypeError, "", scene.sweep, espalier.Cone(points, points, 1.0), ways)
 
 
 def test_instances_bytes_and_refusals(scene, blob, places):
@@ -78,14 +77,10 @@ def test_instances_bytes_and_refusals(scene, blob, places):
     assert sorted(instances["source"]) == list(range(12)) and scene.instance_count == 12
     assert bytes(scene.mesh(0)) == bytes(blob) and scene.mesh_count == 1
     assert bytes(pickle.loads(pickle.dumps(scene))) == bytes(scene)
-    with pytest.raises(espalier.OpenError):
-        espalier.open_scene(bytes(blob))
-    with pytest.raises(espalier.BakeError):
-        espalier.bake_scene([blob], places, 1)
-    with pytest.raises(espalier.BakeError):
-        espalier.bake_scene([b"nothing"], places)
-    with pytest.raises(IndexError):
-        scene.mesh(1)
+    raises(espalier.OpenError, "", espalier.open_scene, bytes(blob))
+    raises(espalier.BakeError, "", espalier.bake_scene, [blob], places, 1)
+    raises(espalier.BakeError, "", espalier.bake_scene, [b"nothing"], places)
+    raises(IndexError, "", scene.mesh, 1)
 
 
 def test_transforms():
@@ -98,5 +93,4 @@ def test_transforms():
     np.testing.assert_allclose(espalier.direction_to_world(place, [1, 1, 1]), [[2, 2, 2]] * 2)
     np.testing.assert_allclose(espalier.direction_to_local(place, [2, 2, 2]), [[1, 1, 1]] * 2)
     matrix[0] *= -1
-    with pytest.raises(ValueError, match="no transform"):
-        espalier.transform_from_matrix(matrix)
+    raises(ValueError, "no transform", espalier.transform_from_matrix, matrix)
