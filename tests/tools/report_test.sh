@@ -8,8 +8,12 @@
 warns_of() {
     json "[.warnings[].kind] == [$([ $# = 0 ] || printf '"%s",' "$@" | sed 's/,$//')]"
     [ "$(grep -c '^warning: ' err)" = $# ] || fail "not $# warnings on stderr: $(head -c 400 err)"
-    jq -r '.warnings[].message' out 2>/dev/null | while IFS= read -r message; do
-        grep -qF -- "warning: $message" err || echo "$message"
+    are_on_stderr '.warnings[].message' "warning: "
+}
+# are_on_stderr FILTER BEFORE: each line that jq finds in the JSON is on stderr, after these words.
+are_on_stderr() {
+    jq -r "$1" out 2>/dev/null | while IFS= read -r line; do
+        grep -qF -- "$2$line" err || echo "$line"
     done >unprinted
     [ ! -s unprinted ] || fail "not on stderr: $(cat unprinted)"
 }
@@ -17,10 +21,7 @@ warns_of() {
 fails_with() {
     run "${@:5}" --json
     json ".error.kind == \"$1\" and .error.file == $2 and .error.mesh == $3 and .error.triangle == $4"
-    jq -r '.error.message' out 2>/dev/null | while IFS= read -r line; do
-        grep -qF -- "$line" err || echo "$line"
-    done >unprinted
-    [ ! -s unprinted ] || fail "not on stderr: $(cat unprinted)"
+    are_on_stderr '.error.message' ""
 }
 
 write_box_obj 0 >box.obj
