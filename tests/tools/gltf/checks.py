@@ -153,6 +153,19 @@ def solid_file(**node):
     return gltf
 
 
+def changed(gltf, path, *value):
+    """The file with another value at "accessors.0.count", or without that member."""
+    *way, last = (int(key) if key.isdigit() else key for key in path.split("."))
+    place = gltf.json
+    for key in way:
+        place = place[key]
+    if value:
+        place[last], = value
+    else:
+        del place[last]
+    return gltf
+
+
 def indexed_file(position, corners=(), component=UNSIGNED_BYTE, **node):
     """A mesh of FACES, and of more corners, of the positions that position(gltf) stores."""
     gltf = Gltf()

@@ -39,12 +39,8 @@ def containers():
         with open("more.glb", "wb") as file:
             file.write(whole[:8] + struct.pack("<I", len(whole) + counted) + whole[12:] + more)
         warned(bakes("more.glb", solid()), "trailing_bytes", kind)
-    gltf = solid_file()
-    gltf.json["asset"]["version"] = "3.0"
-    refused(gltf, 5, "glTF 3.0")
-    gltf.json["asset"] = {}
-    gltf.json["meshes"] = {"walls": {}}
-    refused(gltf, 5, "glTF 1.0", "Convert it")
+    refused(changed(solid_file(), "asset.version", "3.0"), 5, "glTF 3.0")
+    refused(changed(changed(solid_file(), "asset", {}), "meshes", {"walls": {}}), 5, "glTF 1.0", "Convert it")
     claim("a missing or short file beside it is refused by name")
     solid_file().write("beside.gltf", ("short.bin", "absent.bin"))
     refused("beside.gltf", 2, "absent.bin", "No such file")
@@ -87,27 +83,20 @@ def hostile():
     claim("a count, an offset or a length beyond the bytes is refused with the accessor")
     for key, value in (("count", 10**9), ("byteOffset", 13), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("bufferView", 99), ("count", -1), ("count", "4"),
                        ("componentType", 5124), ("componentType", 5125), ("type", "VEC4"), ("type", 7)):
-        gltf = solid_file()
-        gltf.json["accessors"][0][key] = value
+        gltf = changed(solid_file(), "accessors.0." + key, value)
         refused(gltf, 5 if value == 5124 else 3, "glTF mesh 0", "primitive 0", "POSITION", "accessor 0")
     for key, value in (("byteLength", 10**12), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("buffer", 1), ("byteStride", 4)):
-        gltf = solid_file()
-        gltf.json["bufferViews"][0][key] = value
+        gltf = changed(solid_file(), "bufferViews.0." + key, value)
         refused(gltf, 3, "case.gltf", "bufferView 0" if key != "byteStride" else "byteStride")
     claim("counts that no bytes stand behind are refused, not allocated")
     for count, code in ((10**12, 5), (2 * 10**9, 5)):
-        gltf = solid_file()
-        gltf.json["accessors"][0] = {"componentType": FLOAT, "count": count, "type": "VEC3"}
-        del gltf.json["meshes"][0]["primitives"][0]["indices"]
-        refused(gltf, code, "glTF mesh 0", "primitive 0")
-    gltf = solid_file()
-    gltf.json["accessors"][1] = {"componentType": UNSIGNED_INT, "count": 300000, "type": "SCALAR"}
+        gltf = changed(solid_file(), "accessors.0", {"componentType": FLOAT, "count": count, "type": "VEC3"})
+        refused(changed(gltf, "meshes.0.primitives.0.indices"), code, "glTF mesh 0", "primitive 0")
+    gltf = changed(solid_file(), "accessors.1", {"componentType": UNSIGNED_INT, "count": 300000, "type": "SCALAR"})
     for i in range(30000):
         gltf.node(mesh=0)
     refused(gltf, 5, "2147483647 triangles")
-    gltf = instanced_file(TRANSLATION=(POINTS,))
-    gltf.json["accessors"][2]["count"] = 10**12
-    refused(gltf, 5, "node 0")
+    refused(changed(instanced_file(TRANSLATION=(POINTS,)), "accessors.2.count", 10**12), 5, "node 0")
     claim("a key that an object has twice is refused with its place, and equal keys of two objects are not")
     for doubled, words in (('{"asset": {"version": "2.0"}, "nodes": [], "scenes": [], "nodes": []}', ['"nodes"']),
                            ('{"asset": {"version": "2.0", "x": 1, "version": "2.0"}}', ['"version"', "at asset"]),
@@ -118,11 +107,7 @@ def hostile():
         with open("doubled.gltf", "w") as file:
             file.write(doubled)
         refused("doubled.gltf", 3, "twice in one object", *words)
-    gltf = solid_file()
-    gltf.json["extras"] = {"name": {"name": [{"name": {}}, {"name": 1}]}, "asset": "name"}
-    bakes(gltf, solid())
+    bakes(changed(solid_file(), "extras", {"name": {"name": [{"name": {}}, {"name": 1}]}, "asset": "name"}), solid())
     claim("names of a broken file reach the terminal without control characters")
-    gltf = solid_file()
-    gltf.json["meshes"][0]["name"] = "red\x1b[31m"
-    gltf.json["accessors"][0]["count"] = 99
-    refused(gltf, 3, "red?[31m")
+    gltf = changed(solid_file(), "meshes.0.name", "red\x1b[31m")
+    refused(changed(gltf, "accessors.0.count", 99), 3, "red?[31m")

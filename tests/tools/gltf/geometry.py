@@ -40,9 +40,7 @@ def topology():
     for more in ([0], [0, 1]):
         warned(bakes(indexed_file(lambda gltf: gltf.accessor(POINTS), more), solid()), "incomplete_triangle")
     claim("an accessor without elements is refused by number")
-    gltf = solid_file()
-    gltf.json["accessors"][1]["count"] = 0
-    refused(gltf, 3, "glTF mesh 0", "indices", "accessor 1", "count")
+    refused(changed(solid_file(), "accessors.1.count", 0), 3, "glTF mesh 0", "indices", "accessor 1", "count")
     claim("points and lines are counted as skipped")
     for mode, count in ((0, 4), (1, 2), (2, 4), (3, 3)):
         gltf = Gltf()
@@ -86,14 +84,10 @@ def positions():
     bakes(indexed_file(lambda gltf: gltf.accessor(rows, BYTE, True, 4)),
           solid(points=[(-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]))
     claim("a flag of normalised integers changes no float")
-    gltf = solid_file(scale=[-1, -1, -1])
-    gltf.json["accessors"][0]["normalized"] = True
     negative = [tuple(-x for x in p) for p in POINTS]
-    bakes(gltf, solid(points=negative, mirrored=True))
+    bakes(changed(solid_file(scale=[-1, -1, -1]), "accessors.0.normalized", True), solid(points=negative, mirrored=True))
     bakes(indexed_file(lambda gltf: gltf.accessor(negative, normalized=True)), solid(points=negative))
-    gltf = draco_file(negative)
-    gltf.json["accessors"][0]["normalized"] = True
-    bakes(gltf, solid(points=negative))
+    bakes(changed(draco_file(negative), "accessors.0.normalized", True), solid(points=negative))
     claim("sparse positions replace stored ones, or zeros, with indices of every type")
     for component in (UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT):
         for view in (None, False):

@@ -61,8 +61,7 @@ def skins():
         gltf.json["skins"][0]["inverseBindMatrices"] = gltf.accessor(bind)
         refused(gltf, 3, "skin 0", "inverse bind matrix 1", "0 0 0 1")
     claim("a mesh without joints and weights on a node with a skin stands where its node is; with a warning")
-    gltf = skin_file(weights)
-    del gltf.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"]
+    gltf = changed(skin_file(weights), "meshes.0.primitives.0.attributes.JOINTS_0")
     warned(bakes(gltf, solid(moved(100, 0, 0))), "unweighted_mesh")
 
 
