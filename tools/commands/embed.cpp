@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 #include <string_view>
-#include <initializer_list>
 #include <string>
 
 #include <espalier/scene.hpp>
@@ -40,7 +39,8 @@ constexpr std::string_view taken_names =
     " template this thread_local throw true try typedef typeid typename typeof typeof_unqual union unsigned using"
     " virtual void volatile wchar_t while xor xor_eq errno linux main unix ";
 
-// Without the first declaration a constant of C++ would be its file's own.
+// A constant array, valid C99 and C++ for compilers that know GNU attributes. Without the first declaration a constant
+// of C++ would be its file's own.
 constexpr std::string_view c_form = R"(/* Made by espalier embed. */
 #ifdef __cplusplus
 extern "C" {
@@ -57,8 +57,9 @@ const unsigned char @symbol@[@size@] = {
 #endif
 )";
 
-// An object that does not say it goes with control-flow protection, or that it needs no executable stack, takes the one
-// from the whole program and gives it the other.
+// For ELF. The blob's name is looked up in the compiler's include folders when this is assembled, unless the macro is a
+// string with the path. An object that does not say it goes with control-flow protection, or that it needs no
+// executable stack, takes the one from the whole program and gives it the other.
 constexpr std::string_view assembler_form = R"(/* Made by espalier embed. */
 #ifndef __ELF__
 #error "this is for ELF; let espalier embed write C for other object formats"
@@ -148,10 +149,14 @@ std::string in_quotes(const std::string& name) {
     return result + '"';
 }
 
-using Words = std::initializer_list<std::pair<std::string_view, std::string>>;
-
-/// The form with a word for each name between two @; what is filled in is not looked at again.
-std::string filled(std::string_view form, const Words& words) {
+/// The form with a word for each name between two @, of which one is its `own`; what is filled in is not looked at
+/// again.
+std::string filled(std::string_view form, const Embedding& embedding, std::string_view own, const std::string& word) {
+    const std::pair<std::string_view, std::string> words[] = {{"symbol", embedding.symbol},
+                                                              {"size", std::to_string(embedding.bytes.size())},
+                                                              {"section", embedding.section},
+                                                              {"alignment", std::to_string(embedding.alignment)},
+                                                              {own, word}};
     std::string result;
     while (true) {
         const std::size_t start = form.find('@');
@@ -160,9 +165,9 @@ std::string filled(std::string_view form, const Words& words) {
         form.remove_prefix(start + 1);
         const std::string_view name = form.substr(0, form.find('@'));
         form.remove_prefix(name.size() + 1);
-        for (const auto& [key, word] : words) {
-            if (key == name) result += word;
-        }
+        result += std::find_if(std::begin(words), std::end(words), [&](const auto& each) {
+                      return each.first == name;
+                  })->second;
     }
 }
 
@@ -176,25 +181,6 @@ bool is_variable_name(const std::string& name) {
     return is_identifier && taken_names.find(' ' + name + ' ') == std::string_view::npos;
 }
 
-/// A constant array, valid C99 and C++ for compilers that know GNU attributes.
-std::string c_text(const Embedding& embedding) {
-    return filled(c_form, {{"symbol", embedding.symbol},
-                           {"size", std::to_string(embedding.bytes.size())},
-                           {"section", embedding.section},
-                           {"alignment", std::to_string(embedding.alignment)},
-                           {"numbers", numbers(embedding.bytes)}});
-}
-
-/// For ELF. `blob_name` is looked up in the compiler's include folders when this is assembled, unless the macro
-/// ESPALIER_BLOB_FILE is a string with the path.
-std::string assembler_text(const Embedding& embedding, const std::string& blob_name) {
-    return filled(assembler_form, {{"symbol", embedding.symbol},
-                                   {"size", std::to_string(embedding.bytes.size())},
-                                   {"section", embedding.section},
-                                   {"alignment", std::to_string(embedding.alignment)},
-                                   {"blob_name", in_quotes(blob_name)}});
-}
-
 /// Declares what either defines, its size, and of a scene how many meshes and tiles open_scene() needs room for.
 std::string header_text(const Embedding& embedding) {
     // What the arrays of open_scene() are sized by; of a blob both are 0.
@@ -204,8 +190,7 @@ std::string header_text(const Embedding& embedding) {
         counts = ", " + embedding.symbol + "_mesh_count = " + std::to_string(meshes) + ", " + embedding.symbol +
                  "_tile_count = " + std::to_string(tiles);
     }
-    return filled(header_form,
-                  {{"symbol", embedding.symbol}, {"size", std::to_string(embedding.bytes.size())}, {"counts", counts}});
+    return filled(header_form, embedding, "counts", counts);
 }
 
 constexpr unsigned largest_alignment = 65536;
@@ -231,8 +216,7 @@ std::string symbol_of(const EmbedArguments& arguments) {
 std::string section_of(const EmbedArguments& arguments, const std::string& symbol) {
     if (arguments.section.empty()) return ".rodata." + symbol;
     const bool is_plain = std::all_of(arguments.section.begin(), arguments.section.end(), [](char character) {
-        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
-               (character >= '0' && character <= '9') || character == '.' || character == '_';
+        return is_letter(character) || is_digit(character) || character == '.' || character == '_';
     });
     if (is_plain) return arguments.section;
     throw_error(ExitCode::usage, "--section '", printable(arguments.section),
@@ -284,8 +268,9 @@ ExitCode run_embed(const EmbedArguments& arguments) {
         const std::string header = header_text(embedding);
         write_output_file_if_changed(arguments.header, std::as_bytes(std::span(header)));
     }
-    const std::string source =
-        language == EmbeddingLanguage::c ? c_text(embedding) : assembler_text(embedding, blob_name(arguments));
+    const std::string source = language == EmbeddingLanguage::c
+                                   ? filled(c_form, embedding, "numbers", numbers(embedding.bytes))
+                                   : filled(assembler_form, embedding, "blob_name", in_quotes(blob_name(arguments)));
     write_output_file(arguments.output, std::as_bytes(std::span(source)));
     console.say("wrote ", printable(arguments.output), ": ", embedding.symbol, ", ",
                 counted(embedding.bytes.size(), "byte"), " in ", embedding.section, ", aligned to ",
