@@ -3,7 +3,6 @@
 
 #include "runtime/moving_scenes/made_scene.hpp"
 #include "support/blobs/deformed_mesh.hpp"
-#include "support/loops/scene_loop.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests::scenes_test {
@@ -58,11 +57,6 @@ struct DeformingScene {
     MadeScene made;
     Random random;
 };
-
-std::size_t checked(const SceneComparison& comparison) {
-    REQUIRE_MESSAGE(comparison.fault == nullptr, comparison.fault);
-    return comparison.is_found ? 1u : 0u;
-}
 
 TEST_CASE("deformation: queries of a moving scene equal the loop over its instances in every pose") {
     std::size_t found = 0;

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "made_scene.hpp"
-#include "support/loops/scene_loop.hpp"
+#include "runtime/scenes/arguments.hpp"
 
 namespace espalier::tests::moving_scenes_loop_test {
 namespace {
@@ -53,12 +53,6 @@ std::unique_ptr<MadeScene> make_moving(const TestScene& test, std::uint64_t seed
     refit(scene);
     if (random.coin()) repack(scene);
     return made;
-}
-
-/// Fails if there is a difference. Returns 1 if something was found, to be counted.
-std::size_t checked(const SceneComparison& comparison) {
-    REQUIRE_MESSAGE(comparison.fault == nullptr, comparison.fault);
-    return comparison.is_found ? 1u : 0u;
 }
 
 /// Selects all instances and triangles, or some of either.
@@ -124,15 +118,9 @@ TEST_CASE("scene: closest points equal the loop over all instances") {
 TEST_CASE("scene: overlaps of every shape equal the loop over all instances") {
     const auto compare = [](const auto& scene, SceneQueryMaker& maker, std::uint64_t i) {
         std::size_t found = 0;
-        const auto add = [&](const auto& shape) {
+        some_arguments(maker).for_each_volume([&](const auto& shape) {
             found += checked(compare_overlaps(scene, shape, any_filter(i, maker.random())));
-        };
-        add(maker.sphere());
-        add(maker.capsule());
-        add(maker.box());
-        add(maker.oriented_box());
-        add(maker.triangle());
-        add(maker.cone());
+        });
         return found;
     };
     check_scenes(17, scaled(100), scaled(100), compare);
@@ -141,7 +129,7 @@ TEST_CASE("scene: overlaps of every shape equal the loop over all instances") {
 TEST_CASE("scene: sweeps of every shape equal the loop over all instances") {
     const auto compare = [](const auto& scene, SceneQueryMaker& maker, std::uint64_t i) {
         std::size_t found = 0;
-        maker.make_swept_shapes([&](const auto& shape) {
+        some_arguments(maker).for_each_body([&](const auto& shape) {
             const SceneSweepOptions options = maker.sweep_options(any_filter(i, maker.random()));
             found += checked(compare_sweeps(scene, shape, maker.displacement(), options));
         });

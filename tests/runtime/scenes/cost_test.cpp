@@ -7,7 +7,7 @@
 
 #include <espalier/scene.hpp>
 
-#include "maker.hpp"
+#include "arguments.hpp"
 #include "support/base/sanitized.hpp"
 #include "support/machine/allocation_counter.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
@@ -47,29 +47,11 @@ TEST_CASE("scene: opening and every query allocate nothing") {
     std::vector<Blob> meshes(32);
     std::vector<BakedScene> tiles(4);
     for_each_query(40, [&](const BakedScene& scene, SceneQueryMaker& maker) {
-        const Ray ray = maker.ray();
-        const Sphere sphere = maker.sphere();
-        const Capsule capsule = maker.capsule();
-        const Vec3 displacement = maker.displacement();
-        const Box box = maker.box();
-        const OrientedBox turned = maker.oriented_box();
-        const std::vector<Vec3> vertices = maker.hull_vertices();
-        const SceneSweepOptions options = maker.sweep_options({});
+        const SceneArguments arguments = some_arguments(maker);
         const std::byte* const bytes = detail::data_of(scene).tree.bytes;
         const std::uint64_t before = allocation_count();
         REQUIRE(open_scene({bytes, scene.size()}, meshes, tiles));
-        (void)raycast(scene, ray)->t;
-        (void)occluded(scene, ray);
-        (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
-        (void)closest_point(scene, sphere.center)->distance;
-        (void)overlaps(scene, sphere);
-        (void)for_each_overlap(scene, box, [](InstanceId, TriangleId) {});
-        (void)for_each_candidate(scene, box, [](InstanceId) {});
-        (void)sweep(scene, sphere, displacement, options)->t;
-        (void)sweep(scene, capsule, displacement, options)->t;
-        (void)sweep(scene, box, displacement, options)->t;
-        (void)sweep(scene, turned, displacement, options)->t;
-        (void)sweep(scene, ConvexHull{vertices}, displacement, options)->t;
+        static_cast<void>(ask_everything(scene, arguments));
         allocations += allocation_count() - before;
     });
     CHECK(allocations == 0);

@@ -1,8 +1,7 @@
 // Claims about scenes of any bytes: open_scene() refuses them, or every query on them is safe.
 #include "support/testing.hpp"
 
-#include "maker.hpp"
-#include "support/loops/scene_loop.hpp"
+#include "arguments.hpp"
 
 namespace espalier::tests::scenes_hostile_test {
 namespace {
@@ -14,17 +13,19 @@ bool exercise(const std::vector<std::byte>& bytes) {
     const std::vector<std::byte> exact(bytes);
     const BakedScene scene = open_scene(exact, meshes, tiles);
     CHECK(scene.status() == (scene ? OpenStatus::ok : scene.status()));
-    const Ray ray = {{-30.0f, 0.1f, 0.2f}, {1.0f, 0.01f, 0.02f}};
-    const Sphere sphere = {{0.5f, 0.5f, 0.5f}, 3.0f};
-    static_cast<void>(raycast(scene, ray)->t);
-    static_cast<void>(occluded(scene, ray).yes());
-    static_cast<void>(closest_point(scene, {1.0f, 2.0f, 3.0f})->distance);
-    static_cast<void>(overlaps(scene, sphere).yes());
-    static_cast<void>(for_each_overlap(scene, sphere, [](InstanceId, TriangleId) {}));
-    static_cast<void>(sweep(scene, sphere, {5.0f, 0.0f, 0.0f})->t);
-    const Vec3 vertices[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    static_cast<void>(sweep(scene, ConvexHull{vertices}, {5.0f, 0.0f, 0.0f}, SceneSweepOptions{.skin = 0.5f})->t);
-    static_cast<void>(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}));
+    const SceneArguments arguments = {.ray = {{-30.0f, 0.1f, 0.2f}, {1.0f, 0.01f, 0.02f}},
+                                      .point = {1.0f, 2.0f, 3.0f},
+                                      .sphere = {{0.5f, 0.5f, 0.5f}, 3.0f},
+                                      .capsule = {{-2.0f, 0.0f, 0.0f}, {3.0f, 1.0f, 0.0f}, 1.0f},
+                                      .box = {{-1.0f, -1.0f, -1.0f}, {2.0f, 3.0f, 4.0f}},
+                                      .turned = {{1.0f, 0.0f, 0.0f}, {{1, 1, 0}, {-1, 1, 0}, {0, 0, 2}}},
+                                      .triangle = {{-9.0f, 0.0f, 0.0f}, {9.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 9.0f}},
+                                      .cone = {{-4.0f, 0.0f, 0.0f}, {8.0f, 0.0f, 0.0f}, 2.0f},
+                                      .displacement = {5.0f, 0.0f, 0.0f},
+                                      .vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                      .options = {.skin = 0.5f}};
+    static_cast<void>(ask_everything(scene, arguments));
+    static_cast<void>(sweep(scene, arguments.sphere, arguments.displacement)->t);
     static_cast<void>(verify_scene(exact).sound);
     return static_cast<bool>(scene);
 }
@@ -192,7 +193,7 @@ TEST_CASE("scene: a common lattice that is not that of the instances is found by
         for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
             const Vec3 from = {8.0f * random.signed_unit(), 8.0f * random.signed_unit(), 20.0f};
             const Ray ray = {from, {random.signed_unit(), random.signed_unit(), -8.0f}};
-            REQUIRE(compare_rays(scene, ray).fault == nullptr);
+            checked(compare_rays(scene, ray));
         }
     }
 }

@@ -51,18 +51,7 @@ std::vector<Instance> make_instances(std::size_t count, std::uint64_t seed, floa
     return instances;
 }
 
-/// Tiles of a ground, each of four pieces on one lattice, and something that turns beside them.
-std::vector<Instance> ground(int side, std::uint32_t mesh, float width) {
-    std::vector<Instance> pieces;
-    for (int z = 0; z < side; ++z)
-        for (int x = 0; x < side; ++x) {
-            Instance piece = {.transform = {{}, {width * static_cast<float>(x), 0.0f, width * static_cast<float>(z)}},
-                              .mesh = mesh};
-            pieces.push_back(piece);
-        }
-    return pieces;
-}
-
+/// Tiles, of which one is a ground of four pieces on one lattice, and something that turns beside them.
 std::vector<OpenedScene> make_tiles(const std::vector<OpenedBlob>& blobs) {
     std::vector<OpenedScene> tiles;
     tiles.emplace_back(blobs, make_instances(5, 21, 4.0f, 1));
@@ -109,11 +98,7 @@ std::vector<TestScene> make_scenes() {
         row[i].transform.translation.x = 2.0f * static_cast<float>(i);
     }
     add("a row of cubes that touch", 16, std::move(row));
-    std::vector<Instance> tiles(36);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        tiles[i].mesh = 4;
-        tiles[i].transform.translation = {8.0f * static_cast<float>(i % 6), 0.0f, 8.0f * static_cast<float>(i / 6)};
-    }
+    std::vector<Instance> tiles = ground(6, 4, 8.0f);
     const std::vector<Instance> among = make_instances(20, 9, 20.0f, 1);
     tiles.insert(tiles.end(), among.begin(), among.end());
     add("tiles among others", 16, std::move(tiles));
@@ -157,6 +142,18 @@ OpenedScene::OpenedScene(std::vector<std::byte> scene_bytes)
 OpenedScene::OpenedScene(const std::vector<OpenedBlob>& blobs, const std::vector<Instance>& instances,
                          const std::vector<OpenedScene>& given_tiles)
     : OpenedScene(bake_or_throw(blobs, instances, given_tiles)) {}
+
+std::vector<Instance> ground(int side, std::uint32_t mesh, float width, const Vec3& from) {
+    std::vector<Instance> pieces;
+    for (int z = 0; z < side; ++z)
+        for (int x = 0; x < side; ++x) {
+            Instance& piece = pieces.emplace_back();
+            piece.mesh = mesh;
+            piece.transform.translation = {from.x + width * static_cast<float>(x), from.y,
+                                           from.z + width * static_cast<float>(z)};
+        }
+    return pieces;
+}
 
 const std::vector<TestScene>& test_scenes() {
     static const std::vector<TestScene> scenes = make_scenes();

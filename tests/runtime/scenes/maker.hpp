@@ -3,6 +3,8 @@
 
 #include "support/testing.hpp"
 
+#include "support/loops/scene_loop.hpp"
+
 namespace espalier::tests {
 
 /// The bytes of a scene and the view that was opened on them. Throws when the baker or open_scene() refuses.
@@ -22,6 +24,9 @@ struct OpenedScene {
     std::vector<BakedScene> tiles;
     BakedScene scene;
 };
+
+/// Returns instances of a mesh side by side, so many along x and along z, from a place on.
+std::vector<Instance> ground(int side, std::uint32_t mesh, float width, const Vec3& from = {});
 
 /// A scene with a name, its meshes and tiles as they were baked, and its instances as they were given.
 struct TestScene {
@@ -56,16 +61,6 @@ public:
     Vec3 displacement();
     /// What a sweep ignores and the skin, with a filter. Every fourth ones are the default.
     SceneSweepOptions sweep_options(const SceneFilter& filter);
-    /// Calls add(shape) with a shape of each kind that sweeps take.
-    template <class Add>
-    void make_swept_shapes(const Add& add) {
-        add(sphere());
-        add(capsule());
-        add(box());
-        add(oriented_box());
-        const std::vector<Vec3> vertices = hull_vertices();
-        add(ConvexHull{vertices});
-    }
     [[nodiscard]] Random& random() { return random_; }
 
 private:
@@ -79,5 +74,11 @@ private:
     Vec3 center_;
     float size_;
 };
+
+/// Fails if there is a difference. Returns 1 if something was found, to be counted.
+inline std::size_t checked(const SceneComparison& comparison) {
+    REQUIRE_MESSAGE(comparison.fault == nullptr, comparison.fault);
+    return comparison.is_found ? 1u : 0u;
+}
 
 }  // namespace espalier::tests

@@ -2,7 +2,6 @@
 #include "support/testing.hpp"
 
 #include "maker.hpp"
-#include "support/loops/scene_loop.hpp"
 
 namespace espalier::tests::tiles_test {
 namespace {
@@ -35,21 +34,8 @@ struct Ground {
 
     explicit Ground(int side, Vec3 from = {})
         : blobs(opened_blobs({make_tile()}, {.resolution = Resolution::step(-8), .profile = Profile::balanced})),
-          instances(place(side, from)),
+          instances(ground(side, 0, cells, from)),
           opened(blobs, instances) {}
-
-private:
-    static std::vector<Instance> place(int side, Vec3 from) {
-        std::vector<Instance> instances;
-        for (int z = 0; z < side; ++z)
-            for (int x = 0; x < side; ++x) {
-                Instance instance;
-                instance.transform.translation = {from.x + static_cast<float>(cells * x), from.y,
-                                                  from.z + static_cast<float>(cells * z)};
-                instances.push_back(instance);
-            }
-        return instances;
-    }
 };
 
 /// A ray from above, aimed at a vertex on a border between two tiles, or at a point of an edge there.
@@ -193,15 +179,7 @@ TEST_CASE("scene: rays aimed at the borders of tiles that are scenes pass betwee
     const Ground tile(2);
     std::vector<OpenedScene> tiles;
     tiles.emplace_back(tile.blobs, tile.instances);
-    std::vector<Instance> instances;
-    for (int z = 0; z < side; ++z)
-        for (int x = 0; x < side; ++x) {
-            Instance instance = {.transform = {}, .mesh = 1};
-            instance.transform.translation = {static_cast<float>(2 * cells * x), 0.0f,
-                                              static_cast<float>(2 * cells * z)};
-            instances.push_back(instance);
-        }
-    const OpenedScene world(tile.blobs, instances, tiles);
+    const OpenedScene world(tile.blobs, ground(side, 1, 2 * cells), tiles);
     CHECK(is_on_common_lattice(world.scene, {0}).yes());
     CHECK(is_on_common_lattice(world.scene, {8, 3}).yes());
     const Ground whole(2 * side);
@@ -241,7 +219,7 @@ TEST_CASE("scene: rays that are rounded for a region far larger than a tile pass
             CAPTURE(i);
             REQUIRE(raycast(world.scene, ray));
             REQUIRE(occluded(world.scene, ray).yes());
-            CHECK(compare_rays(world.scene, ray).fault == nullptr);
+            checked(compare_rays(world.scene, ray));
             // The same region, chosen by the caller of a smaller scene.
             REQUIRE(raycast(ground.opened.scene, ray, round_ray(region, ray)));
         }
