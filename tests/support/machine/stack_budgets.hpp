@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
 
 #include "chosen_instruction_set.hpp"
+#include "stack_use.hpp"
 
 namespace espalier::tests {
 
@@ -169,5 +171,20 @@ inline void check_stack(const std::string& query, std::size_t most) {
     MESSAGE(on_set, ": ", most, " bytes of stack, budget ", at_most);
     CHECK_MESSAGE(most <= at_most, on_set);
 }
+
+/// The most stack that each query took on the chosen instruction set.
+class StackMeter {
+public:
+    void measure(const std::string& query, FunctionRef<void()> call) {
+        std::size_t& most = most_[query];
+        most = std::max(most, stack_use(call));
+    }
+    void check() const {
+        for (const auto& [query, most] : most_) check_stack(query, most);
+    }
+
+private:
+    std::map<std::string, std::size_t> most_;
+};
 
 }  // namespace espalier::tests

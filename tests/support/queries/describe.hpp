@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <espalier/ray.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier::tests {
@@ -35,5 +36,15 @@ inline std::string describe(const Ray& ray) {
     return describe(ray.origin) + "towards " + describe(ray.direction) + "within " + in_hexadecimal(window) + "faces " +
            std::to_string(static_cast<int>(ray.culling));
 }
+
+/// What a kind of shape is called.
+inline const char* name_of(const Sphere&) { return "a sphere"; }
+inline const char* name_of(const Capsule&) { return "a capsule"; }
+inline const char* name_of(const Box&) { return "a box"; }
+inline const char* name_of(const OrientedBox&) { return "an oriented box"; }
+inline const char* name_of(const Cone&) { return "a cone"; }
+inline const char* name_of(const Triangle&) { return "a triangle"; }
+inline const char* name_of(const ConvexVolume&) { return "planes"; }
+inline const char* name_of(const ConvexHull&) { return "a hull"; }
 
 }  // namespace espalier::tests
