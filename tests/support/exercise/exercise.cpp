@@ -16,7 +16,6 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds, bool s
     exercise_nodes(run);
     for (unsigned i = 0; i < rounds; ++i) {
         exercise_rays(run);
-        exercise_spheres(run);
         exercise_volumes(run);
         exercise_approximate(run);
         exercise_distances(run);

@@ -63,7 +63,6 @@ inline float plain_dot(Vec3 a, Vec3 b) {
 // Each makes some calls of its kind.
 void exercise_rays(Exercise& run);
 void exercise_arrays(Exercise& run);
-void exercise_spheres(Exercise& run);
 void exercise_volumes(Exercise& run);
 void exercise_steps(Exercise& run);
 void exercise_distances(Exercise& run);
