@@ -14,6 +14,7 @@
 
 #include "refit_workload.hpp"
 #include "support/base/random.hpp"
+#include "support/blobs/baking.hpp"
 #include "support/meshes/files.hpp"
 #include "support/meshes/level_maker.hpp"
 #include "support/meshes/makers.hpp"
@@ -31,20 +32,13 @@ void write(const std::string& path, std::span<const std::byte> bytes) {
     std::printf("%s %zu bytes\n", path.c_str(), bytes.size());
 }
 
-std::vector<std::byte> baked(const Mesh& mesh, const BakeOptions& options) {
-    const MeshView view = mesh.view();
-    BakeResult result = bake(std::span(&view, 1), options);
-    if (!result) throw std::runtime_error(result.message);
-    return std::move(result.bytes);
-}
-
 BakeOptions options_of(Profile profile, unsigned bits) {
     return {.resolution = Resolution::bits(bits), .profile = profile};
 }
 
 /// A scene of 64 turned tori of two sizes, at the points of a grid.
 std::vector<std::byte> bake_tori(Profile profile) {
-    const std::vector<std::byte> torus = baked(make_torus(48, 16, 3.0, 1.0), options_of(profile, 14));
+    const std::vector<std::byte> torus = bake_or_throw(make_torus(48, 16, 3.0, 1.0), options_of(profile, 14));
     std::vector<Instance> instances(64);
     Random random(64);
     for (std::uint32_t i = 0; i < 64; ++i) {
@@ -67,7 +61,7 @@ std::vector<std::byte> bake_cloth() {
     for (std::uint32_t i = 0; i < ClothPlaces::count; ++i) cloth.positions[i] = ClothPlaces::at(i, 0);
     BakeOptions options = {.profile = Profile::fast};
     options.deformation.emplace().range = ClothPlaces::range();
-    return baked(cloth, options);
+    return bake_or_throw(cloth, options);
 }
 
 struct RealBlob {
@@ -89,15 +83,15 @@ void bake_all(const std::string& folder) {
     };
     const Mesh level = make_level(5000, 2026);
     for (const Profile profile : {Profile::fast, Profile::small}) {
-        write_to("level", profile, baked(level, options_of(profile, 14)));
+        write_to("level", profile, bake_or_throw(level, options_of(profile, 14)));
         write_to("scene", profile, bake_tori(profile));
     }
-    write_to("torus", Profile::fast, baked(make_torus(64, 24, 3.0, 1.0), options_of(Profile::fast, 16)));
-    write_to("cube", Profile::fast, baked(make_cube(-0.5f, 0.5f), options_of(Profile::fast, 14)));
+    write_to("torus", Profile::fast, bake_or_throw(make_torus(64, 24, 3.0, 1.0), options_of(Profile::fast, 16)));
+    write_to("cube", Profile::fast, bake_or_throw(make_cube(-0.5f, 0.5f), options_of(Profile::fast, 14)));
     write_to("cloth", Profile::fast, bake_cloth());
     for (const RealBlob& blob : real_blobs)
         if (const auto file = mesh_file(blob.file))
-            write_to(blob.name, blob.profile, baked(read_mesh(*file), options_of(blob.profile, blob.bits)));
+            write_to(blob.name, blob.profile, bake_or_throw(read_mesh(*file), options_of(blob.profile, blob.bits)));
 }
 
 }  // namespace

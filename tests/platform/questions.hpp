@@ -216,10 +216,6 @@ private:
     }
 
     /// In braces, because the order in which a call's arguments draw their numbers is each compiler's own.
-    struct Segment {
-        Vec3 from;
-        Vec3 to;
-    };
     static Ray towards(const Segment& segment) {
         const Vec3& from = segment.from;
         const Vec3& to = segment.to;

@@ -12,6 +12,7 @@
 #include <espalier/scene.hpp>
 
 #include "c/baking/given.hpp"
+#include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
 
 using namespace espalier;
@@ -19,13 +20,7 @@ using namespace espalier::tests;
 
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-Bytes some_blob(float size) {
-    const Mesh mesh = make_cube(-size, size);
-    const MeshView view = mesh.view();
-    return bake(std::span(&view, 1)).bytes;
-}
+Bytes some_blob(float size) { return bake_or_throw(make_cube(-size, size)); }
 
 espalier_bytes in_c(const Bytes& bytes) { return {bytes.data(), bytes.size()}; }
 

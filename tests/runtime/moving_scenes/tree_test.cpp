@@ -131,20 +131,14 @@ TEST_CASE("scene: a tree of moving instances keeps its depth for insertions in a
 TEST_CASE("scene: a block with nodes for any order of insertions repacks none") {
     for (const std::uint32_t capacity : {1u, 4u, 5u, 7u, 10u, 41u, 79u, 159u}) {
         CAPTURE(capacity);
-        MadeBlock made(capacity);
+        Model model{MadeBlock(capacity), {}};
         Random random(capacity);
-        std::vector<std::uint32_t> live;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            if (live.size() == capacity || (!live.empty() && random.below(2) == 0)) {
-                const std::size_t at = random.below(static_cast<std::uint32_t>(live.size()));
-                made.remove(live[at]);
-                live[at] = live.back();
-                live.pop_back();
-            } else {
-                live.push_back(made.insert(random_box(random, 1 << 22)));
-            }
+            const auto count = static_cast<std::uint32_t>(model.live.size());
+            if (count == capacity || (count != 0 && random.below(2) == 0)) model.remove(random.below(count));
+            else model.insert(random_box(random, 1 << 22));
         }
-        CHECK(made.block.head->packed_area == 0.0f);
+        CHECK(model.made.block.head->packed_area == 0.0f);
     }
 }
 

@@ -27,15 +27,21 @@ void add_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) {
     mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// The two triangles of each cell of a lattice of vertices that was filled row by row.
-void add_grid_triangles(Mesh& mesh, unsigned side) {
-    for (std::uint32_t row = 0; row < side; ++row) {
-        for (std::uint32_t column = 0; column < side; ++column) {
-            const std::uint32_t corner = row * (side + 1) + column;
+/// Vertices on a lattice, row by row, at the height that `height_at(column, row)` returns, and two triangles for each
+/// of its cells.
+template <class HeightAt>
+Mesh make_grid(const char* name, unsigned side, HeightAt height_at) {
+    Mesh mesh = {.name = name};
+    for (std::uint32_t row = 0; row <= side; ++row) {
+        for (std::uint32_t column = 0; column <= side; ++column) {
+            const std::uint32_t corner = size_of(mesh.positions);
+            mesh.positions.push_back({static_cast<float>(column), static_cast<float>(row), height_at(column, row)});
+            if (row == side || column == side) continue;
             mesh.triangles.push_back({corner, corner + 1, corner + side + 2});
             mesh.triangles.push_back({corner, corner + side + 2, corner + side + 1});
         }
     }
+    return mesh;
 }
 
 }  // namespace
@@ -149,30 +155,15 @@ Mesh make_far_sphere() {
 }
 
 Mesh make_plane_grid(unsigned side) {
-    Mesh mesh = {.name = "plane grid"};
-    for (unsigned row = 0; row <= side; ++row) {
-        for (unsigned column = 0; column <= side; ++column) {
-            mesh.positions.push_back({static_cast<float>(column), static_cast<float>(row), 0.25f});
-        }
-    }
-    add_grid_triangles(mesh, side);
-    return mesh;
+    return make_grid("plane grid", side, [](double, double) { return 0.25f; });
 }
 
 Mesh make_terrain(unsigned side, std::uint64_t seed) {
     Random random(seed);
-    Mesh mesh = {.name = "terrain"};
-    for (unsigned row = 0; row <= side; ++row) {
-        for (unsigned column = 0; column <= side; ++column) {
-            const double x = column;
-            const double y = row;
-            const double height = std::sin(0.31 * x) * 3.0 + std::cos(0.17 * y + 0.05 * x) * 4.0;
-            mesh.positions.push_back({static_cast<float>(x), static_cast<float>(y),
-                                      static_cast<float>(height + 0.4 * static_cast<double>(random.signed_unit()))});
-        }
-    }
-    add_grid_triangles(mesh, side);
-    return mesh;
+    return make_grid("terrain", side, [&](double x, double y) {
+        const double height = std::sin(0.31 * x) * 3.0 + std::cos(0.17 * y + 0.05 * x) * 4.0;
+        return static_cast<float>(height + 0.4 * static_cast<double>(random.signed_unit()));
+    });
 }
 
 Mesh make_needle_fan(unsigned count) {
@@ -248,19 +239,14 @@ Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
     Mesh mesh = {.name = "beams"};
     Random random(seed);
     const auto unit = [&] { return static_cast<float>(random.below(1'000'000)) * 1e-6f; };
-    const auto add = [&](Vec3 a, Vec3 b, Vec3 c) {
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {a, b, c});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    };
     for (unsigned i = 0; i < beams; ++i) {
         const Vec3 a = {unit(), 0.0f, unit()};
         const Vec3 b = {unit(), 1.0f, unit()};
-        add(a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
+        add_triangle(mesh, a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
     }
     for (unsigned i = 0; i < small; ++i) {
         const Vec3 a = {unit(), unit(), unit()};
-        add(a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
+        add_triangle(mesh, a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
     }
     return mesh;
 }

@@ -1,30 +1,14 @@
 // A moving scene: changes, the bytes after them, queries and pairs.
-#include <new>
-
 #include <espalier/scenes/pairs.hpp>
 
 #include "scene_queries.hpp"
+#include "support/machine/aligned_buffer.hpp"
 
 namespace espalier::answers {
 
 namespace {
 
 constexpr std::uint32_t capacity = 40;
-
-/// A block that is aligned as the library wants it.
-class Block {
-public:
-    explicit Block(std::size_t size) : bytes_(static_cast<std::byte*>(::operator new(size, alignment))), size_(size) {}
-    Block(const Block&) = delete;
-    Block& operator=(const Block&) = delete;
-    ~Block() { ::operator delete(bytes_, alignment); }
-    [[nodiscard]] std::span<std::byte> bytes() const { return {bytes_, size_}; }
-
-private:
-    static constexpr std::align_val_t alignment{32};
-    std::byte* bytes_;
-    std::size_t size_;
-};
 
 /// Changes of a scene, at the places of questions.
 class Changes {
@@ -130,7 +114,7 @@ std::vector<std::byte> answer_moving(const Blob& blob, const Blob& coarse, const
                                      const Questions& questions) {
     Blob meshes[] = {blob, coarse};
     const BakedScene tiles[] = {tile};
-    const Block block(moving_scene_bytes(capacity));
+    tests::AlignedBuffer block(static_cast<std::size_t>(moving_scene_bytes(capacity)));
     MovingScene scene = create_moving_scene(block.bytes(), capacity, -8, meshes, tiles);
     Changes(scene, questions).make(meshes);
     std::vector<std::byte> bytes(scene.bytes().begin(), scene.bytes().end());
