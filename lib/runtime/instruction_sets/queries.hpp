@@ -1,6 +1,7 @@
 // What each instruction set defines: the queries of rays, batches of rays, distances, overlaps, sweeps and two blobs.
 #pragma once
 
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/moving_scenes/queries.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
@@ -14,3 +15,4 @@
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/sweeps/queries.hpp>
 #include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/traversal/fragments.hpp>

@@ -1,7 +1,10 @@
 // Queries of two blobs in world space: placed on one grid, decided there, translated back.
 #include <espalier/pair.hpp>
 #include <espalier/statistics.hpp>
+#include <runtime/answers/answer.hpp>
+#include <runtime/answers/first_reference.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>

@@ -8,7 +8,6 @@
 #include <runtime/pairs/frame.hpp>
 #include <runtime/pairs/least_distance.hpp>
 #include <runtime/traversal/find_triangle.hpp>
-#include <runtime/traversal/fragments.hpp>
 
 namespace espalier::detail {
 

@@ -4,7 +4,6 @@
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/proximity/triangle_gap.hpp>
-#include <runtime/traversal/fragments.hpp>
 
 #define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                               \
     namespace instruction_set {                                                                                       \

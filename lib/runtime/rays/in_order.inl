@@ -1,5 +1,6 @@
 // Rays: hits in storage order: whether there is any, and all of them.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/rays/closest.inl>
 #endif
 

@@ -2,6 +2,7 @@
 // ray_triangle.hpp. Shearing the ray into an axis is from Woop, Benthin and Wald (2013); docs/numerics.md bounds the
 // errors.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/rays/plain_slab_test.inl>
 #endif
 

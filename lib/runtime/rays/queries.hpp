@@ -6,9 +6,7 @@
 #include <espalier/ray.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>
-#include <runtime/kernels/crossing.hpp>
-#include <runtime/kernels/ray_triangle.hpp>
-#include <runtime/traversal/fragments.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                \
     namespace instruction_set {                                                                                      \

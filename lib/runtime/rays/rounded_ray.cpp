@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/region.hpp>
 #include <runtime/lattice/round_ray.hpp>

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/rays/queries.hpp>
 

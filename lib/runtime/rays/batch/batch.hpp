@@ -6,7 +6,6 @@
 
 #include <espalier/ray.hpp>
 #include <runtime/lanes/select.hpp>
-#include <runtime/kernels/ray_triangle.hpp>
 
 #define ESPALIER_DECLARE_RAY_BATCHES(instruction_set)                                          \
     namespace instruction_set {                                                                \

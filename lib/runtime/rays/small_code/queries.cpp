@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include <runtime/base/options.hpp>
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/kernels/small_ray_triangle.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/rays/queries.hpp>
