@@ -6,7 +6,7 @@ Usage: tools/dev COMMAND [ARGUMENT...]
 Every day
   demo        Builds the command, bakes a mesh, casts a million rays and renders a picture.
   check       Builds the runtime and the baker, runs their unit tests, and compiles the single file
-              (3 minutes from nothing).
+              (100 seconds from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
   test        Tests what an ordinary change can break, from the kernels to the installed package (10 minutes from nothing).
               test --strict fails at a compiler warning, too, as continuous integration does.
