@@ -1,5 +1,6 @@
 // A ray of a batch: what it needs while others are on their way too.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 #include <runtime/traversal/alone.hpp>
