@@ -61,7 +61,7 @@ prove_cases() {
     summarise
 }
 
-# Every case with no more than each instruction set, and more of the answers of each than tools/dev test compares.
+# The cases of tools/dev test with no more than each instruction set, and more of the golden answers of each.
 prove_instruction_sets() {
     local set status here=$PWD/build/test/tests/platform
     build_test_targets all
@@ -101,16 +101,13 @@ prove_windows() {
 
 # prove_platform NAME...: the bits of tests/platform/golden.txt on other machines, or by other compilers and options
 prove_platform() {
-    local name status
+    local name
     install_missing "${build_packages[@]}"
     check_cmake
     for name in "$@"; do
-        status=0
-        bash tests/platform/run_platform.sh "$name" 2000 "$PWD/build/platforms/$name" cmake Ninja || status=$?
-        case $status in
-            0) passed=$((passed + 1)) ;;
-            *) failed=$((failed + 1)) ;;
-        esac
+        if bash tests/platform/run_platform.sh "$name" 2000 "$PWD/build/platforms/$name" cmake Ninja; then passed=$((passed + 1))
+        else failed=$((failed + 1))
+        fi
     done
     summarise
 }
