@@ -18,7 +18,7 @@ lint() {
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DESPALIER_UNITY=ON \
         -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF >"$build/configure.log"
     cppcheck --enable=warning,performance,portability --std=c++20 --language=c++ --quiet --error-exitcode=1 -j "$(nproc)" \
-        --suppress=missingIncludeSystem --suppressions-list=.cppcheck -Ilib -D__x86_64__ -D__SSE2__ -D__STDCPP_THREADS__ \
+        --suppress=missingIncludeSystem --suppressions-list=.cppcheck -Ilib -Itools -D__x86_64__ -D__SSE2__ -D__STDCPP_THREADS__ \
         -DESPALIER_PLAIN_LEAVES=1 -DESPALIER_STRIP_LEAVES=1 -DESPALIER_PREDICTED_STRIPS=1 lib tools || fail "cppcheck found something"
     sources_to_lint "$build" | xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet \
         --checks=-bugprone-suspicious-include 2>"$build/tidy.log" || fail "clang-tidy found something"

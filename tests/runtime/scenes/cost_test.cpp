@@ -75,7 +75,7 @@ TEST_CASE("scene: opening and every query stay within their stack budget") {
                 const Ray ray = maker.ray();
                 return stack_use([&] { query(scene, ray); });
             };
-            check(name, most_stack(measure, 40));
+            check(name, most_stack(measure, 200));
         };
         const auto check_overlaps = [&](const char* name, auto make) {
             check(name, most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {

@@ -5,6 +5,7 @@
 
 #include "support/loops/pair_loop.hpp"
 #include "support/loops/triangle_loop.hpp"
+#include "support/machine/instruction_paths.hpp"
 #include "support/queries/placement_maker.hpp"
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"

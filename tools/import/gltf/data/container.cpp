@@ -89,7 +89,7 @@ Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
 
 /// Without the megabytes that a file may have.
 std::string quoted(std::string words) {
-    if (words.size() > longest_quotation) words = words.substr(0, longest_quotation) + "...";
+    if (words.size() > longest_quotation) words.replace(longest_quotation, std::string::npos, "...");
     return printable(words);
 }
 
