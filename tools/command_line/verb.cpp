@@ -84,7 +84,7 @@ Option Option::percentage() {
 }
 
 Option Option::names_of(std::vector<std::string> names) {
-    const auto check = [names](const std::string& value) {
+    const auto check = [names = std::move(names)](const std::string& value) {
         const bool is_name = std::find(names.begin(), names.end(), value) != names.end();
         return is_name ? std::string() : text("'", value, "' is none of ", with_bars(names));
     };
@@ -112,7 +112,8 @@ Option Verb::flag(const std::string& name, bool& target, const std::string& desc
 void Verb::choice_of(const std::string& name, std::vector<std::string> names, std::function<void(std::size_t)> choose,
                      const std::string& description) {
     const std::string list = with_bars(names);
-    const auto choose_name = [name, names, list, choose](const std::string& value) {
+    const auto choose_name = [name, names = std::move(names), list,
+                              choose = std::move(choose)](const std::string& value) {
         const auto found = std::find(names.begin(), names.end(), value);
         if (found == names.end()) throw CLI::ValidationError(name, "'" + value + "' is none of " + list);
         choose(static_cast<std::size_t>(found - names.begin()));

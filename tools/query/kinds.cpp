@@ -28,6 +28,7 @@ bool has_range(QueryWord::Type type) { return type != QueryWord::Type::index && 
 /// Names arguments of one name "vertex 2 of 5".
 void number_equal_names(std::vector<Argument>& arguments) {
     std::vector<std::string> names;
+    names.reserve(arguments.size());
     for (const Argument& argument : arguments) names.push_back(argument.name);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto same = std::count(names.begin(), names.end(), names[i]);

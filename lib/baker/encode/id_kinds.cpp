@@ -56,6 +56,7 @@ std::vector<std::uint32_t> frequent_steps(std::span<const std::span<const std::u
     std::stable_sort(counted.begin(), counted.end(),
                      [](const Counted& a, const Counted& b) { return a.count > b.count; });
     std::vector<std::uint32_t> steps;
+    steps.reserve(counted.size());
     for (const Counted& each : counted) steps.push_back(each.step);
     return steps;
 }

@@ -155,6 +155,7 @@ Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Ins
     SceneReport& report = result.report;
     std::vector<PartBoxes> boxes_of_parts(parts.begin(), parts.end());
     std::vector<std::uint64_t> triangles_of_parts;
+    triangles_of_parts.reserve(parts.size());
     for (const ScenePart& part : parts) triangles_of_parts.push_back(part.triangle_count());
     std::vector<WorldBox> boxes;
     std::vector<WorldBox> lattices;

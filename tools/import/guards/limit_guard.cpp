@@ -108,9 +108,11 @@ std::uint64_t default_import_memory() {
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(ESPALIER_SANITIZED_MALLOC)
 extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): they are glibc's
 void* __libc_malloc(std::size_t bytes);
 void* __libc_calloc(std::size_t count, std::size_t bytes);
 void* __libc_realloc(void* memory, std::size_t bytes);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t bytes) noexcept { return espalier::tools::noted(__libc_malloc(bytes), bytes); }
 void* calloc(std::size_t count, std::size_t bytes) noexcept {
