@@ -73,7 +73,7 @@ void measure(const Mesh& mesh) {
 
 void run(const std::vector<std::string>& files) {
     std::printf(
-        "# Original ids\n\n"
+        "## Bytes of each mesh\n\n"
         "Written by `espalier_bench_study ids MESH...`, in bytes a triangle at 16 bits. *Fixed width*: one width for "
         "all ids "
         "and 2 bits for the first corner of strips.\n"

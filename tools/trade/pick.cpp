@@ -15,7 +15,7 @@ namespace espalier::tools {
 namespace {
 
 constexpr std::size_t counted_rays = 20'000;
-/// The others hardly ever count best (bench/results/builders.md). Neither repeats triangles: what is picked answers
+/// The others hardly ever count best (docs/log/builders.md). Neither repeats triangles: what is picked answers
 /// every query.
 constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep_sah};
 /// A higher price of a byte gives a smaller blob and more visits.

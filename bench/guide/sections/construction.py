@@ -156,4 +156,4 @@ def made(rows):
     comparison = Comparison(rows)
     return {"construction": f"{summary_table(comparison)}\n\n{baseline_text(comparison)}",
             "construction.svg": draw_ratios(comparison),
-            "bench/results/builders.md#builders": full_table(comparison)}
+            "docs/log/builders.md#builders": full_table(comparison)}
