@@ -204,7 +204,7 @@ inline JsonObject guide_row(const std::string& measures, const std::string& mesh
 
 inline double seconds_of(clockid_t clock) {
     std::timespec time{};
-    clock_gettime(clock, &time);
+    if (clock_gettime(clock, &time) != 0) throw std::runtime_error("this system has no clock of processor time");
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 

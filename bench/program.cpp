@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <map>
 
 namespace espalier::bench {
 
@@ -64,12 +65,26 @@ int Program::run(int count, char** words, const std::function<void(const std::ve
     return 0;
 }
 
-int run_subject(const char* program, std::span<const Subject> subjects, int count, char** words) {
-    for (const Subject& subject : subjects)
-        if (count > 1 && subject.name == words[1]) return subject.run(count - 1, words + 1);
+namespace {
+
+using Subcommands = std::map<std::string_view, int (*)(int count, char** words)>;
+
+/// A function, so that it is there for those that add themselves before main().
+Subcommands& subcommands() {
+    static Subcommands all;
+    return all;
+}
+
+}  // namespace
+
+Subcommand::Subcommand(std::string_view name, int (*run)(int count, char** words)) { subcommands()[name] = run; }
+
+int Subcommand::run_named(int count, char** words) {
+    const auto named = subcommands().find(count > 1 ? words[1] : "");
+    if (named != subcommands().end()) return named->second(count - 1, words + 1);
     std::fprintf(stderr, "%s SUBJECT [OPTION...] [MESH...]; a subject's --help lists its options. Subjects:\n",
-                 program);
-    for (const Subject& subject : subjects) std::fprintf(stderr, "  %s\n", subject.name.data());
+                 words[0]);
+    for (const auto& [name, run] : subcommands()) std::fprintf(stderr, "  %s\n", name.data());
     return 1;
 }
 

@@ -86,12 +86,13 @@ std::vector<std::string> names_of(const Choices& choices) {
     return names;
 }
 
-/// A word of a program that measures several subjects: what follows it on the command line is the subject's.
-struct Subject {
-    std::string_view name;
-    int (*run)(int count, char** words);
+/// A word of a program that measures several subjects: what follows it on the command line is its own. Each adds itself
+/// to the program that it is linked into.
+class Subcommand {
+public:
+    Subcommand(std::string_view name, int (*run)(int count, char** words));
+    /// Runs the one that the first word names. Returns 1 where there is none.
+    static int run_named(int count, char** words);
 };
-/// Runs the subject that the first word names. Returns 1 where there is none.
-int run_subject(const char* program, std::span<const Subject> subjects, int count, char** words);
 
 }  // namespace espalier::bench

@@ -1,7 +1,6 @@
 #include "turns.hpp"
 
 #include <chrono>
-#include <ctime>
 
 #include "ratio.hpp"
 
@@ -13,14 +12,6 @@ namespace {
 constexpr std::size_t windows_of_measurement = 4;
 constexpr std::size_t most_measurements = 16;  // of different windows
 constexpr unsigned least_visits = 4;           // the sides exchange their places, and who begins
-
-/// Processor time of this thread: what other programs take does not count.
-double now() {
-    timespec time = {};
-    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) != 0)
-        throw std::runtime_error("this system has no clock of a thread's processor time");
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 const EspalierSideKind* kind_of(const Instance& instance, const QuestionSet& set) {
     const EspalierSideKind* kind = instance.calls().kind(set.kind.c_str());
@@ -75,9 +66,9 @@ double seconds_of_question(const Instance& instance, const QuestionSet& set, dou
         prepared.answer(0, windows.questions(), answers.data());
         double fastest = std::numeric_limits<double>::infinity();
         for (int repetition = 0; repetition < 3; ++repetition) {
-            const double start = now();
+            const double start = thread_seconds();
             prepared.answer(0, windows.questions(), answers.data());
-            fastest = std::min(fastest, now() - start);
+            fastest = std::min(fastest, thread_seconds() - start);
         }
         if (fastest > slice || 2 * windows.questions() > set.count)
             return fastest / static_cast<double>(windows.questions());
@@ -106,11 +97,11 @@ PairOfTimes eight_turns(const Prepared& base, const Prepared& other, bool other_
                         std::size_t size, std::byte* answers) {
     constexpr std::array<bool, 2 * windows_of_measurement> order = {false, true, true, false, true, false, false, true};
     std::array<double, 2> seconds = {};
-    double start = now();
+    double start = thread_seconds();
     for (std::size_t turn = 0; turn < order.size(); ++turn) {
         const bool is_other = order[turn] != other_begins;
         (is_other ? other : base).answer((first + turn / 2) * size, size, answers);
-        const double end = now();
+        const double end = thread_seconds();
         seconds[is_other ? 1 : 0] += end - start;
         start = end;
     }
@@ -154,8 +145,8 @@ std::optional<Comparison> take_turns(std::vector<PairOfInstances>& pairs, const 
     std::vector<TimesOfLoad> times(pairs.size());
     for (TimesOfLoad& load : times)
         for (auto& placement : load) placement.resize(parts);
-    const double end = now() + turns.seconds;
-    for (unsigned visit = 0; visit < least_visits || visit % least_visits != 0 || now() < end; ++visit) {
+    const double end = thread_seconds() + turns.seconds;
+    for (unsigned visit = 0; visit < least_visits || visit % least_visits != 0 || thread_seconds() < end; ++visit) {
         const bool exchanged = visit % 2 == 1;
         const bool other_begins = visit % 4 >= 2;
         for (std::size_t load = 0; load < pairs.size(); ++load) {

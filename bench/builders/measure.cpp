@@ -143,7 +143,7 @@ void run(const std::vector<std::string>& files, const Options& options) {
 
 }  // namespace
 
-int builders_part(int count, char** words) {
+const Subcommand subcommand("builders", [](int count, char** words) {
     Options options;
     Program program(
         "espalier_bench_study builders",
@@ -154,6 +154,6 @@ int builders_part(int count, char** words) {
     program.add_count("--rounds", options.rounds, "How often each blob is queried in turn; the median counts");
     program.add_words("--only", options.only, "Only this builder, by how its name begins; may be repeated");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(meshes, options); });
-}
+});
 
 }  // namespace espalier::bench

@@ -181,7 +181,7 @@ void model_meshes(const std::vector<std::string>& meshes, bool pairs, const Cost
 
 }  // namespace
 
-int cost_model_part(int count, char** words) {
+const Subcommand subcommand("cost_model", [](int count, char** words) {
     CostOptions options;
     bool pairs = false, scene = false;
     Program program("espalier_bench_study cost_model",
@@ -203,6 +203,6 @@ int cost_model_part(int count, char** words) {
         if (scene) model_scene(options);
         else model_meshes(meshes, pairs, options);
     });
-}
+});
 
 }  // namespace espalier::bench

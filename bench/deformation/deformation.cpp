@@ -224,7 +224,7 @@ void run(Mesh mesh, const DeformationOptions& options) {
 
 }  // namespace
 
-int deformation_part(int count, char** words) {
+const Subcommand subcommand("deformation", [](int count, char** words) {
     DeformationOptions options;
     Program program(
         "espalier_bench_study deformation",
@@ -246,6 +246,6 @@ int deformation_part(int count, char** words) {
         if (options.cloth > 0) run(make_cloth(options.cloth), options);
         for (const std::string& file : meshes) run(tests::read_mesh(file), options);
     });
-}
+});
 
 }  // namespace espalier::bench

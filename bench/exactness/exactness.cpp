@@ -161,7 +161,7 @@ void print_lattices(const Mesh& mesh, const ExactnessOptions& options) {
 
 }  // namespace
 
-int exactness_part(int count, char** words) {
+const Subcommand subcommand("exactness", [](int count, char** words) {
     ExactnessOptions options;
     Program program("espalier_bench_study exactness", "Rays lost between triangles, and what integers cost; JSON");
     program.allow_no_meshes();
@@ -180,6 +180,6 @@ int exactness_part(int count, char** words) {
             print_lattices(mesh, options);
         }
     });
-}
+});
 
 }  // namespace espalier::bench

@@ -91,10 +91,10 @@ void run(const std::vector<std::string>& files) {
 
 }  // namespace
 
-int ids_part(int count, char** words) {
+const Subcommand subcommand("ids", [](int count, char** words) {
     Program program("espalier_bench_study ids",
                     "What original ids take by the order of the source; a table in Markdown");
     return program.run(count, words, [](const std::vector<std::string>& meshes) { run(meshes); });
-}
+});
 
 }  // namespace espalier::bench

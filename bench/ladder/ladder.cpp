@@ -87,14 +87,10 @@ void check_by_loops(const Mesh& mesh, const Run& run, const Queries& queries) {
         if (run.rays.answers[i] != nearest)
             throw std::runtime_error(mesh.name + ": a ray has another hit than the loop finds");
     }
-    for (std::size_t i = 0; i < queries.recounted_boxes().size(); ++i) {
-        const TriangleBoxTest test(queries.boxes[i]);
-        std::uint64_t touching = 0;
-        for (const TriangleVertices& triangle : mesh.triangles)
-            touching += test.touches(corners_of(mesh, triangle)) ? 1u : 0u;
-        if (run.boxes.answers[i] != touching)
+    const std::vector<FloatTriangle> triangles = triangles_of(mesh);
+    for (std::size_t i = 0; i < queries.recounted_boxes().size(); ++i)
+        if (run.boxes.answers[i] != touching_of_all(triangles, queries.boxes[i]))
             throw std::runtime_error(mesh.name + ": a box touches other triangles than the loop finds");
-    }
 }
 
 template <class Answer>
@@ -165,7 +161,7 @@ void measure_ladder(Mesh mesh, const LadderOptions& options) {
 
 }  // namespace
 
-int ladder_part(int count, char** words) {
+const Subcommand subcommand("ladder", [](int count, char** words) {
     LadderOptions options;
     Program program("espalier_bench_study ladder",
                     "Layouts and degrees of trees: bytes, work and time of queries; JSON");
@@ -176,6 +172,6 @@ int ladder_part(int count, char** words) {
     program.add_count("--recounted", options.recounted, "Rays and boxes that are counted by a second counter");
     program.add_count("--rounds", options.rounds, "How often everything is measured; the medians count");
     return program.run_on_meshes(count, words, [&](Mesh mesh) { measure_ladder(std::move(mesh), options); });
-}
+});
 
 }  // namespace espalier::bench

@@ -107,6 +107,7 @@ TEST_CASE("bench: every layout has the answers of a loop over all triangles and 
         const std::vector<Ray> rays = incoherent_rays(subject.mesh, 300, 3);
         const std::vector<Aabb> boxes = boxes_on_surface(subject, 300, 3);
         std::vector<std::vector<TriangleOnRay>> hits;
+        const std::vector<FloatTriangle> triangles = triangles_of(subject.mesh);
         std::vector<float> nearest;
         std::vector<std::uint64_t> touching;
         for (const Ray& ray : rays) {
@@ -114,12 +115,7 @@ TEST_CASE("bench: every layout has the answers of a loop over all triangles and 
             nearest.push_back(no_hit);
             for (const TriangleOnRay& hit : hits.back()) nearest.back() = std::min(nearest.back(), hit.t);
         }
-        for (const Aabb& box : boxes) {
-            const TriangleBoxTest test(box);
-            touching.push_back(0);
-            for (const TriangleVertices& triangle : subject.mesh.triangles)
-                touching.back() += test.touches(corners_of(subject.mesh, triangle)) ? 1u : 0u;
-        }
+        for (const Aabb& box : boxes) touching.push_back(touching_of_all(triangles, box));
         CHECK(*std::max_element(touching.begin(), touching.end()) > 1);
         for (const auto& systems : {ladder_systems(subject, shapes), degree_systems(subject, shapes)})
             for (const auto& system : systems) {

@@ -99,7 +99,7 @@ void measure_mesh(const Mesh& mesh, const Options& options) {
 
 }  // namespace
 
-int load_part(int count, char** words) {
+const Subcommand subcommand("load", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_study load", "Bytes on disk, memory, and time until the first ray's answer; JSON");
     program.add_count("--rays", options.rays, "Rays that are compared with the reference");
@@ -107,6 +107,6 @@ int load_part(int count, char** words) {
     return program.run(count, words, [&](const std::vector<std::string>& files) {
         for (const std::string& file : files) measure_mesh(tests::read_mesh(file), options);
     });
-}
+});
 
 }  // namespace espalier::bench

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "../study/aabb_tree.hpp"
+#include "../study/walks.hpp"
 #include "ways.hpp"
 
 namespace espalier::bench {
@@ -66,15 +66,6 @@ TEST_CASE("bench: damaged streams of meshoptimizer are refused") {
 }
 #endif
 
-/// Returns t of the closest hit by a test of all triangles, or infinity.
-double closest_of_all(const Mesh& mesh, const Ray& ray) {
-    const Line line = {point_of(ray.origin), point_of(ray.direction)};
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const TriangleVertices& triangle : mesh.triangles)
-        if (const auto at = meets(corners_of(mesh, triangle), line)) nearest = std::min(nearest, *at);
-    return nearest;
-}
-
 TEST_CASE("bench: every way to load a mesh answers rays as the loop over its triangles") {
     for (const Mesh& mesh : some_meshes()) {
         const Mesh snapped = snap_mesh(mesh).mesh;
@@ -84,7 +75,7 @@ TEST_CASE("bench: every way to load a mesh answers rays as the loop over its tri
             CAPTURE(way.loads);
             const std::unique_ptr<Loaded> loaded = way.load(way.file);
             CHECK(loaded->bytes() > 0);
-            const Mesh& shipped = way.ships == "floats" ? mesh : snapped;
+            const std::vector<FloatTriangle> shipped = triangles_of(way.ships == "floats" ? mesh : snapped);
             for (const Ray& ray : rays) {
                 const double expected = closest_of_all(shipped, ray);
                 const auto t = static_cast<double>(loaded->closest(ray));

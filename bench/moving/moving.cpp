@@ -87,7 +87,7 @@ void run(Options& options, const std::vector<std::string>& meshes) {
 
 }  // namespace
 
-int part(int count, char** words) {
+const Subcommand subcommand("moving", [](int count, char** words) {
     Options options;
     Scenario& scenario = options.scenario;
     Program program("espalier_bench_study moving",
@@ -113,6 +113,6 @@ int part(int count, char** words) {
                      "ESPALIER_MESHES if none is named");
     program.add_words("--only", scenario.only, "Only the systems whose names begin so, and Espalier; may be repeated");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(options, meshes); });
-}
+});
 
 }  // namespace espalier::bench::moving

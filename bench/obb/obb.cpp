@@ -207,7 +207,7 @@ void measure_trees(const TreeSubject& subject, const Options& options) {
 
 }  // namespace
 
-int obb_part(int count, char** words) {
+const Subcommand subcommand("obb", [](int count, char** words) {
     Options options;
     bool is_without_trees = false;
     Program program("espalier_bench_study obb",
@@ -223,6 +223,6 @@ int obb_part(int count, char** words) {
         measure_fits(subject, options);
         if (!is_without_trees) measure_trees(subject, options);
     });
-}
+});
 
 }  // namespace espalier::bench

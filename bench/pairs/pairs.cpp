@@ -96,7 +96,7 @@ void measure(const Mesh& mesh, const Options& options) {
 
 }  // namespace
 
-int pairs_subject(int count, char** words) {
+const Subcommand subcommand("pairs", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_peers pairs",
                     "A mesh against a second one of its kind: whether they touch, all pairs, how far apart; JSON");
@@ -104,6 +104,6 @@ int pairs_subject(int count, char** words) {
     program.add_count("--repetitions", options.repetitions, "How often each system is asked; the median counts");
     program.add_words("--only", options.only, "Only this system; may be repeated", {"espalier", "fcl", "ode"});
     return program.run_at_common_size(count, words, [&](const Mesh& mesh) { measure(mesh, options); });
-}
+});
 
 }  // namespace espalier::bench

@@ -1,7 +1,9 @@
 #include "measure.hpp"
 
 #include <cstdlib>
+#include <thread>
 
+#include "../../tools/base/choices.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
@@ -52,14 +54,6 @@ struct Run {
     std::vector<std::uint8_t> answers;
 };
 
-Speed speed(const std::vector<double>& own, const std::vector<double>* reference, std::size_t rays) {
-    Speed result;
-    if (own.empty()) return result;
-    result.mrays = static_cast<double>(rays) / spread(own).median * 1e-6;
-    if (reference != nullptr) result.ratio = ratio(*reference, own);
-    return result;
-}
-
 void build_all(const Mesh& mesh, const std::vector<Maker>& makers, unsigned times, std::vector<Run>& runs) {
     makers.front().make(mesh);  // the process's first build pays for loading libraries and first touches of memory
     for (unsigned round = 0; round < times; ++round)
@@ -109,14 +103,41 @@ std::optional<double> load_average() {
     return getloadavg(&load, 1) == 1 ? std::optional(load) : std::nullopt;
 }
 
-std::optional<Lattice> in_own_units(std::optional<Lattice> lattice, double scale) {
-    if (lattice) lattice = {lattice->step / scale, lattice->extent / scale, lattice->max_error / scale};
-    return lattice;
+void add_length(JsonObject& row, const char* name, std::optional<double> value) {
+    row.add_raw(name, value ? digits_of(*value, 6) : "null");
+}
+
+/// Nothing where there is no such query, or no reference to take a ratio to; above 1 is faster.
+void add_ratio(JsonObject& row, const std::string& name, const std::vector<double>& own,
+               const std::vector<double>* reference) {
+    const bool is_known = reference != nullptr && !own.empty();
+    const Spread found = is_known ? ratio(*reference, own) : Spread{};
+    row.add_raw(name + "_ratio", is_known ? decimal(found.median, 3) : "null");
+    row.add_raw(name + "_spread", is_known ? '[' + decimal(found.low, 3) + ',' + decimal(found.high, 3) + ']' : "null");
+}
+
+/// What all rows about a mesh begin with, behind the name of the system.
+void add_conditions(JsonObject& row, const Mesh& mesh, const Options& options, std::optional<double> load) {
+    row.add("mesh", mesh.name);
+    row.add("triangles", mesh.triangles.size());
+    row.add("bits", std::size_t{options.bake.bits});
+    row.add("effort", tools::name_in(tools::effort_choices, options.bake.effort));
+    row.add("builder", tools::name_in(tools::builder_choices, options.bake.builder));
+    row.add("rays", options.incoherent);
+    row.add("seed", std::size_t{options.seed});
+    row.add("repetitions", std::size_t{options.repetitions});
+    row.add("builds", std::size_t{options.builds});
+    row.add("instruction_set", instruction_set_name());
+    row.add("processor", processor());
+    row.add("compiler", compiler());
+    row.add("date", today());
+    row.add("processors", std::size_t{std::thread::hardware_concurrency()});
+    row.add("load", load, 2);
 }
 
 }  // namespace
 
-MeshResult measure(const std::string& path, const std::vector<Maker>& makers, const Options& options) {
+void measure(const std::string& path, const std::vector<Maker>& makers, const Options& options) {
     Mesh mesh = tests::read_mesh(path);
     const double scale = bring_to_common_size(mesh);
     std::vector<Run> runs(makers.size());
@@ -128,43 +149,55 @@ MeshResult measure(const std::string& path, const std::vector<Maker>& makers, co
     const Run* reference = nullptr;
     for (std::size_t s = 0; s < makers.size(); ++s)
         if (is_reference(makers[s])) reference = &runs[s];
+    // The machine's load average of a minute, at the end; a quiet one has about 1: us.
+    const std::optional<double> load = load_average();
     const double size = largest_coordinate(mesh);
-    const auto per_triangle = [&mesh](std::size_t bytes) {
-        return static_cast<double>(bytes) / static_cast<double>(mesh.triangles.size());
-    };
-    MeshResult result{mesh.name, mesh.triangles.size(), load_average(), {}};
+    const auto per_triangle = [&mesh](std::size_t bytes) { return per(bytes, mesh.triangles.size()); };
     for (std::size_t s = 0; s < makers.size(); ++s) {
         const Run& run = runs[s];
         const std::optional<Lattice> lattice = run.system->lattice();
-        Row row;
-        row.system = makers[s].name;
-        row.profile = makers[s].profile;
-        row.version = makers[s].version;
-        row.bytes_per_triangle = per_triangle(run.system->bytes());
-        row.bytes_per_triangle_with_ids = per_triangle(run.system->bytes_with_ids());
-        if (const auto bytes = run.system->bytes_at_20_bits()) row.bytes_per_triangle_20_bits = per_triangle(*bytes);
-        row.lattice = in_own_units(lattice, scale);
-        row.incoherent =
-            speed(run.incoherent, reference != nullptr ? &reference->incoherent : nullptr, incoherent.size());
-        row.coherent = speed(run.coherent, reference != nullptr ? &reference->coherent : nullptr, coherent.size());
-        row.any = speed(run.any, reference != nullptr ? &reference->any : nullptr, incoherent.size());
-        if (reference != nullptr) row.build_ratio = ratio(reference->build, run.build);
-        row.build_seconds = spread(run.build).median;
-        if (run.system->has_closest()) {
-            const auto hit = [](const Hit& h) { return h.found; };
-            row.hit_fraction = static_cast<double>(std::count_if(run.hits.begin(), run.hits.end(), hit)) /
-                               static_cast<double>(incoherent.size());
-            if (run.system->has_any()) row.any_contradictions = contradictions(run.hits, run.answers);
-        }
-        if (reference != nullptr && run.system->has_closest()) {
-            const Agreement agreement =
-                compare(incoherent, reference->hits, run.hits, lattice ? lattice->max_error : 0.0, size);
-            row.disagreeing = agreement.disagreeing;
-            row.t_disagreeing = agreement.t_disagreeing;
-        }
-        result.rows.push_back(std::move(row));
+        const auto bytes_at_20_bits = run.system->bytes_at_20_bits();
+        JsonObject row;
+        row.add("system", makers[s].name);
+        row.add("profile", makers[s].profile);
+        row.add("version", makers[s].version);
+        add_conditions(row, mesh, options, load);
+        row.add("bytes_per_triangle", per_triangle(run.system->bytes()), 3);
+        row.add("bytes_per_triangle_20_bits",
+                bytes_at_20_bits ? std::optional(per_triangle(*bytes_at_20_bits)) : std::nullopt, 3);
+        row.add("bytes_per_triangle_with_ids", per_triangle(run.system->bytes_with_ids()), 3);
+        // In the mesh's own units.
+        add_length(row, "step", lattice ? std::optional(lattice->step / scale) : std::nullopt);
+        add_length(row, "extent", lattice ? std::optional(lattice->extent / scale) : std::nullopt);
+        add_length(row, "max_error", lattice ? std::optional(lattice->max_error / scale) : std::nullopt);
+        for (const auto& [name, seconds] : {std::pair("incoherent", &Run::incoherent),
+                                            {"coherent", &Run::coherent},
+                                            {"any", &Run::any},
+                                            {"build", &Run::build}})
+            add_ratio(row, name, run.*seconds, reference != nullptr ? &(reference->*seconds) : nullptr);
+        const auto add_mrays = [&](const char* name, const std::vector<double>& own, std::size_t rays) {
+            row.add(name, own.empty() ? std::nullopt : std::optional(static_cast<double>(rays) / median_of(own) * 1e-6),
+                    3);
+        };
+        add_mrays("incoherent_mrays", run.incoherent, incoherent.size());
+        add_mrays("coherent_mrays", run.coherent, coherent.size());
+        add_mrays("any_mrays", run.any, incoherent.size());
+        row.add("build_seconds", median_of(run.build), 4);
+        const bool has_hits = run.system->has_closest();
+        const auto hits = static_cast<std::size_t>(std::ranges::count_if(run.hits, &Hit::found));
+        row.add("hit_fraction", has_hits ? std::optional(per(hits, incoherent.size())) : std::nullopt, 4);
+        std::optional<Agreement> agreement;
+        if (reference != nullptr && has_hits)
+            agreement = compare(incoherent, reference->hits, run.hits, lattice ? lattice->max_error : 0.0, size);
+        row.add("disagreeing", agreement ? std::optional(agreement->disagreeing) : std::nullopt);
+        row.add("t_disagreeing", agreement ? std::optional(agreement->t_disagreeing) : std::nullopt);
+        // The system's any-hit query against its closest-hit query.
+        row.add("any_contradictions", has_hits && run.system->has_any()
+                                          ? std::optional(contradictions(run.hits, run.answers))
+                                          : std::nullopt);
+        row.print();
     }
-    return result;
+    std::fflush(stdout);
 }
 
 }  // namespace espalier::bench

@@ -40,7 +40,7 @@ void add_options(Program& program, Options& options) {
 
 }  // namespace
 
-int rays_subject(int count, char** words) {
+const Subcommand subcommand("rays", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_peers rays",
                     "Espalier beside its peers, on the same vertices and the same rays; JSON");
@@ -57,8 +57,8 @@ int rays_subject(int count, char** words) {
                          "espalier_bench_peers rays: built without Embree 3 (libembree-dev), which ratios are taken "
                          "to: they are "
                          "null, and so is what disagrees\n");
-        for (const std::string& path : meshes) print_rows(measure(path, makers, options), options);
+        for (const std::string& path : meshes) measure(path, makers, options);
     });
-}
+});
 
 }  // namespace espalier::bench

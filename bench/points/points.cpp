@@ -88,7 +88,7 @@ void measure(const Mesh& mesh, const std::string& profile_name, Profile profile,
 
 }  // namespace
 
-int points_subject(int count, char** words) {
+const Subcommand subcommand("points", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_peers points", "Spheres and closest points, beside Embree's point query; JSON");
     program.add_count("--repetitions", options.repetitions, "How often each system answers all questions");
@@ -96,6 +96,6 @@ int points_subject(int count, char** words) {
     return program.run_at_common_size(count, words, [&](const Mesh& mesh) {
         for (const auto& [name, profile] : tools::profile_choices) measure(mesh, name, profile, options);
     });
-}
+});
 
 }  // namespace espalier::bench

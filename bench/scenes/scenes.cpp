@@ -132,7 +132,7 @@ void run_scene(const std::string& path, Options options) {
 
 }  // namespace
 
-int scenes_subject(int count, char** words) {
+const Subcommand subcommand("scenes", [](int count, char** words) {
     Options options;
     Program program(
         "espalier_bench_peers scenes",
@@ -146,6 +146,6 @@ int scenes_subject(int count, char** words) {
         for (const std::string& file : meshes)
             file.ends_with(".esps") ? run_scene(file, options) : run_mesh(file, options);
     });
-}
+});
 
 }  // namespace espalier::bench

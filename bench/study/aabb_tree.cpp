@@ -17,9 +17,7 @@ public:
         tree_.largest = largest_coordinate(mesh.positions);
         tree_.triangles.reserve(binary.triangles.size());
         for (const std::uint32_t number : binary.triangles) {
-            const TriangleVertices& corners = mesh.triangles[lattice_mesh.triangles[number].original_id];
-            tree_.triangles.push_back(
-                {mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]});
+            tree_.triangles.push_back(triangle_of(mesh, mesh.triangles[lattice_mesh.triangles[number].original_id]));
         }
         tree_.nodes.emplace_back();
         fill(0, 0, 0);

@@ -91,9 +91,16 @@ inline Point point_of(const Vec3& p) {
 inline Corners3 corners_of(const FloatTriangle& triangle) {
     return {point_of(triangle[0]), point_of(triangle[1]), point_of(triangle[2])};
 }
+inline FloatTriangle triangle_of(const Mesh& mesh, const TriangleVertices& triangle) {
+    return {mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]};
+}
 inline Corners3 corners_of(const Mesh& mesh, const TriangleVertices& triangle) {
-    return corners_of(
-        FloatTriangle{mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]});
+    return corners_of(triangle_of(mesh, triangle));
+}
+[[nodiscard]] inline std::vector<FloatTriangle> triangles_of(const Mesh& mesh) {
+    std::vector<FloatTriangle> triangles;
+    for (const TriangleVertices& triangle : mesh.triangles) triangles.push_back(triangle_of(mesh, triangle));
+    return triangles;
 }
 
 // A triangle of the second tree, placed beside the first: which triangles touch it.

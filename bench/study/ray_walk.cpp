@@ -51,12 +51,18 @@ double RayWalk::closest(RayOrder order, const Ray& ray, RayWork& work) {
     return closest_by(ray, work);
 }
 
-double closest_of_all(const AabbTree& tree, const Ray& ray) {
+double closest_of_all(std::span<const FloatTriangle> triangles, const Ray& ray) {
     const Line line = {point_of(ray.origin), point_of(ray.direction)};
     double nearest = std::numeric_limits<double>::infinity();
-    for (const FloatTriangle& triangle : tree.triangles)
+    for (const FloatTriangle& triangle : triangles)
         if (const auto at = meets(corners_of(triangle), line)) nearest = std::min(nearest, *at);
     return nearest;
+}
+
+std::size_t touching_of_all(std::span<const FloatTriangle> triangles, const Aabb& box) {
+    const TriangleBoxTest test(box);
+    return static_cast<std::size_t>(
+        std::ranges::count_if(triangles, [&](const FloatTriangle& t) { return test.touches(corners_of(t)); }));
 }
 
 }  // namespace espalier::bench

@@ -159,8 +159,12 @@ std::uint64_t count_touching(const NodesOfTree<Stored>& tree, std::vector<std::u
     return touching;
 }
 
-/// Returns t of the closest hit by a test of all triangles, without a tree.
-[[nodiscard]] double closest_of_all(const AabbTree& tree, const Ray& ray);
+// A test of all triangles, without a tree.
+
+/// Returns t of the closest hit, or infinity.
+[[nodiscard]] double closest_of_all(std::span<const FloatTriangle> triangles, const Ray& ray);
+/// Counts the triangles that touch the box.
+[[nodiscard]] std::size_t touching_of_all(std::span<const FloatTriangle> triangles, const Aabb& box);
 
 // Two hierarchies against each other: which node of a pair is replaced by its children.
 

@@ -49,14 +49,11 @@ void check_answers(const AabbTree& tree, const std::vector<StructureRun>& runs, 
                    const std::vector<Aabb>& boxes, std::size_t compared) {
     const StructureRun& first = runs.front();
     for (std::size_t i = 0; i < std::min(compared, rays.size()); ++i)
-        if (first.rays.answers[i] != closest_of_all(tree, rays[i]))
+        if (first.rays.answers[i] != closest_of_all(tree.triangles, rays[i]))
             throw std::runtime_error("a ray has another hit in a loop");
-    for (std::size_t i = 0; i < std::min(compared, boxes.size()); ++i) {
-        const TriangleBoxTest test(boxes[i]);
-        std::size_t touching = 0;
-        for (const FloatTriangle& triangle : tree.triangles) touching += test.touches(corners_of(triangle)) ? 1u : 0u;
-        if (first.boxes.answers[i] != touching) throw std::runtime_error("a box touches other triangles in a loop");
-    }
+    for (std::size_t i = 0; i < std::min(compared, boxes.size()); ++i)
+        if (first.boxes.answers[i] != touching_of_all(tree.triangles, boxes[i]))
+            throw std::runtime_error("a box touches other triangles in a loop");
     for (const StructureRun& run : runs)
         if (run.structure->is_reference &&
             (run.rays.answers != first.rays.answers || run.boxes.answers != first.boxes.answers))
@@ -122,7 +119,7 @@ void measure(Mesh mesh, const Options& options) {
 
 }  // namespace
 
-int subdivision_part(int count, char** words) {
+const Subcommand subcommand("subdivision", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_study subdivision",
                     "A k-d tree and a uniform grid beside a hierarchy of boxes; JSON");
@@ -132,6 +129,6 @@ int subdivision_part(int count, char** words) {
     program.add_count("--compared", options.compared, "Queries that are compared with a loop over all triangles");
     program.add_count("--rounds", options.rounds, "How often everything is measured; the medians count");
     return program.run_on_meshes(count, words, [&](Mesh mesh) { measure(std::move(mesh), options); });
-}
+});
 
 }  // namespace espalier::bench

@@ -89,13 +89,13 @@ void measure(const Mesh& mesh, const Options& options) {
 
 }  // namespace
 
-int sweeps_subject(int count, char** words) {
+const Subcommand subcommand("sweeps", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_peers sweeps",
                     "Oriented boxes and hulls that move, beside Bullet's convex sweep; JSON");
     program.add_count("--repetitions", options.repetitions, "How often all sweeps are answered");
     program.add_count("--sweeps", options.sweeps, "Sweeps of each shape and size");
     return program.run_at_common_size(count, words, [&](const Mesh& mesh) { measure(mesh, options); });
-}
+});
 
 }  // namespace espalier::bench

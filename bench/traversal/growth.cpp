@@ -64,7 +64,7 @@ void measure_rays(const Torus& torus, const Options& options) {
     measure("growth of rays", torus,
             {{"hierarchy", [&](std::size_t i) { return walk.closest(RayOrder::nearest_first, rays[i], work); },
               rays.size()},
-             {"loop", [&](std::size_t i) { return closest_of_all(tree, rays[i]); },
+             {"loop", [&](std::size_t i) { return closest_of_all(tree.triangles, rays[i]); },
               std::min(rays.size(), options.most_tests / tree.triangles.size())},
              {"espalier", [&](std::size_t i) { return static_cast<double>(raycast(blob, rays[i]).t); }, rays.size()}},
             options);
@@ -91,7 +91,7 @@ void measure_pairs(const Torus& torus, const Options& options) {
 
 }  // namespace
 
-int growth_part(int count, char** words) {
+const Subcommand subcommand("growth", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_study growth", "How a query's time grows with the number of triangles; JSON");
     program.allow_no_meshes();
@@ -105,6 +105,6 @@ int growth_part(int count, char** words) {
             measure_pairs(torus, options);
         }
     });
-}
+});
 
 }  // namespace espalier::bench

@@ -111,7 +111,7 @@ void measure_rays(const TreeSubject& subject, const Options& options) {
 
 }  // namespace
 
-int traversal_part(int count, char** words) {
+const Subcommand subcommand("traversal", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_study traversal",
                     "Rules of descent for two hierarchies, and orders of children for rays; JSON");
@@ -124,6 +124,6 @@ int traversal_part(int count, char** words) {
         measure_pairs(subject, options);
         measure_rays(subject, options);
     });
-}
+});
 
 }  // namespace espalier::bench

@@ -89,7 +89,7 @@ TEST_CASE("bench: every order of children finds the hit that a loop over all tri
         RayWalk walk(tree);
         std::size_t hits = 0;
         for (const Ray& ray : incoherent_rays(mesh, 2'000, 3)) {
-            const double expected = closest_of_all(tree, ray);
+            const double expected = closest_of_all(tree.triangles, ray);
             hits += expected < std::numeric_limits<double>::infinity() ? 1u : 0u;
             for (const RayOrder order : all_ray_orders) {
                 RayWork work;

@@ -201,7 +201,7 @@ void measure_volumes(Mesh mesh, const VolumeOptions& options) {
 
 }  // namespace
 
-int volumes_part(int count, char** words) {
+const Subcommand subcommand("volumes", [](int count, char** words) {
     VolumeOptions options;
     Program program("espalier_bench_study volumes",
                     "Kinds of bounding volume: fit, bytes, tests and time of queries; JSON");
@@ -211,6 +211,6 @@ int volumes_part(int count, char** words) {
     program.add_count("--poses", options.poses, "Poses of the second mesh");
     program.add_count("--rounds", options.rounds, "How often everything is measured; the medians count");
     return program.run_on_meshes(count, words, [&](Mesh mesh) { measure_volumes(std::move(mesh), options); });
-}
+});
 
 }  // namespace espalier::bench

@@ -109,7 +109,7 @@ TEST_CASE("bench: trees of every kind of volume find the closest hit that a loop
             rays.push_back({{center.x - 9 * along.x, center.y - 9 * along.y, center.z - 9 * along.z}, along});
         std::size_t hits = 0;
         for (const Ray& ray : rays) {
-            const double expected = closest_of_all(trees.topology, ray);
+            const double expected = closest_of_all(trees.topology.triangles, ray);
             hits += std::isfinite(expected) ? 1u : 0u;
             for (const auto& tree : trees.kinds) {
                 CAPTURE(mesh.name);
