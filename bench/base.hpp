@@ -7,6 +7,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -84,9 +85,7 @@ inline BakedBlob bake_blob(const Mesh& mesh, const BakeOptions& options = {}) {
     return opened(mesh.name, bake(std::array{mesh.view()}, options));
 }
 inline BakedBlob bake_blob(const Mesh& mesh, Profile profile) {
-    BakeOptions options;
-    options.profile = profile;
-    return bake_blob(mesh, options);
+    return bake_blob(mesh, BakeOptions{.profile = profile});
 }
 
 /// Returns how many pairs of triangles touch, of a mesh and the same mesh in a pose. Throws std::runtime_error if the
@@ -140,6 +139,13 @@ inline std::string digits_of(double value, int digits) {
     return text;
 }
 
+/// Returns an array of JSON; the items are JSON already.
+inline std::string json_list(const std::vector<std::string>& items) {
+    std::string list;
+    for (const std::string& item : items) list += (list.empty() ? "" : ",") + item;
+    return '[' + list + ']';
+}
+
 /// A row of a file of JSON objects, one object a line. Fields appear in the order in which they were added.
 class JsonObject {
 public:
@@ -155,6 +161,7 @@ public:
     void add(const std::string& name, std::optional<std::size_t> value) {
         add_raw(name, value ? std::to_string(*value) : "null");
     }
+    void add(const std::string& name, std::same_as<bool> auto value) { add_raw(name, value ? "true" : "false"); }
     void add(const std::string& name, std::optional<double> value, int digits) {
         add_raw(name, value ? decimal(*value, digits) : "null");
     }
@@ -240,8 +247,8 @@ inline double median_of(std::vector<double> values) {
 /// Adds a field `name` with the median, and one `name`_spread with the least and the greatest.
 inline void add_spread(JsonObject& row, const std::string& name, const std::vector<double>& values, int digits) {
     row.add(name, median_of(values), digits);
-    row.add_raw(name + "_spread", '[' + decimal(*std::min_element(values.begin(), values.end()), digits) + ',' +
-                                      decimal(*std::max_element(values.begin(), values.end()), digits) + ']');
+    const auto [least, greatest] = std::ranges::minmax(values);
+    row.add_raw(name + "_spread", json_list({decimal(least, digits), decimal(greatest, digits)}));
 }
 
 }  // namespace espalier::bench

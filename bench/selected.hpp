@@ -1,4 +1,4 @@
-// Which of the systems that a program has a command line asks for.
+// Which of the systems or builders that a program has a command line asks for.
 #pragma once
 
 #include "base.hpp"
@@ -12,7 +12,7 @@ void select(std::vector<System>& systems, const std::vector<std::string>& words,
             const IsKept& is_kept, const NameOf& name_of) {
     for (const std::string& word : words) {
         if (std::ranges::any_of(systems, [&](const System& system) { return is_named(system, word); })) continue;
-        std::string message = "there is no system '" + word + "' in this build; there are:";
+        std::string message = "there is no '" + word + "' in this build; there are:";
         for (const System& system : systems) message += "\n  " + name_of(system);
         throw std::invalid_argument(message);
     }

@@ -24,7 +24,7 @@ void print_row(const Heading& heading, const Baking& baking, const std::string& 
     object.add("profile", baking.profile);
     object.add("base_bytes_per_triangle", for_each_triangle(baking.base_bytes, baking), 4);
     object.add("other_bytes_per_triangle", for_each_triangle(baking.other_bytes, baking), 4);
-    object.add_raw("same_bytes", baking.same_bytes ? "true" : "false");
+    object.add("same_bytes", baking.same_bytes);
     object.add("questions", questions);
     const auto number = [&](const char* name, double Ratio::*field, double factor, int digits) {
         object.add(name, comparison ? std::optional(factor * comparison->ratio.*field) : std::nullopt, digits);

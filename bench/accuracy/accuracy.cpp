@@ -22,8 +22,8 @@ std::vector<ReferenceHit> reference_hits(const DoubleTree& source, const std::ve
     return hits;
 }
 
-void print_ray_accuracy(const Blob& blob, const DoubleTree& source, const std::vector<Ray>& rays,
-                        const std::vector<ReferenceHit>& references, std::size_t points) {
+void add_ray_accuracy(JsonObject& row, const Blob& blob, const DoubleTree& source, const std::vector<Ray>& rays,
+                      const std::vector<ReferenceHit>& references, std::size_t points) {
     const double step = std::ldexp(1.0, blob.lattice().step_exponent);
     std::size_t hits = 0, missed = 0, extra = 0, elsewhere = 0, doubtful = 0;
     Distribution t_errors, normal_errors, point_errors;
@@ -51,15 +51,17 @@ void print_ray_accuracy(const Blob& blob, const DoubleTree& source, const std::v
         t_errors.add(t_error);
         normal_errors.add(angle_between(to_point(hit.normal), normal_of(source.triangles()[reference.triangle])));
     }
-    std::printf(",\"rays\":%zu,\"hits\":%zu,\"missed\":%zu,\"extra\":%zu,\"elsewhere\":%zu,\"doubtful\":%zu",
-                rays.size(), hits, missed, extra, elsewhere, doubtful);
-    t_errors.print("t_steps");
-    normal_errors.print("normal_degrees");
-    std::printf(",\"points\":%zu", point_count);
-    point_errors.print("point_steps");
+    row.add("rays", rays.size());
+    row.add("hits", hits);
+    row.add("missed", missed);
+    row.add("extra", extra);
+    row.add("elsewhere", elsewhere);
+    row.add("doubtful", doubtful);
+    t_errors.add_to(row, "t_steps");
+    normal_errors.add_to(row, "normal_degrees");
+    row.add("points", point_count);
+    point_errors.add_to(row, "point_steps");
 }
-
-using namespace reference;
 
 namespace {
 
@@ -82,7 +84,7 @@ struct Outcome {
 
 class Measurement {
 public:
-    Measurement(const char* head, const Blob& blob, const tests::Mesh& mesh, const DoubleTree& source,
+    Measurement(const JsonObject& head, const Blob& blob, const tests::Mesh& mesh, const DoubleTree& source,
                 std::size_t questions)
         : head_(head), blob_(blob), questions_(questions) {
         const Vec3 low = blob.bounds().min, high = blob.bounds().max;
@@ -110,6 +112,7 @@ public:
             boxes(k, accuracy);
             rays(k, accuracy);
             distances(k, accuracy);
+            std::fflush(stdout);
         }
     }
 
@@ -126,9 +129,9 @@ private:
             if (approximate && !exact)
                 gaps.add((distances_[i] - static_cast<double>(radius_)) / static_cast<double>(accuracy));
         }
-        begin("sphere", k, outcome, exact_work);
-        gaps.print("error_accuracies");
-        end();
+        JsonObject row = row_of("sphere", k, outcome, exact_work);
+        gaps.add_to(row, "error_accuracies");
+        row.print();
     }
 
     void boxes(int k, float accuracy) {
@@ -155,8 +158,7 @@ private:
             const bool exact = ask(shape, 0.0f, exact_work);
             outcome.add(exact, ask(shape, accuracy, outcome.counters));
         }
-        begin(query, k, outcome, exact_work);
-        end();
+        row_of(query, k, outcome, exact_work).print();
     }
 
     /// The error is that of the middle of the bounds against the source.
@@ -175,30 +177,30 @@ private:
             errors.add(std::abs(0.5 * (lower + upper) - distances_[i]) / static_cast<double>(accuracy));
             widths.add((upper - lower) / static_cast<double>(accuracy));
         }
-        begin("distance", k, outcome, exact_work);
-        errors.print("error_accuracies");
-        widths.print("width_accuracies");
-        end();
+        JsonObject row = row_of("distance", k, outcome, exact_work);
+        errors.add_to(row, "error_accuracies");
+        widths.add_to(row, "width_accuracies");
+        row.print();
     }
 
-    void begin(const char* query, int k, const Outcome& outcome, const QueryCounters& exact_work) const {
-        const auto each = [this](std::uint64_t count) {
-            return static_cast<double>(count) / static_cast<double>(questions_);
-        };
-        std::printf(
-            "%s,\"query\":\"%s\",\"accuracy_exponent\":%d,\"questions\":%zu,\"exact_yes\":%zu,\"false_yes\":%zu,"
-            "\"missed\":%zu,\"nodes\":%.4g,\"triangles\":%.4g,\"exact_nodes\":%.4g,\"exact_triangles\":%.4g",
-            head_, query, -k, questions_, outcome.exact_yes, outcome.false_yes, outcome.missed,
-            each(outcome.counters.nodes), each(outcome.counters.triangles), each(exact_work.nodes),
-            each(exact_work.triangles));
+    [[nodiscard]] JsonObject row_of(const char* query, int k, const Outcome& outcome,
+                                    const QueryCounters& exact_work) const {
+        const auto each = [this](std::uint64_t count) { return digits_of(per(count, questions_), 4); };
+        JsonObject row = head_;
+        row.add("query", query);
+        row.add_raw("accuracy_exponent", std::to_string(-k));
+        row.add("questions", questions_);
+        row.add("exact_yes", outcome.exact_yes);
+        row.add("false_yes", outcome.false_yes);
+        row.add("missed", outcome.missed);
+        row.add_raw("nodes", each(outcome.counters.nodes));
+        row.add_raw("triangles", each(outcome.counters.triangles));
+        row.add_raw("exact_nodes", each(exact_work.nodes));
+        row.add_raw("exact_triangles", each(exact_work.triangles));
+        return row;
     }
 
-    static void end() {
-        std::printf("}\n");
-        std::fflush(stdout);
-    }
-
-    const char* head_;
+    const JsonObject& head_;
     const Blob& blob_;
     std::size_t questions_;
     float extent_ = 0.0f;
@@ -210,8 +212,8 @@ private:
 
 }  // namespace
 
-void print_approximate_accuracy(const char* head, const Blob& blob, const tests::Mesh& mesh, const DoubleTree& source,
-                                std::size_t questions) {
+void print_approximate_accuracy(const JsonObject& head, const Blob& blob, const tests::Mesh& mesh,
+                                const DoubleTree& source, std::size_t questions) {
     Measurement(head, blob, mesh, source, questions).print_all();
 }
 

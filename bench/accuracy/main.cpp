@@ -25,9 +25,9 @@ struct Options {
 constexpr unsigned fewest_bits = 8, most_bits = 20;
 constexpr unsigned approximate_bits = 16;
 
-void print_distance(const char* name, const OneWayDistance& distance, double step) {
-    std::printf(",\"%s\":[%.9g,%.9g],\"%s_pieces\":%zu", name, distance.lower / step, distance.upper / step, name,
-                distance.pieces);
+void add_distance(JsonObject& row, const std::string& name, const OneWayDistance& distance, double step) {
+    row.add_raw(name, json_list({digits_of(distance.lower / step, 9), digits_of(distance.upper / step, 9)}));
+    row.add(name + "_pieces", distance.pieces);
 }
 
 /// Throws when what the header promises does not hold, as far as that is proved.
@@ -39,9 +39,16 @@ void check_promise(double max_error, const OneWayDistance& one, const OneWayDist
 }
 
 BakedBlob on_lattice(const Mesh& mesh, unsigned bits) {
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
-    return bake_blob(mesh, options);
+    return bake_blob(mesh, BakeOptions{.resolution = Resolution::bits(bits)});
+}
+
+/// Returns what all rows begin with.
+JsonObject head_of(const Mesh& mesh, unsigned bits) {
+    JsonObject row;
+    row.add("mesh", mesh.name);
+    row.add("source_triangles", mesh.triangles.size());
+    row.add("bits", std::size_t{bits});
+    return row;
 }
 
 void measure(const tests::Mesh& mesh, const Options& options) {
@@ -52,30 +59,28 @@ void measure(const tests::Mesh& mesh, const Options& options) {
          bits += static_cast<unsigned>(std::min<std::size_t>(options.every, most_bits))) {
         const BakedBlob lattice = on_lattice(mesh, bits);
         const BakeReport& report = lattice.baked.report;
-        std::printf("{\"mesh\":\"%s\",\"source_triangles\":%zu,\"bits\":%u,\"step\":%.9g,\"extent\":%.9g",
-                    mesh.name.c_str(), mesh.triangles.size(), bits, report.lattice.step, report.bounds.extent);
-        std::printf(",\"triangles\":%u,\"zero_area\":%llu,\"collapsed\":%llu,\"duplicate\":%llu,\"bytes\":%llu",
-                    report.tree.triangles, static_cast<unsigned long long>(report.findings.zero_area.count),
-                    static_cast<unsigned long long>(report.findings.collapsed.count),
-                    static_cast<unsigned long long>(report.findings.duplicate.count),
-                    static_cast<unsigned long long>(report.bytes));
+        JsonObject row = head_of(mesh, bits);
+        row.add_raw("step", digits_of(report.lattice.step, 9));
+        row.add_raw("extent", digits_of(report.bounds.extent, 9));
+        row.add("triangles", std::size_t{report.tree.triangles});
+        row.add("zero_area", std::size_t{report.findings.zero_area.count});
+        row.add("collapsed", std::size_t{report.findings.collapsed.count});
+        row.add("duplicate", std::size_t{report.findings.duplicate.count});
+        row.add("bytes", std::size_t{report.bytes});
         const DoubleTree baked(baked_surface(lattice.baked.bytes));
         const OneWayDistance to_baked = one_way_distance(source, baked, options.pieces);
         const OneWayDistance to_source = one_way_distance(baked, source, options.pieces);
         const double max_error = static_cast<double>(lattice.blob.max_error());
-        std::printf(",\"max_error_steps\":%.9g", max_error / report.lattice.step);
-        print_distance("to_baked_steps", to_baked, report.lattice.step);
-        print_distance("to_source_steps", to_source, report.lattice.step);
-        print_ray_accuracy(lattice.blob, source, rays, references, options.points);
-        std::printf("}\n");
+        row.add_raw("max_error_steps", digits_of(max_error / report.lattice.step, 9));
+        add_distance(row, "to_baked_steps", to_baked, report.lattice.step);
+        add_distance(row, "to_source_steps", to_source, report.lattice.step);
+        add_ray_accuracy(row, lattice.blob, source, rays, references, options.points);
+        row.print();
         std::fflush(stdout);
         check_promise(max_error, to_baked, to_source);
     }
     const BakedBlob lattice = on_lattice(mesh, approximate_bits);
-    const std::string head = "{\"mesh\":\"" + mesh.name +
-                             "\",\"source_triangles\":" + std::to_string(mesh.triangles.size()) +
-                             ",\"bits\":" + std::to_string(approximate_bits);
-    print_approximate_accuracy(head.c_str(), lattice.blob, mesh, source, options.questions);
+    print_approximate_accuracy(head_of(mesh, approximate_bits), lattice.blob, mesh, source, options.questions);
 }
 
 }  // namespace

@@ -37,66 +37,13 @@ BinaryTreeQuality quality_of(const baker::BinaryTree& tree) {
 
 namespace {
 
-/// Whether the blob touches a second one of its kind in the pose. Throws where the query is refused.
-bool touches(const Blob& blob, const Transform& pose, PairCounters& counters) {
-    const PairContact contact = first_contact(blob, {blob, pose}, WorkLimit::unlimited(), counters);
-    if (is_refused(contact.status)) throw std::runtime_error(describe(contact.status));
-    return static_cast<bool>(contact);
-}
-bool touches(const Blob& blob, const Transform& pose) {
-    PairCounters unused;
-    return touches(blob, pose, unused);
-}
-
-}  // namespace
-
-Queries::Queries(const tests::Mesh& mesh, const Blob& blob, const QueryCounts& counts)
-    : rays_(incoherent_rays(mesh, counts.rays, seed)),
-      poses_(some_poses(mesh, counts.poses, seed, [&](const Transform& pose) { return touches(blob, pose); })) {}
-
-Work Queries::count(const Blob& blob) const {
-    Work work;
-    for (const Ray& ray : rays_) {
-        const RayHit hit = raycast(blob, ray, work.rays);
-        work.answers = 31 * work.answers + (hit ? std::bit_cast<std::uint32_t>(hit.t) : 1);
-    }
-    for (const Transform& pose : poses_) {
-        const bool is_touching = touches(blob, pose, work.pairs);
-        work.answers = 31 * work.answers + (is_touching ? 1 : 0);
-        work.touching_poses += is_touching ? 1 : 0;
-    }
-    return work;
-}
-
-Seconds Queries::time(const Blob& blob) const {
-    Seconds seconds;
-    const ProcessorTime ray_time;
-    for (const Ray& ray : rays_) static_cast<void>(raycast(blob, ray));
-    seconds.rays = ray_time.seconds();
-    const ProcessorTime pair_time;
-    for (const Transform& pose : poses_) static_cast<void>(touches(blob, pose));
-    seconds.pairs = pair_time.seconds();
-    return seconds;
-}
-
-namespace {
-
 constexpr double shortest_building = 0.1;  // seconds, or the first builds, into cold memory, would count too much
 constexpr double longest_building = 1.5;
 
-BakeOptions bake_options() {
-    BakeOptions options;
-    options.profile = Profile::fast;  // the one that every builder's tree fits
-    options.effort = Effort::normal;
-    options.threads = 1;
-    return options;
-}
-
-BakeResult bake_or_throw(const tests::Mesh& mesh, const baker::TreeMaker& make_tree) {
+/// In the profile that every builder's tree fits.
+BakedBlob bake_with(const tests::Mesh& mesh, const baker::TreeMaker& make_tree) {
     const MeshView view = mesh.view();
-    BakeResult baked = baker::bake_with(make_tree, {&view, 1}, bake_options());
-    if (!baked) throw std::runtime_error(mesh.name + ": " + baked.message);
-    return baked;
+    return opened(mesh.name, baker::bake_with(make_tree, {&view, 1}, {.profile = Profile::fast}));
 }
 
 baker::BinaryTree copy_of(const baker::BinaryTree& tree) {
@@ -111,7 +58,7 @@ baker::BinaryTree copy_of(const baker::BinaryTree& tree) {
 
 Bakes::Bakes(tests::Mesh mesh) : mesh_(std::move(mesh)) {
     static_cast<void>(
-        bake_or_throw(mesh_, [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
+        bake_with(mesh_, [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
             lattice_mesh_ = lattice_mesh;
             settings_ = settings;
             return baker::build(lattice_mesh, Builder::binned_sah, settings);
@@ -143,16 +90,11 @@ TimedTree Bakes::reinsert(const baker::BinaryTree& tree) const {
     return moved;
 }
 
-BuiltBlob Bakes::bake(const baker::BinaryTree& tree) const {
-    BuiltBlob built;
+TimedBlob Bakes::bake(const baker::BinaryTree& tree) const {
     baker::BinaryTree given = copy_of(tree);
     const ProcessorTime time;
-    BakeResult baked = bake_or_throw(mesh_, [&](const auto&, const auto&) { return std::move(given); });
+    TimedBlob built{bake_with(mesh_, [&](const auto&, const auto&) { return std::move(given); })};
     built.seconds = time.seconds();
-    built.bytes = std::move(baked.bytes);
-    built.blob = open(built.bytes);
-    if (!built.blob)
-        throw std::runtime_error(mesh_.name + ": what was baked does not open: " + describe(built.blob.status()));
     return built;
 }
 

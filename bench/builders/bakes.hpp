@@ -27,41 +27,6 @@ struct BinaryTreeQuality {
 /// The tree must have a triangle at least.
 [[nodiscard]] BinaryTreeQuality quality_of(const baker::BinaryTree& tree);
 
-// The queries that trees are compared by: rays, and pairs of a mesh with itself.
-
-struct QueryCounts {
-    std::size_t rays = 100'000;
-    std::size_t poses = 1'000;
-};
-
-/// What the queries of one blob did, the same on every machine.
-struct Work {
-    QueryCounters rays;
-    PairCounters pairs;
-    std::uint64_t answers = 0;  ///< a digest of them, the same for every tree over one mesh
-    std::size_t touching_poses = 0;
-};
-
-struct Seconds {
-    double rays = 0.0;
-    double pairs = 0.0;
-};
-
-/// Incoherent rays, and poses of a second mesh of the same kind.
-class Queries {
-public:
-    /// The poses are searched with the blob, which is made from the mesh.
-    Queries(const tests::Mesh& mesh, const Blob& blob, const QueryCounts& counts);
-
-    [[nodiscard]] Work count(const Blob& blob) const;
-    /// Runs all queries once, in processor time.
-    [[nodiscard]] Seconds time(const Blob& blob) const;
-
-private:
-    std::vector<Ray> rays_;
-    std::vector<Transform> poses_;
-};
-
 // Trees over one mesh, and blobs made from them.
 
 struct TimedTree {
@@ -69,10 +34,7 @@ struct TimedTree {
     double seconds = 0.0;  ///< to make it
 };
 
-/// A blob and its bytes.
-struct BuiltBlob {
-    std::vector<std::byte> bytes;
-    Blob blob;
+struct TimedBlob : BakedBlob {
     double seconds = 0.0;  ///< of the bake without the tree
 };
 
@@ -93,7 +55,7 @@ public:
     /// Moves the subtrees of 8 triangles or more of a copy, once, as the baker does at effort `normal`.
     [[nodiscard]] TimedTree reinsert(const baker::BinaryTree& tree) const;
 
-    [[nodiscard]] BuiltBlob bake(const baker::BinaryTree& tree) const;
+    [[nodiscard]] TimedBlob bake(const baker::BinaryTree& tree) const;
 
 private:
     tests::Mesh mesh_;

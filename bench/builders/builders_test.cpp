@@ -56,8 +56,8 @@ unsigned checked_tree(const baker::LatticeMesh& mesh, const baker::BinaryTree& t
 }
 
 void check_answers(const Bakes& bakes, const baker::BinaryTree& tree) {
-    const BuiltBlob built = bakes.bake(tree);
-    const tests::DecodedBlob decoded = tests::decode(built.bytes);
+    const TimedBlob built = bakes.bake(tree);
+    const tests::DecodedBlob decoded = tests::decode(built.baked.bytes);
     const tests::TriangleLoop loop(decoded);
     tests::QueryMaker maker(decoded, 500);
     std::uint64_t hits = 0;
@@ -190,9 +190,9 @@ TEST_CASE("bench: the quality of the tree of a blob is that of its decoded nodes
     for (const tests::Mesh& mesh :
          {tests::make_torus(40, 20, 2.0, 0.6), tests::make_terrain(30, 2), tests::make_soup(500, 3)}) {
         const Bakes bakes(mesh);
-        const BuiltBlob built = bakes.bake(bakes.build(all_builders().front(), 1).tree);
+        const TimedBlob built = bakes.bake(bakes.build(all_builders().front(), 1).tree);
         const tools::TreeQuality quality = tools::tree_quality_of(built.blob);
-        const tests::DecodedBlob decoded = tests::decode(built.bytes);
+        const tests::DecodedBlob decoded = tests::decode(built.baked.bytes);
         tests::GridBox whole = decoded.nodes[0].children[0].box;
         for (const tests::DecodedChild& child : decoded.nodes[0].children)
             for (std::size_t k = 0; k < 3; ++k) {

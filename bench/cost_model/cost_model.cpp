@@ -17,13 +17,11 @@ namespace {
 /// grow together, and their costs cannot be told apart. Throws std::runtime_error with the mesh's name.
 std::vector<BakedBlob> blobs_of(const Mesh& mesh, Profile profile, unsigned bits) {
     std::vector<BakedBlob> baked;
-    for (const unsigned divisor : {4u, 2u, 1u}) {
-        BakeOptions options;
-        options.resolution = Resolution::bits(bits);
-        options.profile = profile;
-        options.build.max_leaf_triangles = tools::most_leaf_triangles(profile) / divisor;
-        baked.push_back(bake_blob(mesh, options));
-    }
+    for (const unsigned divisor : {4u, 2u, 1u})
+        baked.push_back(bake_blob(
+            mesh, BakeOptions{.resolution = Resolution::bits(bits),
+                              .profile = profile,
+                              .build = {.max_leaf_triangles = tools::most_leaf_triangles(profile) / divisor}}));
     return baked;
 }
 

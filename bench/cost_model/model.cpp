@@ -68,22 +68,16 @@ namespace {
 
 /// Returns a JSON array of the groups: the counts of each, the measured and the predicted time.
 std::string groups_of(const Model& model) {
-    std::string text;
+    std::vector<std::string> groups;
     for (std::size_t i = 0; i < model.observations.size(); ++i) {
-        const Observation& group = model.observations[i];
-        text += text.empty() ? "[" : ",";
-        // GCC 12 warns of a sum that begins with a character, without cause.
-        for (std::size_t k = 0; k < model.terms.size(); ++k) {
-            text += k == 0 ? '[' : ',';
-            text += decimal(group.terms[k], 1);
-        }
-        text += ',';
-        text += decimal(group.value, 1);
-        text += ',';
-        text += decimal(model.held_out.values[i], 1);
-        text += ']';
+        std::vector<std::string> numbers;
+        for (std::size_t k = 0; k < model.terms.size(); ++k)
+            numbers.push_back(decimal(model.observations[i].terms[k], 1));
+        numbers.push_back(decimal(model.observations[i].value, 1));
+        numbers.push_back(decimal(model.held_out.values[i], 1));
+        groups.push_back(json_list(numbers));
     }
-    return text + ']';
+    return json_list(groups);
 }
 
 }  // namespace

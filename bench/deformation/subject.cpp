@@ -171,12 +171,11 @@ RefitWork work_of(const BakeResult& baked) {
 }  // namespace
 
 DeformableMesh::DeformableMesh(const Mesh& mesh, const DeformableOptions& options) {
-    BakeOptions bake_options;
-    bake_options.profile = Profile::fast;
-    bake_options.resolution = Resolution::bits(options.bits);
-    bake_options.effort = options.effort;
-    bake_options.build.max_leaf_triangles = options.max_leaf_triangles;
-    bake_options.deformation = Deformation{options.range, options.poses};
+    const BakeOptions bake_options = {.resolution = Resolution::bits(options.bits),
+                                      .profile = Profile::fast,
+                                      .effort = options.effort,
+                                      .deformation = Deformation{options.range, options.poses},
+                                      .build = {.max_leaf_triangles = options.max_leaf_triangles}};
     const ProcessorTime time;
     BakeResult baked = bake(std::array{mesh.view()}, bake_options);
     bake_seconds_ = time.seconds();

@@ -89,11 +89,7 @@ Ride ride(const Blob& blob, btConvexShape& shape, btScalar height, ContactAddedC
     return result;
 }
 
-BakeOptions with_edge_flags() {
-    BakeOptions options;
-    options.flat_angle = 5.0;
-    return options;
-}
+BakeOptions with_edge_flags() { return {.flat_angle = 5.0}; }
 
 /// A contact with an edge of a placed mesh, whose normal leans outward over the edge.
 class EdgeContact {

@@ -30,11 +30,8 @@ struct Pair {
 
     explicit Pair(const tests::Mesh& mesh) {
         bench::start_jolt();
-        BakeOptions options;
-        options.flat_angle = 5.0;
-        options.resolution = Resolution::bits(20);
         const MeshView view = mesh.view();
-        bytes = bake(std::span(&view, 1), options).bytes;
+        bytes = bake(std::span(&view, 1), {.resolution = Resolution::bits(20), .flat_angle = 5.0}).bytes;
         const Blob blob = open(bytes);
         REQUIRE(blob);
         bounds = blob.bounds();

@@ -16,10 +16,7 @@ constexpr const char* shape_names[] = {"its own", "`fast`", "`balanced`", "`smal
 constexpr std::size_t shape_count = std::size(shape_names);
 
 std::vector<std::byte> baked(const tests::Mesh& mesh, Profile profile) {
-    BakeOptions options;
-    options.profile = profile;
-    options.flat_angle = 3.0;
-    return bake_blob(mesh, options).baked.bytes;
+    return bake_blob(mesh, BakeOptions{.profile = profile, .flat_angle = 3.0}).baked.bytes;
 }
 
 /// What bodies did on all levels.

@@ -123,18 +123,13 @@ struct OnLattice {
     std::size_t hits = 0;
 };
 
-OnLattice bake_on(const Mesh& mesh, unsigned bits) {
-    BakeOptions options;
-    options.resolution = Resolution::bits(bits);
-    options.effort = Effort::fast;
-    return {bits, bake_blob(mesh, options)};
-}
-
 /// Prints a row for each lattice: bytes, error and the time of a ray.
 void print_lattices(const Mesh& mesh, const ExactnessOptions& options) {
     const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, seed);
     std::vector<OnLattice> lattices;
-    for (unsigned bits = fewest_bits; bits <= most_bits; bits += every) lattices.push_back(bake_on(mesh, bits));
+    for (unsigned bits = fewest_bits; bits <= most_bits; bits += every)
+        lattices.push_back(
+            {bits, bake_blob(mesh, BakeOptions{.resolution = Resolution::bits(bits), .effort = Effort::fast})});
     for (std::size_t round = 0; round < options.rounds; ++round)
         for (OnLattice& lattice : lattices) {
             const Stopwatch watch;

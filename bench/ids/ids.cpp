@@ -8,10 +8,7 @@ namespace espalier::bench {
 namespace {
 
 BakeResult bake_with(const Mesh& mesh, Profile profile, bool ids) {
-    BakeOptions options;
-    options.profile = profile;
-    options.original_ids = ids;
-    return bake_blob(mesh, options).baked;
+    return bake_blob(mesh, BakeOptions{.profile = profile, .original_ids = ids}).baked;
 }
 
 Mesh shuffled(Mesh mesh) {

@@ -213,13 +213,6 @@ namespace {
 /// The share of the largest coordinate by which a box is larger than its triangles.
 constexpr float margin_share = 0x1p-19f;
 
-BakeOptions options_for(Profile profile) {
-    BakeOptions options;
-    options.profile = profile;
-    options.threads = 1;
-    return options;
-}
-
 /// Returns the triangles in the order of the tree, and the vertices in the order in which these use them first: what
 /// lies together is near.
 Mesh mesh_of_tree(const std::string& name, const baker::LatticeMesh& lattice_mesh, const baker::BinaryTree& binary) {
@@ -272,9 +265,9 @@ LadderSubject make_subject(Mesh mesh) {
         made.step = lattice_mesh.lattice.step();
         return build(lattice_mesh, settings);
     };
-    made.fast = opened(mesh.name, baker::bake_with(build_and_keep, {&view, 1}, options_for(Profile::fast)));
-    made.balanced = bake_blob(mesh, options_for(Profile::balanced));
-    made.small_blob = bake_blob(mesh, options_for(Profile::small));
+    made.fast = opened(mesh.name, baker::bake_with(build_and_keep, {&view, 1}, {.profile = Profile::fast}));
+    made.balanced = bake_blob(mesh, Profile::balanced);
+    made.small_blob = bake_blob(mesh, Profile::small);
     if (made.mesh.triangles.size() <= Link::most_triangles || made.mesh.triangles.size() > Link::most_first)
         throw std::runtime_error(mesh.name + ": too few triangles for a tree, or too many");
     made.margin = margin_share * largest_coordinate(made.mesh.positions);

@@ -57,10 +57,7 @@ private:
 };
 
 Bytes bake_mesh(const MeshView& view, Profile profile, Effort effort) {
-    BakeOptions options;
-    options.profile = profile;
-    options.effort = effort;
-    BakeResult baked = bake({&view, 1}, options);
+    BakeResult baked = bake({&view, 1}, {.profile = profile, .effort = effort});
     if (!baked) throw std::runtime_error(baked.message);
     return std::move(baked.bytes);
 }

@@ -86,7 +86,7 @@ JsonObject row_of(const Scenario& scenario, const std::string& measures) {
     row.add("sizes", name_of(scenario.sizes));
     row.add("speed", scenario.speed, 3);
     row.add("moving", scenario.moving, 3);
-    row.add_raw("turning", scenario.turning ? "true" : "false");
+    row.add("turning", scenario.turning);
     row.add("unmeasured", scenario.unmeasured);
     row.add("steps", scenario.steps);
     row.add("repeats", scenario.repeats);

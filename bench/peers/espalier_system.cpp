@@ -88,11 +88,10 @@ public:
 std::vector<Maker> espalier_makers(const BakeSettings& settings) {
     std::vector<Maker> makers;
     for (const auto& [name, profile] : tools::profile_choices) {
-        BakeOptions options;
-        options.profile = profile;
-        options.build.builder = settings.builder;
-        options.resolution = Resolution::bits(settings.bits);
-        options.effort = settings.effort;
+        const BakeOptions options = {.resolution = Resolution::bits(settings.bits),
+                                     .profile = profile,
+                                     .effort = settings.effort,
+                                     .build = {.builder = settings.builder}};
         makers.push_back({"espalier", name, ESPALIER_BENCH_VERSION,
                           [options](const Mesh& mesh) { return std::make_unique<EspalierSystem>(mesh, options); }});
         makers.push_back(

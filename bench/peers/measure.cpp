@@ -113,7 +113,7 @@ void add_ratio(JsonObject& row, const std::string& name, const std::vector<doubl
     const bool is_known = reference != nullptr && !own.empty();
     const Spread found = is_known ? ratio(*reference, own) : Spread{};
     row.add_raw(name + "_ratio", is_known ? decimal(found.median, 3) : "null");
-    row.add_raw(name + "_spread", is_known ? '[' + decimal(found.low, 3) + ',' + decimal(found.high, 3) + ']' : "null");
+    row.add_raw(name + "_spread", is_known ? json_list({decimal(found.low, 3), decimal(found.high, 3)}) : "null");
 }
 
 /// What all rows about a mesh begin with, behind the name of the system.

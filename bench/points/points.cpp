@@ -44,7 +44,7 @@ void add_kind(JsonObject& row, const std::string& kind, const PointContest& cont
     row.add(kind + "_low", ratios.low, 3);
     row.add(kind + "_high", ratios.high, 3);
     row.add_raw(kind + "_sums",
-                '[' + digits_of(reference.sum_of_answers(), 9) + ',' + digits_of(own.sum_of_answers(), 9) + ']');
+                json_list({digits_of(reference.sum_of_answers(), 9), digits_of(own.sum_of_answers(), 9)}));
 }
 
 void measure(const Mesh& mesh, const std::string& profile_name, Profile profile, const Options& options) {

@@ -97,8 +97,8 @@ void measure(const std::string& name, std::size_t triangles, std::array<Side, 2>
             row.add("copies", options.copies);
             row.add("system", own.system + ' ' + own.profile);
             row.add("us_per_ray", 1e6 * median_of(own.seconds) / static_cast<double>(options.rays), 4);
-            row.add_raw("ratio_to_last", '[' + decimal(ratios.low, 3) + ',' + decimal(ratios.median, 3) + ',' +
-                                             decimal(ratios.high, 3) + ']');
+            row.add_raw("ratio_to_last",
+                        json_list({decimal(ratios.low, 3), decimal(ratios.median, 3), decimal(ratios.high, 3)}));
             row.add("bytes", own.bytes);
             row.add("rays_that_differ", differing(own.answers, reference.answers));
             row.print();

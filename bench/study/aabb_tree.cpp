@@ -80,11 +80,8 @@ TreeAndBlob build_tree_and_blob(const Mesh& mesh, unsigned most_leaf_triangles) 
         made.tree_seconds = time.seconds();
         return binary;
     };
-    BakeOptions options;
-    options.profile = Profile::fast;
-    options.threads = 1;
     const MeshView view = mesh.view();
-    made.baked = opened(mesh.name, baker::bake_with(make, {&view, 1}, options));
+    made.baked = opened(mesh.name, baker::bake_with(make, {&view, 1}, {.profile = Profile::fast}));
     if (made.tree.nodes.empty()) throw std::runtime_error(mesh.name + ": there are no triangles");
     return made;
 }
