@@ -6,8 +6,6 @@
 namespace espalier::bench {
 namespace {
 
-using Read = void (*)(std::span<const std::byte> file, const MeshArrays& to);
-
 struct Build {
     const char* name;
     RTCBuildQuality quality;
@@ -27,7 +25,7 @@ const EmbreeDevice& device() {
 
 class EmbreeLoaded final : public Loaded {
 public:
-    EmbreeLoaded(std::span<const std::byte> file, Read read, const Build& build) : bytes_before_(device().bytes()) {
+    EmbreeLoaded(std::span<const std::byte> file, ReadMesh read, const Build& build) : bytes_before_(device().bytes()) {
         const MeshCounts counts = read_counts(file);
         scene_ =
             device().new_scene(counts.vertices, counts.triangles, build.quality, [&](void* vertices, void* corners) {
@@ -57,7 +55,7 @@ private:
     std::size_t bytes_ = 0;
 };
 
-auto loader(Read read, const Build& build) {
+auto loader(ReadMesh read, const Build& build) {
     return [read, build](std::span<const std::byte> file) -> std::unique_ptr<Loaded> {
         return std::make_unique<EmbreeLoaded>(file, read, build);
     };

@@ -12,9 +12,11 @@
 namespace espalier::bench {
 namespace {
 
-class BlobLoaded : public Loaded {
+class BlobLoaded final : public Loaded {
 public:
-    explicit BlobLoaded(Blob blob) : blob_(blob) {
+    /// `owner` keeps the bytes of the blob, unless the caller does.
+    explicit BlobLoaded(Blob blob, std::shared_ptr<const void> owner = nullptr)
+        : blob_(blob), owner_(std::move(owner)) {
         if (!blob_) throw std::runtime_error(describe(blob_.status()));
     }
     [[nodiscard]] float closest(const Ray& ray) const override { return raycast(blob_, ray).t; }
@@ -22,6 +24,7 @@ public:
 
 private:
     Blob blob_;
+    std::shared_ptr<const void> owner_;
 };
 
 /// Maps a file for as long as it lives.
@@ -45,58 +48,11 @@ private:
     std::size_t size_;
 };
 
-class MappedBlob final : public Loaded {
-public:
-    explicit MappedBlob(const std::filesystem::path& path) : mapping_(path), blob_(open_unchecked(mapping_.bytes())) {}
-    [[nodiscard]] float closest(const Ray& ray) const override { return blob_.closest(ray); }
-    [[nodiscard]] std::size_t bytes() const override { return blob_.bytes(); }
-
-private:
-    Mapping mapping_;
-    BlobLoaded blob_;
-};
-
 Bytes bake_mesh(const MeshView& view, Profile profile, Effort effort) {
     BakeResult baked = bake({&view, 1}, {.profile = profile, .effort = effort});
     if (!baked) throw std::runtime_error(baked.message);
     return std::move(baked.bytes);
 }
-
-#ifdef ESPALIER_BENCH_MESHOPT
-
-struct Decoded {
-    explicit Decoded(std::span<const std::byte> file) {
-        const MeshCounts counts = read_counts(file);
-        positions.resize(counts.vertices);
-        triangles.resize(counts.triangles);
-        read_meshopt(file, {&positions.data()->x, triangles.data()->data()});
-    }
-    std::vector<Vec3> positions;
-    std::vector<TriangleVertices> triangles;
-};
-
-/// The decoded mesh is released once it is baked.
-class BakedAtLoad final : public Loaded {
-public:
-    BakedAtLoad(std::span<const std::byte> file, Profile profile)
-        : bytes_(bake_file(file, profile)), blob_(open(bytes_)) {}
-    [[nodiscard]] float closest(const Ray& ray) const override { return blob_.closest(ray); }
-    [[nodiscard]] std::size_t bytes() const override { return blob_.bytes(); }
-
-private:
-    static Bytes bake_file(std::span<const std::byte> file, Profile profile) {
-        const Decoded mesh(file);
-        MeshView view;
-        view.positions = mesh.positions;
-        view.triangles = mesh.triangles;
-        return bake_mesh(view, profile, Effort::fast);
-    }
-
-    Bytes bytes_;
-    BlobLoaded blob_;
-};
-
-#endif
 
 }  // namespace
 
@@ -111,7 +67,8 @@ void add_espalier_ways(std::vector<Way>& ways, const Mesh& mesh) {
             .write(reinterpret_cast<const char*>(blob.data()), static_cast<std::streamsize>(blob.size()));
         ways.push_back({"blob, " + name, "map, open_unchecked", blob,
                         [on_disk](std::span<const std::byte>) -> std::unique_ptr<Loaded> {
-                            return std::make_unique<MappedBlob>(on_disk->path());
+                            const auto mapping = std::make_shared<Mapping>(on_disk->path());
+                            return std::make_unique<BlobLoaded>(open_unchecked(mapping->bytes()), mapping);
                         },
                         true});
     }
@@ -121,8 +78,11 @@ void add_espalier_ways(std::vector<Way>& ways, const Mesh& mesh) {
 void add_espalier_meshopt_ways(std::vector<Way>& ways, const Bytes& file) {
     for (const Profile profile : {Profile::fast, Profile::balanced})
         ways.push_back({"meshoptimizer", "bake, " + tools::name_in(tools::profile_choices, profile), file,
-                        [profile](std::span<const std::byte> bytes) -> std::unique_ptr<Loaded> {
-                            return std::make_unique<BakedAtLoad>(bytes, profile);
+                        [profile](std::span<const std::byte> shipped) -> std::unique_ptr<Loaded> {
+                            // The decoded mesh is released once it is baked.
+                            const auto bytes = std::make_shared<Bytes>(
+                                bake_mesh(decoded(shipped, read_meshopt).view(), profile, Effort::fast));
+                            return std::make_unique<BlobLoaded>(open(*bytes), bytes);
                         }});
 }
 #endif

@@ -34,15 +34,6 @@ std::vector<Corners> canonical(const Mesh& mesh) {
     return triangles;
 }
 
-Mesh decoded(const Bytes& file, void (*read)(std::span<const std::byte>, const MeshArrays&)) {
-    const MeshCounts counts = read_counts(file);
-    Mesh mesh;
-    mesh.positions.resize(counts.vertices);
-    mesh.triangles.resize(counts.triangles);
-    read(file, {&mesh.positions.data()->x, mesh.triangles.data()->data()});
-    return mesh;
-}
-
 TEST_CASE("bench: a file of floats is the mesh") {
     for (const Mesh& mesh : some_meshes())
         CHECK(canonical(decoded(write_floats(mesh), read_floats)) == canonical(mesh));

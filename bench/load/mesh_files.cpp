@@ -9,6 +9,15 @@ MeshCounts read_counts(std::span<const std::byte> file) {
     return counts;
 }
 
+Mesh decoded(std::span<const std::byte> file, ReadMesh read) {
+    const MeshCounts counts = read_counts(file);
+    Mesh mesh;
+    mesh.positions.resize(counts.vertices);
+    mesh.triangles.resize(counts.triangles);
+    read(file, {&mesh.positions.data()->x, mesh.triangles.data()->data()});
+    return mesh;
+}
+
 Bytes write_floats(const Mesh& mesh) {
     const MeshCounts counts = {static_cast<std::uint32_t>(mesh.positions.size()),
                                static_cast<std::uint32_t>(mesh.triangles.size())};

@@ -22,6 +22,9 @@ struct MeshCounts {
 /// Of both kinds of files.
 [[nodiscard]] MeshCounts read_counts(std::span<const std::byte> file);
 
+using ReadMesh = void (*)(std::span<const std::byte> file, const MeshArrays& to);
+[[nodiscard]] Mesh decoded(std::span<const std::byte> file, ReadMesh read);
+
 /// A file of float positions and 32-bit corners.
 [[nodiscard]] Bytes write_floats(const Mesh& mesh);
 void read_floats(std::span<const std::byte> file, const MeshArrays& to);

@@ -192,6 +192,16 @@ BroadPhaseMaker maker_of(const std::string& name, const std::string& from, Argum
             }};
 }
 
+/// Returns Espalier's: of the pairs of movers and of all pairs, or of all where everything moves.
+template <class System, class... Arguments>
+BroadPhaseMakers espalier_makers_of(const Scenario& scenario, const std::string& from, Arguments... arguments) {
+    if (scenario.moving >= 1.0) return {maker_of<System>("espalier", from, false, arguments...)};
+    BroadPhaseMakers makers = {maker_of<System>("espalier", from, true, arguments...),
+                               maker_of<System>("espalier, all pairs", from, false, arguments...)};
+    makers[0].finds = Finds::of_movers;
+    return makers;
+}
+
 BroadPhaseMakers espalier_box_makers(const Scenario& scenario);
 BroadPhaseMakers espalier_placement_makers(const Scenario& scenario);
 /// Makes no pairs: the float loop that makes boxes from placements, for those that take only boxes.

@@ -50,11 +50,7 @@ detail::StepsBox EspalierBoxes::in_steps(const Box& box) const {
 }
 
 BroadPhaseMakers espalier_box_makers(const Scenario& scenario) {
-    if (scenario.moving >= 1.0) return {maker_of<EspalierBoxes>("espalier", "boxes", false)};
-    BroadPhaseMakers makers = {maker_of<EspalierBoxes>("espalier", "boxes", true),
-                               maker_of<EspalierBoxes>("espalier, all pairs", "boxes", false)};
-    makers[0].finds = Finds::of_movers;
-    return makers;
+    return espalier_makers_of<EspalierBoxes>(scenario, "boxes");
 }
 
 namespace {
@@ -106,11 +102,7 @@ private:
 }  // namespace
 
 BroadPhaseMakers espalier_placement_makers(const Scenario& scenario) {
-    if (scenario.moving >= 1.0) return {maker_of<EspalierPlacements>("espalier", "placements", false, false)};
-    BroadPhaseMakers makers = {maker_of<EspalierPlacements>("espalier", "placements", true, false),
-                               maker_of<EspalierPlacements>("espalier, all pairs", "placements", false, false)};
-    makers[0].finds = Finds::of_movers;
-    return makers;
+    return espalier_makers_of<EspalierPlacements>(scenario, "placements", false);
 }
 
 BroadPhaseMakers espalier_colliding_makers() {

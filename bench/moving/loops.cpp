@@ -98,8 +98,7 @@ private:
             cell_of_[i] = number(at.x, low_.x) + row_ * number(at.y, low_.y) + layer_ * number(at.z, low_.z);
             ++starts_[cell_of_[i]];
         }
-        std::uint32_t sum = 0;
-        for (std::uint32_t& start : starts_) start = sum += start;
+        std::inclusive_scan(starts_.begin(), starts_.end(), starts_.begin());
         // Each start is the end of its cell at first, and moves down.
         for (std::size_t i = boxes.size(); i-- > 0;)
             sorted_[--starts_[cell_of_[i]]] = {boxes[i], static_cast<std::uint32_t>(i), cell_of_[i]};
@@ -128,12 +127,7 @@ private:
         const std::span<const InstancePair> found = pairs.found();
         ends_.assign(sorted_.size() + 1, 0);
         for (const InstancePair& pair : found) ++ends_[std::min(pair.a, pair.b)];
-        std::uint32_t sum = 0;
-        for (std::uint32_t& end : ends_) {
-            const std::uint32_t size = end;
-            end = sum;
-            sum += size;
-        }
+        std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), std::uint32_t{0});
         spare_.resize(found.size());
         for (const InstancePair& pair : found)
             spare_[ends_[std::min(pair.a, pair.b)]++] = {std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
@@ -239,12 +233,7 @@ private:
         constexpr std::uint32_t digits = 1u << 11;
         std::uint32_t starts[digits] = {};
         for (const Keyed& keyed : keys_) ++starts[keyed.key >> shift & (digits - 1)];
-        std::uint32_t sum = 0;
-        for (std::uint32_t& start : starts) {
-            const std::uint32_t size = start;
-            start = sum;
-            sum += size;
-        }
+        std::exclusive_scan(std::begin(starts), std::end(starts), std::begin(starts), std::uint32_t{0});
         for (const Keyed& keyed : keys_) spare_[starts[keyed.key >> shift & (digits - 1)]++] = keyed;
     }
     void sweep(std::span<const Box> boxes, PairList& pairs) {

@@ -9,8 +9,8 @@ const char* name_of(Sizes sizes) { return sizes == Sizes::cubes ? "cubes" : "mix
 
 /// What a row states.
 struct Line {
-    std::string name, from;
-    double median, mean, slowest;
+    std::string from;
+    Steps steps;
     const Measured* measured;
 };
 
@@ -24,30 +24,16 @@ double part_median(const Measured& measured, std::size_t part) {
     return steps.empty() ? 0.0 : median_of(steps);
 }
 
-Line line_of(const Measured& measured) {
-    return {
-        measured.name, measured.from, median_of(measured.steps), mean_of(measured.steps), slowest_of(measured.steps),
-        &measured};
-}
-
 std::vector<Line> lines_of(const std::vector<Measured>& all) {
     std::vector<Line> from_boxes, from_placements;
     const Measured* loop = nullptr;
     for (const Measured& one : all)
         if (one.finds == Finds::none) loop = &one;
     for (const Measured& one : all) {
-        if (one.from != "boxes") {
-            from_placements.push_back(line_of(one));
-            continue;
-        }
-        from_boxes.push_back(line_of(one));
-        if (loop == nullptr || one.name.starts_with("espalier")) continue;
-        Measured both = one;
+        (one.from == "boxes" ? from_boxes : from_placements).push_back({one.from, one.steps, &one});
+        if (one.from != "boxes" || loop == nullptr || one.name.starts_with("espalier")) continue;
+        Line& both = from_placements.emplace_back(Line{"placements", one.steps, &one});
         for (std::size_t i = 0; i < both.steps.size(); ++i) both.steps[i] += loop->steps[i];
-        Line line = line_of(both);
-        line.from = "placements";
-        line.measured = &one;
-        from_placements.push_back(line);
     }
     from_boxes.insert(from_boxes.end(), from_placements.begin(), from_placements.end());
     return from_boxes;
@@ -55,19 +41,19 @@ std::vector<Line> lines_of(const std::vector<Measured>& all) {
 
 const Line& reference_of(const std::vector<Line>& lines, const Line& line) {
     for (const Line& other : lines)
-        if (other.from == line.from && other.name == "espalier") return other;
+        if (other.from == line.from && other.measured->name == "espalier") return other;
     return lines.front();
 }
 
 void print_row(const Line& line, const Line& reference, const Scenario& scenario, const std::string& measures) {
     JsonObject row = row_of(scenario, measures);
-    row.add("system", line.name);
+    row.add("system", line.measured->name);
     row.add("from", line.from);
-    row.add("median_us", microseconds(line.median), 2);
-    row.add("mean_us", microseconds(line.mean), 2);
-    row.add("slowest_us", microseconds(line.slowest), 2);
-    row.add("ratio_of_medians", line.median / reference.median, 3);
-    row.add("ratio_of_means", line.mean / reference.mean, 3);
+    row.add("median_us", microseconds(median_of(line.steps)), 2);
+    row.add("mean_us", microseconds(mean_of(line.steps)), 2);
+    row.add("slowest_us", microseconds(slowest_of(line.steps)), 2);
+    row.add("ratio_of_medians", median_of(line.steps) / median_of(reference.steps), 3);
+    row.add("ratio_of_means", mean_of(line.steps) / mean_of(reference.steps), 3);
     if (line.from == line.measured->from)
         for (std::size_t i = 0; i < part_count; ++i)
             row.add(std::string(part_names[i]) + "_us", microseconds(part_median(*line.measured, i)), 2);
