@@ -4,7 +4,6 @@ A bar spans the slowest and the fastest mesh of a system; a dot on it is one mes
 """
 
 import dataclasses
-import math
 import statistics
 
 import charts
@@ -50,18 +49,12 @@ STYLES = {
 }
 NAMED_MESHES = ("espalier", "fast")  # the bar whose dots are labelled with their meshes
 HEADINGS = {"espalier": "Espalier", "embree": "Embree"}  # over bars whose labels do not name the system
-GREY = "#666"
 
 
-class Scale:
-    def __init__(self, panels):
-        self.top = max([1.2] + [mark.ratio * 1.12 for panel in panels for mark in panel.marks])
-
-    def x(self, value):
-        return LEFT + math.log(value / LOW) / math.log(HIGH / LOW) * (WIDTH - LEFT - RIGHT)
-
-    def y(self, value):
-        return HEIGHT - BOTTOM - value / self.top * (HEIGHT - TOP - BOTTOM)
+def axes_of(panels):
+    """Bytes across, and speeds up to a little above the fastest."""
+    top = max([1.2] + [mark.ratio * 1.12 for panel in panels for mark in panel.marks])
+    return charts.Axis(LOW, HIGH, LEFT, WIDTH - RIGHT, True), charts.Axis(0.0, top, HEIGHT - BOTTOM, TOP, False)
 
 
 @dataclasses.dataclass
@@ -70,19 +63,19 @@ class Bar:
     key: tuple
     marks: list
 
-    def place(self, scale):
-        self.x = scale.x(statistics.geometric_mean(mark.bytes for mark in self.marks))
-        self.high = scale.y(max(mark.ratio for mark in self.marks))
-        self.low = scale.y(min(mark.ratio for mark in self.marks))
+    x: float
+    high: float
+    low: float
 
 
-def bars_of(panel, scale):
+def bars_of(panel, across, up):
     bars = []
     for key in STYLES:
         marks = [mark for mark in panel.marks if (mark.system, mark.profile) == key]
         if marks:
-            bars.append(Bar(key, marks))
-            bars[-1].place(scale)
+            ratios = [mark.ratio for mark in marks]
+            bars.append(Bar(key, marks, across.at(statistics.geometric_mean(mark.bytes for mark in marks)),
+                            up.at(max(ratios)), up.at(min(ratios))))
     return bars
 
 
@@ -91,35 +84,27 @@ def coloured(colour, weight="normal"):
     return f' fill="{colour}" font-weight="{weight}" stroke="#fff" stroke-width="3" paint-order="stroke"'
 
 
-def draw_axes(panel, scale):
+def draw_axes(panel, across, up):
     bottom = HEIGHT - BOTTOM
-    parts = [charts.text(LEFT, TOP - 12, panel.title, extra=' font-weight="bold"')]
+    parts = [charts.bold(LEFT, TOP - 12, panel.title)]
     for value in (4, 8, 16, 32, 64, 128):
-        x = scale.x(value)
-        parts.append(f'<line x1="{x:.1f}" y1="{bottom}" x2="{x:.1f}" y2="{bottom + 4}" stroke="#888"/>')
-        parts.append(charts.text(x, bottom + 18, str(value), "middle", coloured(GREY)))
-    for i in range(int(scale.top / 0.5) + 1):
-        y = scale.y(0.5 * i)
-        dash = ' stroke-dasharray="4 3"' if i == 2 else ""
-        parts.append(f'<line x1="{LEFT}" y1="{y:.1f}" x2="{WIDTH - RIGHT}" y2="{y:.1f}" '
-                     f'stroke="{"#888" if i in (0, 2) else "#ddd"}"{dash}/>')
-        parts.append(charts.text(LEFT - 7, y + 4, f"{0.5 * i:.1f}", "end", coloured(GREY)))
-    parts.append(charts.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "bytes per triangle, vertices included", "middle"))
-    middle = (TOP + bottom) / 2
-    parts.append(charts.text(14, middle, "rays per second, Embree default = 1", "middle",
-                      f' transform="rotate(-90 14 {middle:.1f})"'))
-    return parts
+        x = across.at(value)
+        parts += [charts.line(x, bottom, x, bottom + 4, "#888"), charts.text(x, bottom + 18, str(value), "middle", coloured(charts.GREY))]
+    for i in range(int(up.high / 0.5) + 1):
+        y = up.at(0.5 * i)
+        parts += [charts.line(LEFT, y, WIDTH - RIGHT, y, "#888" if i in (0, 2) else "#ddd", dash="4 3" if i == 2 else ""),
+                  charts.text(LEFT - 7, y + 4, f"{0.5 * i:.1f}", "end", coloured(charts.GREY))]
+    return [*parts, charts.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "bytes per triangle, vertices included", "middle"),
+            charts.upright(14, (TOP + bottom) / 2, "rays per second, Embree default = 1")]
 
 
-def draw_bar(bar, scale):
+def draw_bar(bar, up):
     colour = STYLES[bar.key].colour
     parts = []
     if bar.low - bar.high > 1:
         parts.append(f'<line x1="{bar.x:.1f}" y1="{bar.high:.1f}" x2="{bar.x:.1f}" y2="{bar.low:.1f}" stroke="{colour}" '
                      'stroke-width="7" stroke-opacity="0.3" stroke-linecap="round"/>')
-    for mark in bar.marks:
-        parts.append(f'<circle cx="{bar.x:.1f}" cy="{scale.y(mark.ratio):.1f}" r="3.5" fill="{colour}"/>')
-    return parts
+    return parts + [charts.circle(bar.x, up.at(mark.ratio), 3.5, f'fill="{colour}"') for mark in bar.marks]
 
 
 def draw_label(bar):
@@ -130,8 +115,7 @@ def draw_label(bar):
                     "left": (bar.x - 9, middle, "end"), "right": (bar.x + 9, middle, "start")}[style.side]
     parts = [charts.text(x, y, style.label, anchor, coloured(style.colour))]
     if style.side == "further below":
-        parts.append(f'<line x1="{bar.x:.1f}" y1="{bar.low + 8:.1f}" x2="{bar.x:.1f}" y2="{y - 12:.1f}" '
-                     f'stroke="{style.colour}" stroke-width="0.8"/>')
+        parts.append(charts.line(bar.x, bar.low + 8, bar.x, y - 12, style.colour, 0.8))
     return parts
 
 
@@ -147,33 +131,33 @@ def draw_headings(bars):
     return parts
 
 
-def draw_meshes(bar, scale):
+def draw_meshes(bar, up):
     """Names beside the dots, moved down where they would overlap."""
     parts, free = [], 0.0
     for mark in sorted(bar.marks, key=lambda mark: -mark.ratio):
-        y = max(scale.y(mark.ratio) + 4, free)
-        parts.append(charts.text(bar.x + 10, y, mark.mesh, extra=coloured(GREY)))
+        y = max(up.at(mark.ratio) + 4, free)
+        parts.append(charts.text(bar.x + 10, y, mark.mesh, extra=coloured(charts.GREY)))
         free = y + 13
     return parts
 
 
-def draw_panel(panel, scale):
-    bars = bars_of(panel, scale)
-    parts = draw_axes(panel, scale)
+def draw_panel(panel, across, up):
+    bars = bars_of(panel, across, up)
+    parts = draw_axes(panel, across, up)
     for bar in bars:
-        parts += draw_bar(bar, scale)
+        parts += draw_bar(bar, up)
     for bar in bars:
         parts += draw_label(bar)
     parts += draw_headings(bars)
     for bar in bars:
         if bar.key == NAMED_MESHES:
-            parts += draw_meshes(bar, scale)
+            parts += draw_meshes(bar, up)
     return parts
 
 
 def draw(panels):
-    scale = Scale(panels)
+    across, up = axes_of(panels)
     # Two lines: one panel is no wider.
-    header = [charts.text(LEFT, 24, "Closest hits, one ray at a time", extra=' font-size="14" font-weight="bold"'),
+    header = [charts.bold(LEFT, 24, "Closest hits, one ray at a time", 14),
               charts.text(LEFT, 44, "Left is smaller, up is faster; each dot is one mesh.")]
-    return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, scale))
+    return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, across, up))
