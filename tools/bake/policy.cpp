@@ -176,14 +176,12 @@ void refuse_empty_files(const Imported& imported) {
 
 void refuse_warnings(std::span<const Warning> warnings, const Imported& imported) {
     if (warnings.empty()) return;
-    std::string kinds;
-    for (const Warning& warning : warnings) kinds += (kinds.empty() ? "" : ", ") + warning.kind;
     const Warning& first = warnings.front();
-    throw CommandError(
-        ExitCode::invalid_input,
-        text(first.file.empty() ? names_of_inputs(imported) : text('\'', printable(first.file), '\''),
-             ": --strict refuses ", counted(warnings.size(), "warning"), ": ", kinds, ". Nothing was written."),
-        {first.file, first.mesh, first.triangle, "strict"});
+    throw CommandError(ExitCode::invalid_input,
+                       text(first.file.empty() ? names_of_inputs(imported) : text('\'', printable(first.file), '\''),
+                            ": --strict refuses ", counted(warnings.size(), "warning"), ": ",
+                            listed(warnings, ", ", &Warning::kind), ". Nothing was written."),
+                       {first.file, first.mesh, first.triangle, "strict"});
 }
 
 AssetSize asset_size(const Imported& imported) {

@@ -65,17 +65,12 @@ template <class Value>
 std::vector<Value> parse_names(const std::string& input, std::string_view option, const Choices<Value>& choices) {
     std::vector<Value> result;
     for (const std::string& name : split_list(input)) {
-        std::string names = "all";
-        bool is_known = false;
-        for (const auto& choice : choices) {
-            names += ", " + choice.first;
-            if (name != choice.first && name != "all") continue;
-            result.push_back(choice.second);
-            is_known = true;
-        }
-        if (!is_known) {
-            throw_error(ExitCode::usage, option, ": '", printable(name), "' is none of ", names,
-                        ", with commas between.");
+        const std::size_t known = result.size();
+        for (const auto& choice : choices)
+            if (name == choice.first || name == "all") result.push_back(choice.second);
+        if (result.size() == known) {
+            throw_error(ExitCode::usage, option, ": '", printable(name), "' is none of all, ",
+                        listed(choices, ", ", &Choices<Value>::value_type::first), ", with commas between.");
         }
     }
     return result;

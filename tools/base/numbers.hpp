@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,15 @@ template <class... Parts>
 std::string text(const Parts&... parts) {
     const TextPart all[] = {TextPart(parts)...};
     return joined(all);
+}
+
+/// The texts of things, with `between` between them.
+template <class Things, class TextOf = std::identity>
+std::string listed(const Things& things, std::string_view between, const TextOf& text_of = {}) {
+    std::string result;
+    for (const auto& thing : things)
+        result += text(result.empty() ? std::string_view() : between, std::invoke(text_of, thing));
+    return result;
 }
 
 /// "1 triangle", "2 triangles"

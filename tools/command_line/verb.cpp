@@ -15,12 +15,6 @@ namespace espalier::tools {
 
 namespace {
 
-std::string with_bars(const std::vector<std::string>& names) {
-    std::string result;
-    for (const std::string& name : names) result += (result.empty() ? "" : "|") + name;
-    return result;
-}
-
 /// Makes all options of the verb and of those below it refuse an empty value, which a script with an unset variable
 /// passes.
 void refuse_empty_values(CLI::App& verb) {
@@ -86,7 +80,7 @@ Option Option::percentage() {
 Option Option::names_of(std::vector<std::string> names) {
     const auto check = [names = std::move(names)](const std::string& value) {
         const bool is_name = std::find(names.begin(), names.end(), value) != names.end();
-        return is_name ? std::string() : text("'", value, "' is none of ", with_bars(names));
+        return is_name ? std::string() : text("'", value, "' is none of ", listed(names, "|"));
     };
     return Option(option_->delimiter(',')->check(CLI::Validator(check, ""))->allow_extra_args(false));
 }
@@ -111,7 +105,7 @@ Option Verb::flag(const std::string& name, bool& target, const std::string& desc
 
 void Verb::choice_of(const std::string& name, std::vector<std::string> names, std::function<void(std::size_t)> choose,
                      const std::string& description) {
-    const std::string list = with_bars(names);
+    const std::string list = listed(names, "|");
     const auto choose_name = [name, names = std::move(names), list,
                               choose = std::move(choose)](const std::string& value) {
         const auto found = std::find(names.begin(), names.end(), value);

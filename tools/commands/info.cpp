@@ -40,12 +40,6 @@ std::string blob_format_version(const AssetFile& file) {
                 read_u16(file.bytes, format::header::version_minor_at));
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string result;
-    for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
-    return result.empty() ? "none" : result;
-}
-
 void print_blob_json(const InfoArguments& arguments, const AssetFile& file) {
     const Blob& blob = file.blob;
     Json document = json_document();
@@ -125,7 +119,8 @@ void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
     print_line("lattice", unsigned{detail::data_of(blob).bits}, " bits, step ",
                shortest(std::ldexp(1.0f, blob.lattice().step_exponent)));
     print_line("max error", shortest(blob.max_error()));
-    print_line("features", joined(feature_names(detail::data_of(blob).features)));
+    const std::vector<std::string> features = feature_names(detail::data_of(blob).features);
+    print_line("features", features.empty() ? "none" : listed(features, ", "));
     if (blob.has_original_ids()) {
         print_line("sources", counted(detail::data_of(blob).source_count, "mesh"), " with ",
                    counted(detail::data_of(blob).source_triangles, "triangle"));

@@ -35,11 +35,7 @@ TradeSpace trade_space(const TradeArguments& arguments) {
 }
 
 std::string names_of(const TradeArguments& arguments) {
-    std::string names;
-    for (const std::string& input : arguments.inputs) {
-        names += (names.empty() ? "" : " + ") + text_of(path_of(input).filename());
-    }
-    return names;
+    return listed(arguments.inputs, " + ", [](const std::string& input) { return text_of(path_of(input).filename()); });
 }
 
 const char* instruction_set_name() {

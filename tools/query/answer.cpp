@@ -96,12 +96,8 @@ Record& Record::add(const char* key, const std::vector<Record>& values) {
 
 Record& Record::add(const char* key, std::span<const Vec3> values) {
     Json json = Json::array();
-    std::string line;
-    for (const Vec3& value : values) {
-        json.push_back(json_point(value));
-        line += (line.empty() ? "" : ", ") + shortest(value);
-    }
-    return put(key, std::move(json), line);
+    for (const Vec3& value : values) json.push_back(json_point(value));
+    return put(key, std::move(json), listed(values, ", ", [](Vec3 value) { return shortest(value); }));
 }
 
 Record& Record::add_silently(const char* key, Json value) {

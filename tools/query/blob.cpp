@@ -82,12 +82,10 @@ Answer show_answer(QueryCall& call) {
 }
 
 Feature feature_named(const std::string& name) {
-    std::string names;
-    for (const auto& choice : feature_choices) {
+    for (const auto& choice : feature_choices)
         if (name == choice.first) return choice.second;
-        names += (names.empty() ? "" : ", ") + choice.first;
-    }
-    throw_error(ExitCode::usage, "feature: '", printable(name), "' is none of ", names, '.');
+    throw_error(ExitCode::usage, "feature: '", printable(name), "' is none of ",
+                listed(feature_choices, ", ", &Choices<Feature>::value_type::first), '.');
 }
 
 Answer contact_answer(QueryCall& call) {

@@ -98,9 +98,7 @@ const Argument* farthest_one(const std::vector<Argument>& arguments) {
 
 /// Returns "radius is -1".
 std::string stated(const Argument& argument) {
-    std::string words;
-    for (const std::string& word : argument.words) words += (words.empty() ? "" : " ") + printable(word);
-    return text(argument.name, " is ", words);
+    return text(argument.name, " is ", listed(argument.words, " ", printable));
 }
 
 /// Returns how many times words are given of which the kind takes fewer, or nothing.
@@ -118,10 +116,8 @@ const char* repeated_name(const QueryKind& kind) {
 }  // namespace
 
 std::string words_text(const QueryKind& kind) {
-    std::string result;
-    for (const QueryWord& word : kind.words) {
-        result += text(result.empty() ? "" : ", ", word.name, word.count == 3 ? " x y z" : "");
-    }
+    std::string result = listed(kind.words, ", ",
+                                [](const QueryWord& word) { return text(word.name, word.count == 3 ? " x y z" : ""); });
     if (kind.repeats.which == Repeats::Which::all) result += "; once or more";
     if (kind.repeats.which == Repeats::Which::last) result += "; the last any number of times";
     return result;

@@ -35,11 +35,7 @@ std::string attribute(const char* name, std::string_view value) { return text(' 
 std::string attribute(const char* name, double value) { return attribute(name, number(value)); }
 
 std::string points_of(const std::vector<Place>& places) {
-    std::string result;
-    for (const Place& place : places) {
-        result += text(result.empty() ? "" : " ", number(place.x), ',', number(place.y));
-    }
-    return result;
+    return listed(places, " ", [](const Place& place) { return text(number(place.x), ',', number(place.y)); });
 }
 
 constexpr const char* grid_colour = "#e6e6e6";
