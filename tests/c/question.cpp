@@ -1,5 +1,6 @@
 #include "question.hpp"
 
+#include "support/base/vectors.hpp"
 #include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests {
@@ -7,8 +8,7 @@ namespace espalier::tests {
 question some_question(const Blob& blob, Random& random) {
     question result = {};
     for (Vec3& point : result.points) point = some_point(blob, random);
-    const Vec3 size = {blob.bounds().max.x - blob.bounds().min.x, blob.bounds().max.y - blob.bounds().min.y,
-                       blob.bounds().max.z - blob.bounds().min.z};
+    const Vec3 size = difference(blob.bounds().max, blob.bounds().min);
     for (Vec3& direction : result.directions) {
         const Vec3 unit = random.in_cube(1.0f);
         direction =

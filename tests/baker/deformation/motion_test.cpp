@@ -30,7 +30,7 @@ TEST_CASE("deformation: without a range it is the box of mesh and poses and a te
     const Box box = box_around(all);
     const BakeResult result = bake_mesh(mesh, options);
     REQUIRE(result);
-    const float side = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    const float side = longest_side(box);
     CHECK(result.report.motion.range.min.x == doctest::Approx(double(box.min.x - side / 10)));
     CHECK(result.report.motion.range.min.y == doctest::Approx(double(box.min.y - side / 10)));
     CHECK(result.report.motion.range.max.z == doctest::Approx(double(box.max.z + side / 10)));

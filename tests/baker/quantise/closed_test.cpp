@@ -56,8 +56,7 @@ void split_edges(Mesh& mesh, Random& random) {
         const float share = 0.25f + 0.5f * random.unit();
         const Vec3 off = random.in_cube(some_size(random, 16) * 0.1f);
         const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(
-            {a.x + (b.x - a.x) * share + off.x, a.y + (b.y - a.y) * share + off.y, a.z + (b.z - a.z) * share + off.z});
+        mesh.positions.push_back(sum(sum(a, times(difference(b, a), share)), off));
         middles.push_back({{from, to, 0}, vertex});
         return vertex;
     };
@@ -74,8 +73,7 @@ void add_sliver(Mesh& mesh, std::size_t index, float share, Vec3 off) {
     const auto [a, b, c] = mesh.triangles[index];
     const Vec3 &from = mesh.positions[a], &to = mesh.positions[b];
     const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back({from.x + (to.x - from.x) * share + off.x, from.y + (to.y - from.y) * share + off.y,
-                              from.z + (to.z - from.z) * share + off.z});
+    mesh.positions.push_back(sum(sum(from, times(difference(to, from), share)), off));
     mesh.triangles[index] = {a, middle, c};
     mesh.triangles.push_back({middle, b, c});
     mesh.triangles.push_back({a, b, middle});

@@ -19,11 +19,6 @@ std::vector<std::byte> without_scale(std::vector<std::byte> blob) {
     return blob;
 }
 
-Mesh moved_by(Mesh mesh, Vec3 by) {
-    for (Vec3& point : mesh.positions) point = {point.x + by.x, point.y + by.y, point.z + by.z};
-    return mesh;
-}
-
 std::uint32_t largest_extent(const DecodedBlob& blob) {
     return std::max({blob.extent[0], blob.extent[1], blob.extent[2]});
 }

@@ -43,11 +43,6 @@ BakeOptions with_bounds(unsigned bits) {
     return options;
 }
 
-Mesh moved(Mesh mesh, Vec3 by) {
-    for (Vec3& p : mesh.positions) p = {p.x + by.x, p.y + by.y, p.z + by.z};
-    return mesh;
-}
-
 struct Case {
     Mesh mesh;
     unsigned bits;
@@ -56,8 +51,8 @@ struct Case {
 TEST_CASE("bounds: bounds as floats hold every corner exactly") {
     for (const Case& one :
          {Case{make_cube(-1.0f, 1.0f), 16}, Case{make_icosphere(2, 1.0, {0.5f, -3.0f, 0.25f}), 24},
-          Case{moved(make_icosphere(2, 1.0, {0, 0, 0}), {1e6f, -3e5f, 2e4f}), 16},
-          Case{moved(make_terrain(8, 3), {-7e7f, 0.0f, 1e-3f}), 4}, Case{scaled_by(make_soup(60, 3), 0x1p-60f), 20},
+          Case{moved_by(make_icosphere(2, 1.0, {0, 0, 0}), {1e6f, -3e5f, 2e4f}), 16},
+          Case{moved_by(make_terrain(8, 3), {-7e7f, 0.0f, 1e-3f}), 4}, Case{scaled_by(make_soup(60, 3), 0x1p-60f), 20},
           Case{scaled_by(make_soup(60, 4), 0x1p60f), 20}, Case{make_plane_grid(3), 2}}) {
         CAPTURE(one.mesh.name);
         const OpenedBlob opened(one.mesh, with_bounds(one.bits));

@@ -9,7 +9,6 @@ BakeOptions with_flags(Profile profile) {
     return options;
 }
 
-Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 float length(Vec3 a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
 /// The contacts of a sphere as a collision engine makes them: with each triangle that it touches, on its own.
@@ -20,7 +19,7 @@ std::vector<ClosestPoint> contacts_of(const Blob& blob, const Sphere& sphere) {
 }
 
 Vec3 normal_of(const ClosestPoint& contact, const Sphere& sphere) {
-    const Vec3 away = minus(sphere.center, contact.point);
+    const Vec3 away = difference(sphere.center, contact.point);
     const float distance = length(away);
     return {away.x / distance, away.y / distance, away.z / distance};
 }
@@ -30,7 +29,7 @@ TEST_CASE("contact: a sphere that slides over a floor gets the normal of the flo
         const OpenedBlob floor(make_plane_grid(6), with_flags(profile));
         const Vec3 low = floor.blob.bounds().min;
         const Vec3 high = floor.blob.bounds().max;
-        const Vec3 side = minus(high, low);
+        const Vec3 side = difference(high, low);
         // The grid may lie in any plane: up is where it has no extent.
         const int up = side.x == 0.0f ? 0 : side.y == 0.0f ? 1 : 2;
         const float size = std::max({side.x, side.y, side.z});
@@ -73,7 +72,7 @@ TEST_CASE("contact: a sphere that rolls over the ridge of a box keeps the normal
                 if (each.distance < least) least = each.distance, deepest = normal;
             }
             CHECK(least < 0.4501f);
-            CHECK(length(minus(deepest, away)) < 1e-3f);
+            CHECK(length(difference(deepest, away)) < 1e-3f);
         }
     });
 }

@@ -129,8 +129,7 @@ TEST_CASE("source triangle: original_hit gives the triangle and the weights that
                 return from + original.u * (second - from) + original.v * (third - from);
             };
             const Vec3 on_source{weighed(a.x, b.x, c.x), weighed(a.y, b.y, c.y), weighed(a.z, b.z, c.z)};
-            const Vec3 on_ray{ray.origin.x + hit.t * ray.direction.x, ray.origin.y + hit.t * ray.direction.y,
-                              ray.origin.z + hit.t * ray.direction.z};
+            const Vec3 on_ray = sum(ray.origin, times(ray.direction, hit.t));
             REQUIRE(is_near(on_source, on_ray, 0.002f));
         }
         CHECK(seen[0] > 0);

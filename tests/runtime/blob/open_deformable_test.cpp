@@ -146,11 +146,7 @@ TEST_CASE("open: broken deformable blobs are refused or safe in every query and 
             Deformable moving = create_deformable(broken, memory);
             if (!moving || moving.position_count() > 100'000) continue;
             std::vector<Vec3> positions(moving.position_count());
-            const Box range = moving.range();
-            for (Vec3& p : positions)
-                p = {range.min.x + (range.max.x - range.min.x) * random.unit(),
-                     range.min.y + (range.max.y - range.min.y) * random.unit(),
-                     range.min.z + (range.max.z - range.min.z) * random.unit()};
+            for (Vec3& p : positions) p = random.in_box(moving.range());
             (void)refit(moving, positions);
             exercise(moving.blob(), random, 1, false);
             REQUIRE(seal(moving, bytes) == QueryStatus::ok);

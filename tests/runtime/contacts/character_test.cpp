@@ -82,8 +82,6 @@ Mesh make_arena() {
     return mesh;
 }
 
-float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 struct Walk {
     std::uint64_t tunnels = 0, overlaps = 0, stuck = 0, on_ground = 0, restarts = 0;
     std::vector<double> microseconds;
@@ -100,12 +98,10 @@ Walk walk(const Blob& level, float speed, std::uint64_t ticks, std::uint64_t see
     Random random(seed);
     Walk result;
     const Box bounds = level.bounds();
-    const auto between = [&](float low, float high) { return low + random.unit() * (high - low); };
     const auto start = [&] {
         for (;;) {
             Character character;
-            character.position = {between(bounds.min.x, bounds.max.x), between(bounds.min.y, bounds.max.y),
-                                  between(bounds.min.z, bounds.max.z)};
+            character.position = random.in_box(bounds);
             const Ray down = {.origin = character.position, .direction = {0.0f, 0.0f, -1.0f}};
             if (overlaps(level, character.body()).no() && raycast(level, down)) return character;
         }
@@ -124,8 +120,7 @@ Walk walk(const Blob& level, float speed, std::uint64_t ticks, std::uint64_t see
         update(level, character, wish, seconds);
         const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - began;
         result.microseconds.push_back(took.count());
-        const Vec3 moved = {character.position.x - before.x, character.position.y - before.y,
-                            character.position.z - before.z};
+        const Vec3 moved = difference(character.position, before);
         if (overlaps(level, character.body()).yes()) ++result.overlaps;
         if (dot(moved, moved) > 0.0f && occluded(level, Ray::between(before, character.position)).yes())
             ++result.tunnels;

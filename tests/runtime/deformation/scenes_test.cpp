@@ -45,10 +45,7 @@ struct DeformingScene {
     Vec3 place() {
         const Result<Instance> instance = instance_of_number(made.scene, random.below(24));
         const DeformedMesh& mesh = instance->mesh == 0 ? cloth : ring;
-        const Box box = mesh.deformable.blob().bounds();
-        const Vec3 inside = {box.min.x + (box.max.x - box.min.x) * random.unit(),
-                             box.min.y + (box.max.y - box.min.y) * random.unit(),
-                             box.min.z + (box.max.z - box.min.z) * random.unit()};
+        const Vec3 inside = random.in_box(mesh.deformable.blob().bounds());
         return random.below(4) == 0 ? random.in_cube(10.0f) : to_world(instance->transform, inside);
     }
 
@@ -70,8 +67,7 @@ TEST_CASE("deformation: queries of a moving scene equal the loop over its instan
             const MovingScene& moving = scene.made.scene;
             for (std::uint64_t i = 0; i < scaled(40); ++i) {
                 const Vec3 from = scene.place(), to = scene.place();
-                found += checked(compare_rays(
-                    moving, Ray{.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}}));
+                found += checked(compare_rays(moving, Ray{.origin = from, .direction = difference(to, from)}));
                 found += checked(compare_closest_points(moving, from, i % 2 == 0 ? 0.5f : infinity));
                 found += checked(compare_overlaps(moving, Sphere{to, 0.2f}));
                 found += checked(compare_sweeps(moving, Sphere{from, 0.1f}, Vec3{0.5f, -0.5f, to.x}));
@@ -96,7 +92,7 @@ TEST_CASE("deformation: a pose that is small in a large range is found in a movi
             std::vector<Vec3> pose = mesh.positions;
             // Near the local origin, too, where nothing but the range is large.
             const Vec3 center = random.in_cube(seed % 2 == 0 ? radius : 800.0f);
-            for (Vec3& p : pose) p = {p.x + center.x, p.y + center.y, p.z + center.z};
+            for (Vec3& p : pose) p = sum(p, center);
             moving.move_to(pose);
             const std::vector<Blob> meshes = {moving.deformable.blob()};
             MadeScene made(4, -20, meshes);  // so fine that boxes are hardly larger
@@ -107,8 +103,7 @@ TEST_CASE("deformation: a pose that is small in a large range is found in a movi
             for (std::uint64_t i = 0; i < scaled(60); ++i) {
                 const Vec3& vertex = pose[random.below(static_cast<std::uint32_t>(pose.size()))];
                 const Vec3 at = to_world(instance.transform, vertex), way = random.in_cube(1.0f);
-                const Vec3 from = {at.x - way.x, at.y - way.y, at.z - way.z};
-                found += checked(compare_rays(made.scene, Ray{.origin = from, .direction = way}));
+                found += checked(compare_rays(made.scene, Ray{.origin = difference(at, way), .direction = way}));
                 found += checked(compare_overlaps(made.scene, Sphere{at, radius}));
                 found += checked(compare_closest_points(made.scene, at, radius));
                 // Just beside the vertex that is farthest along an axis.
@@ -140,9 +135,7 @@ TEST_CASE("deformation: boxes of instances have the margin of the range of motio
     const Result<InstanceHandle> handle = insert(made.scene, Instance{});
     REQUIRE(handle);
     for (const float scale : {1.0f, 0.5f}) {
-        std::vector<Vec3> pose = mesh.positions;
-        for (Vec3& p : pose) p = {p.x * scale, p.y * scale, p.z * scale};
-        moving.move_to(pose);
+        moving.move_to(scaled_by(mesh, scale).positions);
         REQUIRE(move_instances_of(made.scene, 0) == QueryStatus::ok);
         refit(made.scene);
         const Box box = *box_of(made.scene, *handle), exact = moving.deformable.blob().bounds();

@@ -44,7 +44,7 @@ Vec3 some_target(Random& random, const GridTriangle& triangle) {
         case 0:
             return p;
         case 1:
-            return {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
+            return middle(p, q);
         case 2:
             return {p.x + random.signed_unit(), p.y + random.signed_unit(), p.z + random.signed_unit()};
         default: {
@@ -73,7 +73,7 @@ Ray some_ray(Random& random, unsigned bits, const GridTriangle& triangle) {
         ray.origin = target;
         ray.direction = random.in_cube(1.0f);
     } else {
-        ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+        ray.direction = difference(target, ray.origin);
     }
     ray.culling = static_cast<FaceCulling>(random.below(3));
     return ray;

@@ -208,8 +208,7 @@ TEST_CASE("kernel: an oriented box along the axes is the box of the same bounds"
             REQUIRE(!is_refused(status));
             return status == QueryStatus::ok && meets(rounded, triangle);
         };
-        const Box world = {{center.x - half.x, center.y - half.y, center.z - half.z},
-                           {center.x + half.x, center.y + half.y, center.z + half.z}};
+        const Box world = {tests::difference(center, half), sum(center, half)};
         const OrientedBox same = {center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
         REQUIRE(meets_rounded(world, box) == meets_rounded(same, oriented));
     }
@@ -263,7 +262,7 @@ TEST_CASE("kernel: half-spaces and triangles overlap as in exact arithmetic") {
                                             static_cast<float>(maker.random.between(-1, 1))}
                                      : maker.random.in_cube(1.0f);
             while (plane.normal == Vec3{});
-            plane.offset = plane.normal.x * on.x + plane.normal.y * on.y + plane.normal.z * on.z;
+            plane.offset = dot(plane.normal, on);
             if (maker.random.below(3) == 0) plane.offset += maker.steps(bits, -2) * maker.random.unit();
         }
         if (planes.size() > 1 && maker.random.below(4) == 0) {

@@ -28,7 +28,7 @@ Ray some_ray(const detail::BlobData& data, Random& random, float sizes_away) {
     const Vec3 from = random.in_cube(size * sizes_away);
     const Vec3 to = random.in_cube(size);
     Ray ray = {.origin = {data.origin[0] + from.x, data.origin[1] + from.y, data.origin[2] + from.z},
-               .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
+               .direction = difference(to, from)};
     if (random.below(4) == 0) ray.direction.x = 0.0f;
     return ray;
 }

@@ -56,12 +56,9 @@ struct Held {
 
 /// In the asset's box or around it, up to 2^`exponent` of its sizes away.
 Vec3 some_place(const Blob& blob, Random& random, int exponent) {
-    const Vec3 low = blob.bounds().min, high = blob.bounds().max;
-    const float size =
-        std::max({high.x - low.x, high.y - low.y, high.z - low.z, std::ldexp(1.0f, blob.lattice().step_exponent)});
-    const Vec3 off =
-        random.in_cube(std::ldexp(size, static_cast<int>(random.below(static_cast<unsigned>(exponent + 1)))));
-    return {low.x + off.x, low.y + off.y, low.z + off.z};
+    const float size = std::max(longest_side(blob.bounds()), std::ldexp(1.0f, blob.lattice().step_exponent));
+    const auto away = static_cast<int>(random.below(static_cast<unsigned>(exponent + 1)));
+    return sum(blob.bounds().min, random.in_cube(std::ldexp(size, away)));
 }
 
 constexpr int exponents[] = {0, 4, 12};
@@ -160,7 +157,7 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
             for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
                 const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent);
                 const Vec3 c = some_place(blob, random, exponent), d = some_place(blob, random, exponent);
-                const Vec3 way = {c.x - d.x, c.y - d.y, c.z - d.z};
+                const Vec3 way = difference(c, d);
                 const float radius = std::abs(d.x - b.x);
                 // Refused are sweeps beyond 2^34 steps, which few of these reach.
                 const auto is_answered = [&](const auto& shape, auto& sweep) {
@@ -271,7 +268,7 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
             const detail::BlobData& data = detail::data_of(blob);
             for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
                 const Vec3 from = some_place(blob, random, exponent), to = some_place(blob, random, 0);
-                const Ray world = {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
+                const Ray world = {.origin = from, .direction = difference(to, from)};
                 detail::LatticeRay ray;
                 if (!detail::round_ray(data, world, ray)) continue;
                 const Exact origin = in_steps(data, from), way = exact(world.direction);

@@ -203,12 +203,11 @@ TEST_CASE("closest point: the two points are as far apart as the distance within
             const Capsule capsule = maker.capsule(i % 2 == 0);
             const Box box = maker.box(i % 2 == 0);
             const auto check_pair = [&](const ClosestPoint& pair, Vec3 from, Vec3 to) {
-                double largest = 0.0;
+                double most = 0.0;
                 for (const Vec3& v : {from, to, opened.bounds().min, opened.bounds().max})
-                    largest = std::max({largest, std::fabs(static_cast<double>(v.x)),
-                                        std::fabs(static_cast<double>(v.y)), std::fabs(static_cast<double>(v.z))});
+                    most = std::max(most, static_cast<double>(largest(v)));
                 // The shape is rounded to the lattice's grid too.
-                const double slack = largest * 28.0 * 0x1p-23 + std::ldexp(1.0, opened.lattice().step_exponent - 5);
+                const double slack = most * 28.0 * 0x1p-23 + std::ldexp(1.0, opened.lattice().step_exponent - 5);
                 REQUIRE(std::fabs(length(difference(pair.on_shape, pair.point)) - static_cast<double>(pair.distance)) <=
                         slack);
                 const double low = std::min(static_cast<double>(from.x), static_cast<double>(to.x)) - slack;

@@ -100,10 +100,7 @@ TEST_CASE("deformation: contains is true where the exact winding number of the p
             const Blob& blob = moving.deformable.blob();
             const DecodedBlob decoded = moving.decoded();
             for (std::uint64_t i = 0; i < scaled(40); ++i) {
-                const Box box = blob.bounds();
-                Vec3 point = {box.min.x + (box.max.x - box.min.x) * random.unit(),
-                              box.min.y + (box.max.y - box.min.y) * random.unit(),
-                              box.min.z + (box.max.z - box.min.z) * random.unit()};
+                Vec3 point = random.in_box(blob.bounds());
                 if (i % 4 == 0) point = triangle_at(blob, TriangleId{random.below(blob.triangle_count())})->a;
                 RoundedPoint rounded{};
                 REQUIRE(detail::round_point(detail::data_of(blob), point, infinity, rounded) == QueryStatus::ok);
@@ -219,8 +216,7 @@ TEST_CASE("inside: a blob with duplicate references counts each triangle once") 
         const Vec3 center = random.in_cube(1.0f);
         const float reach = std::ldexp(1.0f, -static_cast<int>(random.below(9)));
         for (int k = 0; k < 4; ++k) {
-            const Vec3 off = random.in_cube(reach);
-            mesh.positions.push_back({center.x + off.x, center.y + off.y, center.z + off.z});
+            mesh.positions.push_back(sum(center, random.in_cube(reach)));
         }
         const std::uint32_t a = 4 * i;
         mesh.triangles.insert(mesh.triangles.end(),

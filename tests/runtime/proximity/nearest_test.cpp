@@ -15,11 +15,7 @@ bool near_square_root(const Rational& a, const Rational& square, const Rational&
 
 /// Of the largest coordinate of the asset's bounds.
 Rational coordinate_ulp(const Blob& blob) {
-    float largest = 0.0f;
-    for (const Vec3& corner : {blob.bounds().min, blob.bounds().max}) {
-        largest = std::max({largest, std::fabs(corner.x), std::fabs(corner.y), std::fabs(corner.z)});
-    }
-    return Rational::of(1, std::ilogb(largest) - 23);
+    return Rational::of(1, std::ilogb(std::max(largest(blob.bounds().min), largest(blob.bounds().max))) - 23);
 }
 
 TEST_CASE("closest point: existence is exact and distance and point are within 4 ulp") {

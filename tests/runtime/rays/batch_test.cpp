@@ -6,19 +6,12 @@
 namespace espalier::tests::batch_test {
 namespace {
 
-Vec3 beside(Vec3 v, float distance, Random& random) {
-    const Vec3 by = random.in_cube(distance);
-    return {v.x + by.x, v.y + by.y, v.z + by.z};
-}
-
-float length_of(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// Neighbours of one ray: what is answered as a group, most often.
 void add_alike(std::vector<Ray>& rays, QueryMaker& maker, std::size_t count) {
     const Ray first = maker.any_ray();
     for (std::size_t i = 0; i < count; ++i) {
         Ray ray = first;
-        ray.direction = beside(first.direction, length_of(first.direction) * 0.05f, maker.random());
+        ray.direction = sum(first.direction, maker.random().in_cube(largest(first.direction) * 0.05f));
         if (maker.random().below(4) == 0) maker.restrict(ray);
         rays.push_back(ray);
     }
@@ -29,7 +22,7 @@ void add_almost_alike(std::vector<Ray>& rays, QueryMaker& maker, std::size_t cou
     const Ray first = maker.ray(RayKind::axis_parallel);
     for (std::size_t i = 0; i < count; ++i) {
         Ray ray = first;
-        if (i % 3 != 0) ray.direction = beside(first.direction, length_of(first.direction) * 0.001f, maker.random());
+        if (i % 3 != 0) ray.direction = sum(first.direction, maker.random().in_cube(largest(first.direction) * 0.001f));
         rays.push_back(ray);
     }
 }
@@ -47,9 +40,7 @@ void add_hostile(std::vector<Ray>& rays, Random& random) {
 void spoil_some(std::vector<Ray>& rays, Random& random) {
     for (Ray& ray : rays) {
         if (random.below(24) != 0) continue;
-        float* numbers[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
-                            &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
-        *numbers[random.below(8)] = hostile_values[random.below(hostile_values.size())];
+        *numbers_of(ray)[random.below(8)] = hostile_values[random.below(hostile_values.size())];
     }
 }
 

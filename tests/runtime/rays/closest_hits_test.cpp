@@ -90,17 +90,16 @@ TEST_CASE("ray: a segment hits between its ends and at them") {
 }
 
 TEST_CASE("ray: a ray between two points has their difference as direction and a window from 0 to 1") {
-    ask_each<QueryMaker>(
-        small_test_blobs(), 404, scaled_share(60), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
-            const Ray ray = maker.any_ray();
-            const Vec3 from = ray.origin,
-                       to = {from.x + ray.direction.x, from.y + ray.direction.y, from.z + ray.direction.z};
-            const RayHit of_segment = raycast(blob.opened.blob, Ray::between(from, to));
-            const Ray same = {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f};
-            REQUIRE(same_bits(of_segment, raycast(blob.opened.blob, same)));
-            REQUIRE((!of_segment || of_segment.t <= 1.0f));
-            REQUIRE(occluded(blob.opened.blob, Ray::between(from, to)).status() == of_segment.status);
-        });
+    ask_each<QueryMaker>(small_test_blobs(), 404, scaled_share(60),
+                         [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
+                             const Ray ray = maker.any_ray();
+                             const Vec3 from = ray.origin, to = sum(from, ray.direction);
+                             const RayHit of_segment = raycast(blob.opened.blob, Ray::between(from, to));
+                             const Ray same = {from, difference(to, from), 0.0f, 1.0f};
+                             REQUIRE(same_bits(of_segment, raycast(blob.opened.blob, same)));
+                             REQUIRE((!of_segment || of_segment.t <= 1.0f));
+                             REQUIRE(occluded(blob.opened.blob, Ray::between(from, to)).status() == of_segment.status);
+                         });
 }
 
 TEST_CASE("ray: a ray between points that are not finite or the same or too far apart is refused") {

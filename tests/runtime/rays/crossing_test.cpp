@@ -28,10 +28,10 @@ Vec3 to_vec3(const GridPoint& p) {
 Ray ray_at_border(Random& random, unsigned bits, const GridTriangle& triangle) {
     const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
     const Vec3 p = to_vec3(corners[random.below(3)]), q = to_vec3(corners[random.below(3)]);
-    const Vec3 target = {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
+    const Vec3 target = middle(p, q);
     Ray ray = {.origin = to_vec3(some_grid_point(random, bits)), .direction = {}};
     if (random.coin()) {
-        ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+        ray.direction = difference(target, ray.origin);
         return ray;
     }
     const auto axis = random.below(3);
@@ -140,7 +140,7 @@ TEST_CASE("crossing: a ray leaves a closed surface as often as the winding numbe
                             static_cast<float>(static_cast<double>(lattice.origin.z) + p[2] * step)};
             };
             const Vec3 to = in_world(corners[random.below(3)]);
-            Ray ray = {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
+            Ray ray = {.origin = from, .direction = difference(to, from)};
             detail::LatticeRay rounded;
             const bool may_hit = detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded);
             if (!may_hit || rounded.tau_offset != 0.0f || rounded.fraction_bits == 0) continue;

@@ -170,9 +170,7 @@ TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither 
             for (const float bad : {not_a_number, -not_a_number, infinity, -infinity}) {
                 if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
                 Ray ray = down;
-                float* numbers[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
-                                     &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
-                *numbers[number] = bad;
+                *numbers_of(ray)[number] = bad;
                 check(blob, ray, QueryStatus::invalid_argument);
                 ray.t_min = std::isnan(ray.t_min) ? not_a_number : 2.0f;  // an empty window is no excuse
                 ray.t_max = std::isnan(ray.t_max) ? not_a_number : 1.0f;
@@ -244,19 +242,19 @@ TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbou
 }
 
 TEST_CASE("ray: length and scale of a direction change only t") {
-    ask_each<QueryMaker>(
-        small_test_blobs(), 500, scaled_share(200), [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
-            const Ray ray = maker.ray(RayKind::incoherent);
-            Ray longer = ray;
-            longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
-            const RayHit hit = raycast(blob.opened.blob, ray);
-            RayHit longer_hit = raycast(blob.opened.blob, longer);
-            REQUIRE(longer_hit.status == hit.status);
-            if (!hit) return;
-            REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
-            longer_hit.t = hit.t;
-            REQUIRE(same_bits(longer_hit, hit));
-        });
+    ask_each<QueryMaker>(small_test_blobs(), 500, scaled_share(200),
+                         [&](const TestBlob& blob, QueryMaker& maker, std::uint64_t) {
+                             const Ray ray = maker.ray(RayKind::incoherent);
+                             Ray longer = ray;
+                             longer.direction = times(ray.direction, 8.0f);
+                             const RayHit hit = raycast(blob.opened.blob, ray);
+                             RayHit longer_hit = raycast(blob.opened.blob, longer);
+                             REQUIRE(longer_hit.status == hit.status);
+                             if (!hit) return;
+                             REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
+                             longer_hit.t = hit.t;
+                             REQUIRE(same_bits(longer_hit, hit));
+                         });
 }
 
 TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
@@ -269,12 +267,12 @@ TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
         for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
             Ray ray = maker.any_ray();
             const RayHit hit = raycast(plain.blob, ray);
-            ray.origin = {ray.origin.x * scale, ray.origin.y * scale, ray.origin.z * scale};
-            ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
+            ray.origin = times(ray.origin, scale);
+            ray.direction = times(ray.direction, scale);
             REQUIRE(same_bits(raycast(scaled_blob.blob, ray), hit));
             Sphere sphere = maker.sphere();
             const ClosestPoint nearest = closest_point(plain.blob, sphere.center, sphere.radius);
-            sphere.center = {sphere.center.x * scale, sphere.center.y * scale, sphere.center.z * scale};
+            sphere.center = times(sphere.center, scale);
             const ClosestPoint scaled_nearest = closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale);
             REQUIRE(scaled_nearest.status == nearest.status);
             if (nearest) {

@@ -64,9 +64,7 @@ TEST_CASE("seams: what is no ray or no region is refused") {
         for (const float bad : {not_a_number, INFINITY, -INFINITY}) {
             if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
             Ray broken = ray;
-            float* numbers[8] = {&broken.origin.x,    &broken.origin.y,    &broken.origin.z, &broken.direction.x,
-                                 &broken.direction.y, &broken.direction.z, &broken.t_min,    &broken.t_max};
-            *numbers[number] = bad;
+            *numbers_of(broken)[number] = bad;
             CHECK(status_of(good, broken) == QueryStatus::invalid_argument);
         }
     }

@@ -57,18 +57,18 @@ public:
         Ray ray;
         if (split_.closed) {
             const Vec3& middle = split_.inside[random_.below(static_cast<std::uint32_t>(split_.inside.size()))];
-            const Vec3 out = {at.x - middle.x, at.y - middle.y, at.z - middle.z};
+            const Vec3 out = difference(at, middle);
             if (random_.coin()) {
                 ray = {middle, out};
             } else {
-                ray.origin = {at.x + away * out.x, at.y + away * out.y, at.z + away * out.z};
-                ray.direction = {middle.x - ray.origin.x, middle.y - ray.origin.y, middle.z - ray.origin.z};
+                ray.origin = sum(at, times(out, away));
+                ray.direction = difference(middle, ray.origin);
             }
         } else {
             const float height = (high_ - low_) * (1.0f + away) * (random_.coin() ? 1.0f : -1.0f);
             const Vec3 tilt = random_.in_cube(random_.below(4) == 0 ? 0.0f : 0.03f);
             ray.origin = {at.x + tilt.x * height, at.y + tilt.y * height, at.z + height};
-            ray.direction = {at.x - ray.origin.x, at.y - ray.origin.y, at.z - ray.origin.z};
+            ray.direction = difference(at, ray.origin);
         }
         return ray;
     }

@@ -16,8 +16,7 @@ constexpr const char* sphere_queries = "spheres: any, all; closest point, k near
 
 void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
     require_none(ray_difference(blob, loop, ray, hits));
-    const Vec3 &from = ray.origin, &way = ray.direction;
-    require_none(segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}}));
+    require_none(segment_difference(blob, loop, {ray.origin, sum(ray.origin, ray.direction)}));
 }
 
 /// Many rays in one call against one call for each, which are held against the loop; a few in bundles, which share

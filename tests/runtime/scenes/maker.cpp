@@ -162,16 +162,12 @@ const std::vector<TestScene>& test_scenes() {
 
 SceneQueryMaker::SceneQueryMaker(const TestScene& scene, std::uint64_t seed) : scene_(scene), random_(seed) {
     const Box bounds = scene.opened.scene.bounds();
-    center_ = {0.5f * (bounds.min.x + bounds.max.x), 0.5f * (bounds.min.y + bounds.max.y),
-               0.5f * (bounds.min.z + bounds.max.z)};
-    size_ = std::max({bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y, bounds.max.z - bounds.min.z});
+    center_ = middle(bounds.min, bounds.max);
+    size_ = longest_side(bounds);
     if (size_ == 0.0f) size_ = 1.0f;
 }
 
-Vec3 SceneQueryMaker::anywhere() {
-    const Vec3 way = random_.in_cube(0.75f * size_);
-    return {center_.x + way.x, center_.y + way.y, center_.z + way.z};
-}
+Vec3 SceneQueryMaker::anywhere() { return sum(center_, random_.in_cube(0.75f * size_)); }
 
 Vec3 SceneQueryMaker::on_surface() {
     if (scene_.instances.empty()) return anywhere();
@@ -188,12 +184,7 @@ Vec3 SceneQueryMaker::on_surface() {
 
 Vec3 SceneQueryMaker::on_surface_of(const Blob& mesh) {
     const Triangle corners = triangle_at(mesh, {random_.below(mesh.triangle_count())}).value;
-    Vec3 local = corners.a;
-    if (random_.coin()) {
-        local = {0.5f * (corners.a.x + corners.b.x), 0.5f * (corners.a.y + corners.b.y),
-                 0.5f * (corners.a.z + corners.b.z)};
-    }
-    return local;
+    return random_.coin() ? middle(corners.a, corners.b) : corners.a;
 }
 
 float SceneQueryMaker::length() { return size_ * std::ldexp(random_.unit(), -static_cast<int>(random_.below(12))); }
@@ -203,8 +194,7 @@ Ray SceneQueryMaker::ray() {
     const std::uint32_t kind = random_.below(8);
     if (kind < 2) {  // from afar
         const float sizes = kind == 0 ? 1e2f : 1e5f;
-        const Vec3 way = random_.in_cube(sizes * size_);
-        from = {center_.x + way.x, center_.y + way.y, center_.z + way.z};
+        from = sum(center_, random_.in_cube(sizes * size_));
     }
     const Vec3 to = random_.below(4) == 0 ? anywhere() : on_surface();
     Ray ray = Ray::between(from, to);
@@ -220,8 +210,7 @@ Ray SceneQueryMaker::ray() {
 
 Vec3 SceneQueryMaker::point() {
     if (random_.below(3) == 0) return anywhere();
-    const Vec3 near = on_surface(), way = random_.in_cube(random_.coin() ? length() : 0.0f);
-    const Vec3 moved = {near.x + way.x, near.y + way.y, near.z + way.z};
+    const Vec3 near = on_surface(), moved = sum(near, random_.in_cube(random_.coin() ? length() : 0.0f));
     if (random_.below(16) != 0) return moved;
     return {1e4f * moved.x, moved.y - 1e5f * size_, moved.z};
 }
@@ -232,7 +221,7 @@ Sphere SceneQueryMaker::sphere() { return {point(), random_.below(8) == 0 ? 0.0f
 
 Capsule SceneQueryMaker::capsule() {
     const Vec3 from = point(), way = random_.in_cube(length());
-    return {from, {from.x + way.x, from.y + way.y, from.z + way.z}, length()};
+    return {from, sum(from, way), length()};
 }
 
 Box SceneQueryMaker::box() {
@@ -272,10 +261,7 @@ SceneSweepOptions SceneQueryMaker::sweep_options(const SceneFilter& filter) {
 Triangle SceneQueryMaker::triangle() {
     Triangle triangle;
     triangle.a = point();
-    for (Vec3* corner : {&triangle.b, &triangle.c}) {
-        const Vec3 way = random_.in_cube(length());
-        *corner = {triangle.a.x + way.x, triangle.a.y + way.y, triangle.a.z + way.z};
-    }
+    for (Vec3* corner : {&triangle.b, &triangle.c}) *corner = sum(triangle.a, random_.in_cube(length()));
     return triangle;
 }
 

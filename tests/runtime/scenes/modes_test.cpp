@@ -15,8 +15,7 @@ SceneArguments arguments_of(SceneQueryMaker& maker) {
     const auto small = [&] { return tiny[random.below(7)]; };
     SceneArguments q = some_arguments(maker);
     const auto kind = random.below(8);
-    if (kind == 0)
-        q.ray.direction = {q.ray.direction.x * 0x1p120f, q.ray.direction.y * 0x1p120f, q.ray.direction.z * 0x1p120f};
+    if (kind == 0) q.ray.direction = times(q.ray.direction, 0x1p120f);
     else if (kind == 1) {
         q.ray.t_min = small();
         q.ray.t_max = small();

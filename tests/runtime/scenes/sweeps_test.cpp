@@ -35,8 +35,7 @@ std::array<Vec3, 8> corners_of(const Box& box) {
 OrientedBox oriented(const Box& box) {
     const Vec3& a = box.min;
     const Vec3& b = box.max;
-    return {{0.5f * (a.x + b.x), 0.5f * (a.y + b.y), 0.5f * (a.z + b.z)},
-            {{0.5f * (b.x - a.x), 0, 0}, {0, 0.5f * (b.y - a.y), 0}, {0, 0, 0.5f * (b.z - a.z)}}};
+    return {middle(a, b), {{0.5f * (b.x - a.x), 0, 0}, {0, 0.5f * (b.y - a.y), 0}, {0, 0, 0.5f * (b.z - a.z)}}};
 }
 
 /// Calls `call` with a shape of each kind that is half a unit large around a place.

@@ -49,8 +49,7 @@ Ray aimed_at_border(Random& random, int side, const Vec3& from) {
         return Vec3{static_cast<float>(x), height_at(x, z), static_cast<float>(z)};
     };
     const Vec3 a = vertex(along), b = vertex(along + 1);
-    const Vec3 to = {from.x + a.x + part * (b.x - a.x), from.y + a.y + part * (b.y - a.y),
-                     from.z + a.z + part * (b.z - a.z)};
+    const Vec3 to = sum(sum(from, a), times(difference(b, a), part));
     const float height = std::ldexp(1.0f + random.unit(), random.between(1, 9));
     const float slope = random.below(4) == 0 ? 0.0f : 0.3f;
     const Vec3 eye = {to.x + slope * height * random.signed_unit(), to.y + height,

@@ -4,7 +4,7 @@
 namespace espalier::tests::slide_test {
 namespace {
 
-float largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+using tests::largest;
 float largest(const Sphere& sphere) { return largest(sphere.center); }
 float largest(const Capsule& capsule) { return std::max(largest(capsule.from), largest(capsule.to)); }
 float largest(const Box& box) { return std::max(largest(box.min), largest(box.max)); }
@@ -51,7 +51,7 @@ TEST_CASE("sweep: a body that keeps away by the bounds of both sweeps does not s
             for (std::uint64_t i = 0; i < scaled(4000); ++i) {
                 const Vec3 off = random.in_cube(9.0f), to = random.in_cube(3.0f), next = random.in_cube(2.0f);
                 const Vec3 a = {off.x + offset, off.y, off.z - offset};
-                const Vec3 way = {to.x - off.x, to.y - off.y, to.z - off.z};
+                const Vec3 way = difference(to, off);
                 const Vec3 b = translated(a, random.in_cube(1.0f));
                 const float radius = random.unit();
                 slide(blob, Sphere{a, radius}, way, next, spheres);

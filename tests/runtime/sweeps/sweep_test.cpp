@@ -66,8 +66,7 @@ void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shap
         if (i != 0 || !hit) continue;
         ++seen.hits;
         seen.starts += hit.starts_overlapping ? 1 : 0;
-        const Vec3& n = hit.normal;
-        REQUIRE_MESSAGE(std::fabs(n.x * n.x + n.y * n.y + n.z * n.z - 1.0f) < 0x1p-20f, describe(moving));
+        REQUIRE_MESSAGE(std::fabs(dot(hit.normal, hit.normal) - 1.0f) < 0x1p-20f, describe(moving));
     }
     ++seen.asked;
 }
@@ -271,12 +270,8 @@ TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overla
             Moving<Sphere> moving = maker.sphere(i % 3 == 0);
             moving.shape.center = snap(moving.shape.center, origin);
             moving.shape.radius = std::nearbyint(moving.shape.radius / step) * step;
-            const Vec3 end =
-                snap({moving.shape.center.x + moving.displacement.x, moving.shape.center.y + moving.displacement.y,
-                      moving.shape.center.z + moving.displacement.z},
-                     origin);
-            moving.displacement = {end.x - moving.shape.center.x, end.y - moving.shape.center.y,
-                                   end.z - moving.shape.center.z};
+            const Vec3 end = snap(sum(moving.shape.center, moving.displacement), origin);
+            moving.displacement = difference(end, moving.shape.center);
             detail::CapsuleSweep rounded;
             detail::RoundedSegment segment;
             const auto& data = detail::data_of(blob.opened.blob);
@@ -435,8 +430,8 @@ TEST_CASE("sweep: of contacts at the start the deepest is that of find_contacts"
     std::uint64_t compared = 0;
     for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
         const Vec3 off = random.in_cube(1.0f);
-        const float length = std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z), out = 4.3f / length;
-        const Vec3 at = {off.x * out, off.y * out, off.z * out}, way = random.in_cube(1.0f);
+        const float length = std::sqrt(dot(off, off)), out = 4.3f / length;
+        const Vec3 at = times(off, out), way = random.in_cube(1.0f);
         const Vec3 end = {at.x + 0.1f * way.y, at.y + 0.1f * way.z, at.z + 0.1f * way.x};
         const auto compare = [&](const auto& shape, float error) {
             std::array<Contact, 64> contacts;
@@ -529,7 +524,7 @@ TEST_CASE("sweep: with a skin the shape stops so far from the plane of the conta
     std::uint64_t stopped = 0;
     for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
         const Vec3 from = random.in_cube(9.0f), to = random.in_cube(4.0f);
-        const Vec3 way = {to.x - from.x, to.y - from.y, to.z - from.z};
+        const Vec3 way = difference(to, from);
         const float skin = 0.25f * random.unit() * random.unit();
         const auto check = [&](const auto& shape) {
             const SweepHit hit = sweep(opened.blob, shape, way);

@@ -12,6 +12,7 @@
 #include <runtime/pairs/frame.hpp>
 
 #include "support/base/answer_hash.hpp"
+#include "support/base/vectors.hpp"
 #include "support/machine/instruction_paths.hpp"
 #include "support/queries/hostile_arguments.hpp"
 #include "support/queries/test_pair_frame.hpp"
@@ -44,7 +45,7 @@ Questions draw_questions(const Blob& blob, Random& random) {
             continue;
         }
         const Vec3 from = some_point(blob, random), to = some_point(blob, random);
-        Ray ray{from, {to.x - from.x, to.y - from.y, to.z - from.z}};
+        Ray ray{from, tests::difference(to, from)};
         if (random.below(4) == 0) ray.direction = to;
         if (random.below(4) == 0) ray.t_min = random.unit();
         if (random.below(4) == 0) ray.t_max = 2.0f * random.unit();

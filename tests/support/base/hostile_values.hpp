@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <espalier/ray.hpp>
+
 namespace espalier::tests {
 
 inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -50,5 +52,11 @@ inline constexpr std::array<float, 38> hostile_values = {
     1e30f,
     -1e-30f,
 };
+
+/// The numbers of a ray, those of its window last.
+inline std::array<float*, 8> numbers_of(Ray& ray) {
+    return {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+            &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+}
 
 }  // namespace espalier::tests

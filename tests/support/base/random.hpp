@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <espalier/types.hpp>
+#include <espalier/shapes.hpp>
 
 namespace espalier::tests {
 
@@ -46,6 +46,13 @@ public:
         const float x = signed_unit() * half_side;
         const float y = signed_unit() * half_side;
         const float z = signed_unit() * half_side;
+        return {x, y, z};
+    }
+
+    Vec3 in_box(const Box& box) {
+        const float x = box.min.x + (box.max.x - box.min.x) * unit();
+        const float y = box.min.y + (box.max.y - box.min.y) * unit();
+        const float z = box.min.z + (box.max.z - box.min.z) * unit();
         return {x, y, z};
     }
 

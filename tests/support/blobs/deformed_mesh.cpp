@@ -1,12 +1,12 @@
 #include "deformed_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include <espalier/lattice.hpp>
 
+#include "support/base/vectors.hpp"
 #include "support/meshes/motions.hpp"
 
 namespace espalier::tests {
@@ -16,7 +16,7 @@ BakeOptions deformable_options(const Mesh& mesh, unsigned bits) {
     options.deformation.emplace();
     // Noise of another seed goes a little farther.
     const Box box = box_around(every_pose(mesh));
-    const float by = 0.2f * std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    const float by = 0.2f * longest_side(box);
     options.deformation->range =
         Box{{box.min.x - by, box.min.y - by, box.min.z - by}, {box.max.x + by, box.max.y + by, box.max.z + by}};
     return options;

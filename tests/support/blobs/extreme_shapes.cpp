@@ -18,11 +18,6 @@ Mesh stretched(Mesh mesh, Vec3 factors) {
     return mesh;
 }
 
-Mesh moved(Mesh mesh, Vec3 by) {
-    for (Vec3& p : mesh.positions) p = {p.x + by.x, p.y + by.y, p.z + by.z};
-    return mesh;
-}
-
 Mesh named(Mesh mesh, const char* name) {
     mesh.name = name;
     return mesh;
@@ -101,8 +96,8 @@ std::vector<ExtremeSolid> make_extreme_solids() {
     // Places. Beyond 2^24 sizes nothing is left of a mesh, since its floats are no finer.
     add(solids, named(make_icosphere(1, 1.0, {1e3f, -2e3f, 5e2f}), "ball 1e3 sizes away"), 16);
     add(solids, named(make_icosphere(0, 1.0, {1e5f, 0.0f, -3e5f}), "ball 1e5 sizes away"), 16);
-    add(solids, named(moved(cube, {0x1p23f, -0x1p23f, 0x1p22f}), "cube 4e6 sizes away"), 8);
-    add(solids, named(moved(scaled_by(cube, 1e-20f), {1e-15f, 1e-15f, 1e-15f}), "small cube 1e5 sizes away"), 16);
+    add(solids, named(moved_by(cube, {0x1p23f, -0x1p23f, 0x1p22f}), "cube 4e6 sizes away"), 8);
+    add(solids, named(moved_by(scaled_by(cube, 1e-20f), {1e-15f, 1e-15f, 1e-15f}), "small cube 1e5 sizes away"), 16);
     // Forms.
     add(solids, named(stretched(cube, {1.0f, 1e-6f, 1e-6f}), "needle"), 24);
     add(solids, named(stretched(ball, {1e-4f, 1.0f, 1e-4f}), "needle ball"), 24);
@@ -127,12 +122,12 @@ std::vector<ExtremeShape> make_extreme_surfaces() {
     add(shapes, named(make_needle_fan(50), "needles"), 24);
     add(shapes, named(stretched(make_needle_fan(50), {1.0f, 1e-5f, 1e-3f}), "flat needles"), 24);
     add(shapes, named(make_slivers(50, 4), "slivers"), 24);
-    add(shapes, named(moved(make_slivers(50, 5), {1e4f, 1e4f, 1e4f}), "slivers 1e4 sizes away"), 16);
+    add(shapes, named(moved_by(make_slivers(50, 5), {1e4f, 1e4f, 1e4f}), "slivers 1e4 sizes away"), 16);
     add(shapes, named(make_coplanar_stacks(50, 6), "coplanar stacks"), 20);
     add(shapes, named(joined(scaled_by(make_soup(20, 7), 1e5f), make_soup(40, 8)), "soup in a larger one"), 24);
     Mesh limit = make_cube(-0x1p122f, 0x1p122f);
     limit.positions[7] = {0x1.fp122f, 0x1.fp122f, 0x1p122f};
-    add(shapes, named(moved(limit, {largest - 0x1.fp122f, 0.0f, 0x1.fp122f - largest}), "cube at the limit"), 24);
+    add(shapes, named(moved_by(limit, {largest - 0x1.fp122f, 0.0f, 0x1.fp122f - largest}), "cube at the limit"), 24);
     Mesh subnormal = make_soup(30, 9);
     for (Vec3& p : subnormal.positions) p.z *= 0x1p-140f;  // flat on the lattice: z is 0 on all of it
     add(shapes, named(subnormal, "subnormal heights"), 16);

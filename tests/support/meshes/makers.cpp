@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "support/base/random.hpp"
+#include "support/base/vectors.hpp"
 
 namespace espalier::tests {
 
@@ -190,9 +191,7 @@ Mesh make_slivers(unsigned count, std::uint64_t seed) {
         const Vec3 b = random.in_cube(1.0f);
         const float along = random.unit();
         const Vec3 off = random.in_cube(0.0005f);
-        add_triangle(
-            mesh, a, b,
-            {a.x + (b.x - a.x) * along + off.x, a.y + (b.y - a.y) * along + off.y, a.z + (b.z - a.z) * along + off.z});
+        add_triangle(mesh, a, b, sum(sum(a, times(difference(b, a), along)), off));
     }
     return mesh;
 }
@@ -223,10 +222,7 @@ Mesh make_soup(unsigned count, std::uint64_t seed) {
     for (unsigned i = 0; i < count; ++i) {
         const float reach = std::ldexp(1.0f, -static_cast<int>(random.below(9)));
         const Vec3 center = random.in_cube(1.0f);
-        const auto corner = [&] {
-            const Vec3 d = random.in_cube(reach);
-            return Vec3{center.x + d.x, center.y + d.y, center.z + d.z};
-        };
+        const auto corner = [&] { return sum(center, random.in_cube(reach)); };
         const Vec3 a = corner();
         const Vec3 b = corner();
         const Vec3 c = corner();
@@ -252,7 +248,12 @@ Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
 }
 
 Mesh scaled_by(Mesh mesh, float factor) {
-    for (Vec3& p : mesh.positions) p = {p.x * factor, p.y * factor, p.z * factor};
+    for (Vec3& p : mesh.positions) p = times(p, factor);
+    return mesh;
+}
+
+Mesh moved_by(Mesh mesh, Vec3 way) {
+    for (Vec3& p : mesh.positions) p = sum(p, way);
     return mesh;
 }
 

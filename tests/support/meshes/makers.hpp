@@ -34,6 +34,7 @@ Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed);
 
 /// The same mesh with every coordinate multiplied.
 Mesh scaled_by(Mesh mesh, float factor);
+Mesh moved_by(Mesh mesh, Vec3 way);
 
 /// Both meshes as one.
 Mesh joined(Mesh mesh, const Mesh& other);

@@ -9,6 +9,7 @@
 #include "makers.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/random.hpp"
+#include "support/base/vectors.hpp"
 
 namespace espalier::tests {
 
@@ -36,7 +37,7 @@ void place_anywhere(Split& split, Random& random) {
     const float away = random.below(3) == 0 ? 0.0f : 100.0f * random.unit();
     const Vec3 offset = random.in_cube(size * away);
     for (std::vector<Vec3>* points : {&split.whole.positions, &split.inside})
-        for (Vec3& p : *points) p = {p.x * size + offset.x, p.y * size + offset.y, p.z * size + offset.z};
+        for (Vec3& p : *points) p = sum(times(p, size), offset);
 }
 
 double largest_side(const Mesh& mesh) {
@@ -82,9 +83,9 @@ std::vector<std::uint32_t> assign(const Mesh& mesh, Random& random) {
     std::vector<std::uint32_t> part_of;
     for (const TriangleVertices& triangle : mesh.triangles) {
         const Vec3 at = middle_of(mesh, triangle);
-        const Vec3 from = {at.x - through.x, at.y - through.y, at.z - through.z};
+        const Vec3 from = difference(at, through);
         if (kind == 0) {
-            part_of.push_back(normal.x * from.x + normal.y * from.y + normal.z * from.z < 0.0f ? 0 : 1);
+            part_of.push_back(dot(normal, from) < 0.0f ? 0 : 1);
         } else if (kind == 1) {
             const auto cell = [&](float x) { return static_cast<std::uint32_t>(std::floor(x / tile) + 16.0f); };
             part_of.push_back(cell(from.x) * 64 + cell(from.y));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/base/hostile_values.hpp"
+#include "support/base/vectors.hpp"
 
 namespace espalier::tests {
 
@@ -165,16 +166,14 @@ Ray AimedRays::ray(Aim aim) {
     }
     Ray ray = {.origin = to_world(from), .direction = {}};
     if (aim != Aim::far) ray.origin = {nudged(ray.origin.x), nudged(ray.origin.y), nudged(ray.origin.z)};
-    const Vec3 end = to_world(goal);
-    ray.direction = {end.x - ray.origin.x, end.y - ray.origin.y, end.z - ray.origin.z};
+    ray.direction = difference(to_world(goal), ray.origin);
     set_length_and_window(ray);
     return ray;
 }
 
 Ray AimedRays::hostile_ray() {
     Ray ray = this->ray(static_cast<Aim>(random_.below(static_cast<std::uint32_t>(Aim::count))));
-    float* numbers[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
-                        &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+    const auto numbers = numbers_of(ray);
     for (std::uint32_t i = 1 + random_.below(2); i > 0; --i)
         *numbers[random_.below(8)] = hostile_values[random_.below(hostile_values.size())];
     if (random_.below(8) == 0) ray.direction = {0.0f, -0.0f, 0.0f};

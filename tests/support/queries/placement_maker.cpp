@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/base/vectors.hpp"
+
 namespace espalier::tests {
 
 namespace {
@@ -123,8 +125,7 @@ Transform PlacementMaker::apart() {
     Transform placement = random();
     const Vec3 off =
         random_.in_cube(static_cast<float>(std::max(1.0, static_cast<double>(placement.scale) / ratio_) * size_a_));
-    Vec3& place = placement.translation;
-    place = {place.x + off.x, place.y + off.y, place.z + off.z};
+    placement.translation = sum(placement.translation, off);
     return placement;
 }
 
@@ -134,7 +135,7 @@ Transform PlacementMaker::beside(double proportion) {
     const Vec3 to = place_on(a_, some_triangle(a_, random_));
     const double away = std::exp2(static_cast<double>(random_.between(-4, 4)));
     const Vec3 off = random_.in_cube(static_cast<float>(away * size_a_ * std::min(1.0, proportion)));
-    move(placement, from, {to.x + off.x, to.y + off.y, to.z + off.z});
+    move(placement, from, sum(to, off));
     return placement;
 }
 

@@ -7,12 +7,6 @@
 
 namespace espalier::tests {
 
-namespace {
-
-Vec3 middle(Vec3 a, Vec3 b) { return {0.5f * (a.x + b.x), 0.5f * (a.y + b.y), 0.5f * (a.z + b.z)}; }
-
-}  // namespace
-
 Vec3 QueryMaker::some_edge_middle() {
     const GridTriangle& t = some_triangle();
     const GridPoint corners[3] = {t.a, t.b, t.c};
@@ -111,8 +105,7 @@ Ray QueryMaker::ray(RayKind kind) {
     ray.direction = difference(target, ray.origin);
     ray.direction = {nudged(ray.direction.x), nudged(ray.direction.y), nudged(ray.direction.z)};
     if (random_.below(4) == 0) {
-        const float scale = std::ldexp(1.0f, random_.between(-20, 20));
-        ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
+        ray.direction = times(ray.direction, std::ldexp(1.0f, random_.between(-20, 20)));
     }
     if (is_zero(ray.direction)) ray.direction = {1.0f, 0.0f, 0.0f};
     return ray;
@@ -121,7 +114,7 @@ Ray QueryMaker::ray(RayKind kind) {
 Ray QueryMaker::any_ray() { return ray(all_ray_kinds[random_.below(all_ray_kinds.size())]); }
 
 void QueryMaker::restrict(Ray& ray) {
-    const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
+    const auto longest = largest(ray.direction);
     const auto sizes = [&] { return size_ / longest * random_.unit(); };
     const auto kind = random_.below(4);
     if (kind == 0) ray.t_min = sizes();
@@ -155,8 +148,7 @@ Sphere QueryMaker::sphere() {
             sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]);
             break;
         default: {
-            const Vec3 off = random_.in_cube(size_ * (random_.coin() ? 0.02f : 0.7f));
-            sphere.center = {target.x + off.x, target.y + off.y, target.z + off.z};
+            sphere.center = sum(target, random_.in_cube(size_ * (random_.coin() ? 0.02f : 0.7f)));
         }
     }
     const Vec3 gap = difference(vertex(), sphere.center);
