@@ -1,48 +1,35 @@
-// Runs a program for WASI with files in memory, in Node and in browsers: what programs of C need that read and write
-// files of one folder.
+// Runs a program for WASI with files in memory, in browsers: what programs of C need that read or write whole files of one
+// folder, beside what the package has of WASI.
+import { importsOf } from '/espalier/memory/imports.js';
 
-const OK = 0, BAD_DESCRIPTOR = 8, NOT_FOUND = 44, NOT_SUPPORTED = 58;
-const OUTPUT = 1, ERRORS = 2, FOLDER = 3;
-const CHARACTERS = 2, DIRECTORY = 3, FILE = 4;
-const CREATE = 1, TRUNCATE = 8;
+const OK = 0, BAD_DESCRIPTOR = 8, NOT_FOUND = 44;
+const FOLDER = 3, CHARACTERS = 2, DIRECTORY = 3, FILE = 4, CREATE = 1;
 
-class Exit extends Error {
-    constructor(code) {
-        super(`exit ${code}`);
-        this.code = code;
-    }
-}
+/// Bytes of which there may be more later.
+const growing = () => new Uint8Array(new ArrayBuffer(0, { maxByteLength: 2 ** 24 }));
 
 /// Runs a compiled module with arguments; files is a Map of names to Uint8Arrays, which it may change. Returns the exit
 /// status and what was written to the output and to the errors.
 export async function run(module, programArguments, files) {
-    let exports = null;
-    const encoder = new TextEncoder(), texts = { [OUTPUT]: [], [ERRORS]: [] };
-    const open = new Map();  // descriptor: { name, position }
+    let exports = null, status = null;
     const view = () => new DataView(exports.memory.buffer);
     const bytes = (at, length) => new Uint8Array(exports.memory.buffer, at, length);
-    const given = programArguments.map((text) => encoder.encode(`${text}\0`));
+    const given = programArguments.map((text) => new TextEncoder().encode(`${text}\0`));
+    const output = growing(), errors = growing();
+    // By descriptor.
+    const open = [null, { kind: CHARACTERS, content: output, at: 0 }, { kind: CHARACTERS, content: errors, at: 0 }, { kind: DIRECTORY }];
 
-    /// Returns the pieces of memory that a list of iovecs names.
-    const pieces = (list, count) => Array.from({ length: count }, (_, i) =>
-        bytes(view().getUint32(list + 8 * i, true), view().getUint32(list + 8 * i + 4, true)));
-
-    function append(descriptor, piece) {
-        if (texts[descriptor]) return texts[descriptor].push(piece.slice());
-        const file = open.get(descriptor), old = files.get(file.name), end = file.position + piece.length;
-        // Room for more, so that a file of many pieces is not copied for each.
-        file.room ??= old.slice();
-        if (end > file.room.length) {
-            const larger = new Uint8Array(2 * end);
-            larger.set(file.room);
-            file.room = larger;
-        }
-        file.room.set(piece, file.position);
-        file.position = end;
-        files.set(file.name, file.room.subarray(0, Math.max(old.length, end)));
-    }
+    /// Returns a function that calls transfer(file, piece) for each piece of memory in a list of iovecs.
+    const transferring = (transfer) => (descriptor, list, count, total) => {
+        const file = open[descriptor], before = file?.at;
+        if (!file?.content) return BAD_DESCRIPTOR;
+        for (let each = list; each < list + 8 * count; each += 8) transfer(file, bytes(view().getUint32(each, true), view().getUint32(each + 4, true)));
+        view().setUint32(total, file.at - before, true);
+        return OK;
+    };
 
     const wasi = {
+        __proto__: importsOf(() => exports.memory.buffer).wasi_snapshot_preview1,
         args_sizes_get(count, size) {
             view().setUint32(count, given.length, true);
             view().setUint32(size, given.reduce((sum, text) => sum + text.length, 0), true);
@@ -56,23 +43,13 @@ export async function run(module, programArguments, files) {
             });
             return OK;
         },
-        environ_sizes_get(count, size) {
-            view().setUint32(count, 0, true);
-            view().setUint32(size, 0, true);
-            return OK;
-        },
-        environ_get: () => OK,
-        clock_time_get(_clock, _precision, at) {
-            view().setBigUint64(at, BigInt(Date.now()) * 1_000_000n, true);
-            return OK;
-        },
         proc_exit(code) {
-            throw new Exit(code);
+            status = code;
+            throw new Error(`exit ${code}`);
         },
         fd_prestat_get(descriptor, at) {
             if (descriptor !== FOLDER) return BAD_DESCRIPTOR;
-            view().setUint32(at, 0, true);
-            view().setUint32(at + 4, 1, true);
+            bytes(at, 8).set([0, 0, 0, 0, 1, 0, 0, 0]);  // a folder with a name of one byte
             return OK;
         },
         fd_prestat_dir_name(_descriptor, at) {
@@ -80,69 +57,37 @@ export async function run(module, programArguments, files) {
             return OK;
         },
         fd_fdstat_get(descriptor, at) {
-            const kind = descriptor === FOLDER ? DIRECTORY : descriptor < FOLDER ? CHARACTERS : FILE;
-            if (kind === FILE && !open.has(descriptor)) return BAD_DESCRIPTOR;
-            bytes(at, 24).fill(0);
-            bytes(at, 1)[0] = kind;
-            for (const rights of [8, 16]) view().setBigUint64(at + rights, 0xFFFFFFFFFFFFFFFFn, true);
+            if (!open[descriptor]) return BAD_DESCRIPTOR;
+            bytes(at, 8).set([open[descriptor].kind, 0, 0, 0, 0, 0, 0, 0]);
+            bytes(at + 8, 16).fill(0xFF);  // all rights
             return OK;
         },
-        fd_fdstat_set_flags: () => OK,
         path_open(_folder, _lookup, name, length, flags, _rights, _inheriting, _descriptorFlags, at) {
-            const path = new TextDecoder().decode(bytes(name, length).slice()).replace(/^\.\//, '');
-            if (!files.has(path)) {
-                if (!(flags & CREATE)) return NOT_FOUND;
-                files.set(path, new Uint8Array(0));
-            }
-            if (flags & TRUNCATE) files.set(path, new Uint8Array(0));
-            let descriptor = FOLDER + 1;
-            while (open.has(descriptor)) ++descriptor;
-            open.set(descriptor, { name: path, position: 0 });
-            view().setUint32(at, descriptor, true);
+            const path = new TextDecoder().decode(bytes(name, length)).replace(/^\.\//, '');
+            if (flags & CREATE) files.set(path, growing());
+            if (!files.has(path)) return NOT_FOUND;
+            view().setUint32(at, open.push({ kind: FILE, content: files.get(path), at: 0 }) - 1, true);
             return OK;
         },
-        fd_close: (descriptor) => open.delete(descriptor) ? OK : BAD_DESCRIPTOR,
-        fd_read(descriptor, list, count, at) {
-            const file = open.get(descriptor);
-            if (!file) return BAD_DESCRIPTOR;
-            let read = 0;
-            for (const piece of pieces(list, count)) {
-                const part = files.get(file.name).subarray(file.position, file.position + piece.length);
-                piece.set(part);
-                file.position += part.length;
-                read += part.length;
-            }
-            view().setUint32(at, read, true);
-            return OK;
-        },
-        fd_write(descriptor, list, count, at) {
-            if (!texts[descriptor] && !open.has(descriptor)) return BAD_DESCRIPTOR;
-            let written = 0;
-            for (const piece of pieces(list, count)) {
-                append(descriptor, piece);
-                written += piece.length;
-            }
-            view().setUint32(at, written, true);
-            return OK;
-        },
-        fd_seek(descriptor, offset, whence, at) {
-            const file = open.get(descriptor);
-            if (!file) return BAD_DESCRIPTOR;
-            file.position = Number(offset) + [0, file.position, files.get(file.name).length][whence];
-            view().setBigUint64(at, BigInt(file.position), true);
-            return OK;
-        },
+        fd_close: (descriptor) => open[descriptor] && delete open[descriptor] ? OK : BAD_DESCRIPTOR,
+        fd_read: transferring((file, piece) => {
+            const part = file.content.subarray(file.at, file.at + piece.length);
+            piece.set(part);
+            file.at += part.length;
+        }),
+        fd_write: transferring((file, piece) => {
+            file.content.buffer.resize(file.at + piece.length);
+            file.content.set(piece, file.at);
+            file.at += piece.length;
+        }),
     };
-    const imports = new Proxy(wasi, { get: (all, name) => all[name] ?? (() => NOT_SUPPORTED) });
-    const instance = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: imports });
+    const instance = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: wasi });
     exports = instance.exports;
-    let status = 0;
     try {
         exports._start();
     } catch (error) {
-        if (!(error instanceof Exit)) throw error;
-        status = error.code;
+        if (status === null) throw error;
     }
-    const text = (parts) => parts.map((part) => new TextDecoder().decode(part)).join('');
-    return { status, output: text(texts[OUTPUT]), errors: text(texts[ERRORS]) };
+    const text = (content) => new TextDecoder().decode(content.slice());
+    return { status: status ?? 0, output: text(output), errors: text(errors) };
 }
