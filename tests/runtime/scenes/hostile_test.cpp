@@ -198,33 +198,6 @@ TEST_CASE("scene: a common lattice that is not that of the instances is found by
     }
 }
 
-TEST_CASE("scene: a tile that states meshes in tiles is refused") {
-    const std::vector<std::byte>& original = tiled_scene().bytes;
-    const auto tile_at = static_cast<std::size_t>(detail::data_of(tiled_scene().tiles[0]).tree.bytes - original.data());
-    std::vector<std::byte> bytes = original;
-    put(bytes, tile_at + format::scene::tile_mesh_count_at, 1, 4);
-    repair_checksum(std::span(bytes).subspan(tile_at, tiled_scene().tiles[0].size()));
-    repair_checksum(bytes);
-    std::vector<Blob> meshes(mesh_count_of_scene(bytes));
-    std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
-    CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
-}
-
-TEST_CASE("scene: a header that states another number of meshes in tiles is refused as a header") {
-    const std::vector<std::byte>& original = tiled_scene().bytes;
-    const std::uint32_t stated =
-        mesh_count_of_scene(original) - static_cast<std::uint32_t>(tiled_scene().scene.meshes().size());
-    for (const std::uint32_t other : {0u, stated - 1, stated + 1, 0xFFFFFFFFu}) {
-        CAPTURE(other);
-        std::vector<std::byte> bytes = original;
-        put(bytes, format::scene::tile_mesh_count_at, other, 4);
-        repair_checksum(bytes);
-        std::vector<Blob> meshes(mesh_count_of_scene(bytes));
-        std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
-        CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
-    }
-}
-
 TEST_CASE("scene: instances that are as far away as float32 reaches lie in their boxes") {
     const std::vector<OpenedBlob> blobs = opened_blobs({make_cube(-1.0f, 1.0f)});
     for (int exponent = 90; exponent < 124; ++exponent) {

@@ -80,6 +80,10 @@ TEST_CASE("scene: each rule of the header is enforced") {
     CHECK(scene_with(bytes, common_step_exponent_at + 2, 1, 2) == OpenStatus::bad_header);
     for (std::size_t at = common_origin_at; at < tile_mesh_count_at; ++at)
         CHECK(scene_with(turned.bytes, at, 1, 1) == OpenStatus::bad_header);
+    const OpenedScene tiled = cubes_in_tile();
+    REQUIRE(get(tiled.bytes, tile_mesh_count_at, 4) == 1);
+    for (const std::uint32_t other : {0u, 2u, 0xFFFFFFFFu})
+        CHECK(scene_with(tiled.bytes, tile_mesh_count_at, other) == OpenStatus::bad_header);
 }
 
 TEST_CASE("scene: each rule of a scene without instances is enforced") {
@@ -140,16 +144,15 @@ TEST_CASE("scene: each rule of the parts is enforced") {
     CHECK(scene_with(tiled.bytes, header_bytes, 0xFFFFFFFF) == OpenStatus::bad_section);
 }
 
-TEST_CASE("scene: a tile that states tiles is refused") {
+TEST_CASE("scene: a tile that states tiles or meshes in tiles is refused") {
     const OpenedScene tiled = cubes_in_tile();
     const std::size_t tile_at = aligned(header_bytes + part_size_bytes);
-    Bytes tile(tiled.bytes.begin() + static_cast<std::ptrdiff_t>(tile_at),
-               tiled.bytes.begin() + static_cast<std::ptrdiff_t>(tile_at + tiled.tiles[0].size()));
-    put(tile, tile_count_at, 1, 4);
-    repair_checksum(tile);
-    Bytes bytes = tiled.bytes;
-    std::copy(tile.begin(), tile.end(), bytes.begin() + static_cast<std::ptrdiff_t>(tile_at));
-    CHECK(status_of_scene(bytes) == OpenStatus::bad_header);
+    for (const std::size_t at : {tile_count_at, tile_mesh_count_at}) {
+        Bytes bytes = tiled.bytes;
+        put(bytes, tile_at + at, 1, 4);
+        repair_checksum(std::span(bytes).subspan(tile_at, tiled.tiles[0].size()));
+        CHECK(status_of_scene(bytes) == OpenStatus::bad_header);
+    }
 }
 
 TEST_CASE("scene: each rule of nodes and instances is enforced") {
