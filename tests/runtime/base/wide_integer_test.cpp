@@ -30,6 +30,15 @@ std::uint64_t some_word(Random& random) {
     return random.next() >> random.below(64);
 }
 std::int64_t some_signed(Random& random) { return static_cast<std::int64_t>(some_word(random)); }
+/// Requires the nearest float, the even one of two. Returns whether there were two.
+bool require_nearest(float value, const Rational& exact) {
+    const Rational error = oracle::error_in_ulp(value, exact);
+    REQUIRE(error <= Rational(1, 2));
+    const bool is_tie = error == Rational(1, 2);
+    if (is_tie) REQUIRE((std::bit_cast<std::uint32_t>(value) & 1u) == 0);
+    return is_tie;
+}
+
 /// Below 2^126 in magnitude, so that sums stay inside.
 Int128 some_wide(Random& random) { return {some_signed(random) >> 2, some_word(random)}; }
 
@@ -74,13 +83,8 @@ TEST_CASE("numerics: a 128-bit number converts to the nearest float and ties go 
         const std::uint32_t words[4] = {static_cast<std::uint32_t>(a.low), static_cast<std::uint32_t>(a.low >> 32),
                                         static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)};
         REQUIRE(detail::words_to_float(words, 4) == value);
-        const Rational error = oracle::error_in_ulp(value, Rational(exact(a), 1));
         CAPTURE(exact(a).to_string());
-        REQUIRE(error <= Rational(1, 2));
-        if (error == Rational(1, 2)) {
-            ++ties;
-            REQUIRE((std::bit_cast<std::uint32_t>(value) & 1u) == 0);
-        }
+        ties += require_nearest(value, Rational(exact(a), 1)) ? 1u : 0u;
     }
     CHECK(ties > 0);
 }
@@ -122,12 +126,7 @@ TEST_CASE("numerics: 256-bit sums and differences equal unbounded ones and conve
             REQUIRE(value == 0.0f);
             continue;
         }
-        const Rational error = oracle::error_in_ulp(value, expected);
-        REQUIRE(error <= Rational(1, 2));
-        if (error == Rational(1, 2)) {
-            ++ties;
-            REQUIRE((std::bit_cast<std::uint32_t>(value) & 1u) == 0);
-        }
+        ties += require_nearest(value, expected) ? 1u : 0u;
     }
     CHECK(ties > 0);
 }

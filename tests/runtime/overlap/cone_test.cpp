@@ -43,6 +43,11 @@ oracle::Cone rounded_in_truth(const DecodedBlob& blob, const Cone& cone) {
 
 struct Tally {
     std::uint64_t yes = 0, no = 0;
+
+    void check() const {
+        CHECK(yes > 0);
+        CHECK(no > 0);
+    }
 };
 
 /// Compares the triangles that a cone overlaps with the oracle, all of them or some of each kind.
@@ -170,6 +175,15 @@ Cone large_cone(const DecodedBlob& decoded, Random& random) {
             static_cast<float>(radius * step)};
 }
 
+/// Some that are not refused.
+void check_large_cones(const Blob& blob, const DecodedBlob& decoded, std::uint64_t count, std::size_t samples,
+                       Random& random, Tally& tally) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const Cone cone = large_cone(decoded, random);
+        if (!is_refused(overlaps(blob, cone).status())) check_overlaps(blob, decoded, cone, samples, random, tally);
+    }
+}
+
 Mesh make_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {.positions = {a, b, c}, .triangles = {{0, 1, 2}}};
 }
@@ -257,15 +271,10 @@ TEST_CASE("deformation: cones equal exact arithmetic in every pose and on triang
             for (const Motion motion : every_motion) {
                 moving.move_to(posed(mesh, motion));
                 const DecodedBlob decoded = moving.decoded();
-                for (std::uint64_t i = 0; i < scaled(12); ++i) {
-                    const Cone cone = large_cone(decoded, random);
-                    if (!is_refused(overlaps(moving.deformable.blob(), cone).status()))
-                        check_overlaps(moving.deformable.blob(), decoded, cone, 8, random, tally);
-                }
+                check_large_cones(moving.deformable.blob(), decoded, scaled(12), 8, random, tally);
             }
         }
-    CHECK(tally.yes > 0);
-    CHECK(tally.no > 0);
+    tally.check();
 }
 TEST_CASE("overlap: cones in every profile equal exact arithmetic") {
     Tally tally;
@@ -273,15 +282,10 @@ TEST_CASE("overlap: cones in every profile equal exact arithmetic") {
     for (const std::vector<TestBlob>* blobs : {&small_test_blobs(), &medium_test_blobs()}) {
         for (const TestBlob& blob : *blobs) {
             CAPTURE(blob.name);
-            for (std::uint64_t i = 0; i < scaled_share(20); ++i) {
-                const Cone cone = large_cone(blob.decoded, random);
-                if (!is_refused(overlaps(blob.opened.blob, cone).status()))
-                    check_overlaps(blob.opened.blob, blob.decoded, cone, 6, random, tally);
-            }
+            check_large_cones(blob.opened.blob, blob.decoded, scaled_share(20), 6, random, tally);
         }
     }
-    CHECK(tally.yes > 0);
-    CHECK(tally.no > 0);
+    tally.check();
 }
 TEST_CASE("overlap: cones and triangles without area equal exact arithmetic") {
     Tally tally;
@@ -290,15 +294,9 @@ TEST_CASE("overlap: cones and triangles without area equal exact arithmetic") {
         const PlainBlob plain = make_weird_blob(random);
         const OpenedBlob opened(encode(plain));
         if (opened.blob.triangle_count() == 0 || opened.blob.duplicate_reference_count() != 0) continue;
-        const DecodedBlob decoded = decode(opened.bytes);
-        for (int k = 0; k < 4; ++k) {
-            const Cone cone = large_cone(decoded, random);
-            if (!is_refused(overlaps(opened.blob, cone).status()))
-                check_overlaps(opened.blob, decoded, cone, 8, random, tally);
-        }
+        check_large_cones(opened.blob, decode(opened.bytes), 4, 8, random, tally);
     }
-    CHECK(tally.yes > 0);
-    CHECK(tally.no > 0);
+    tally.check();
 }
 TEST_CASE("overlap: cones of small whole numbers equal exact arithmetic where they touch") {
     Tally tally;
@@ -317,8 +315,7 @@ TEST_CASE("overlap: cones of small whole numbers equal exact arithmetic where th
         }
     }
     MESSAGE(tally.yes << " yes, " << tally.no << " no, " << touching << " that only touched something");
-    CHECK(tally.yes > 0);
-    CHECK(tally.no > 0);
+    tally.check();
     if (asks_enough()) CHECK(touching > 20);
 }
 TEST_CASE("overlap: cones of all sizes and from all distances equal exact arithmetic") {
@@ -326,13 +323,7 @@ TEST_CASE("overlap: cones of all sizes and from all distances equal exact arithm
     Random random(2);
     for (const unsigned bits : {3u, 12u, 17u, 24u}) {
         const OpenedBlob opened(make_whole_soup(bits, 20, random), {.resolution = Resolution::step(0)});
-        const DecodedBlob decoded = decode(opened.bytes);
-        for (std::uint64_t i = 0; i < scaled(100); ++i) {
-            const Cone cone = large_cone(decoded, random);
-            const YesNo any = overlaps(opened.blob, cone);
-            if (is_refused(any.status())) continue;
-            check_overlaps(opened.blob, decoded, cone, 6, random, tally);
-        }
+        check_large_cones(opened.blob, decode(opened.bytes), scaled(100), 6, random, tally);
     }
     MESSAGE(tally.yes << " yes, " << tally.no << " no");
     CHECK(tally.yes > (tally.yes + tally.no) / 10);
