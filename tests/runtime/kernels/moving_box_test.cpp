@@ -24,12 +24,8 @@ Case<MovingBox> some_box(Random& random) {
         const Integer3 low =
             minus(scene.some_start(scene.some_target(), way, size.x), random.coin() ? size : Integer3{});
         const Integer3 high = plus(low, size);
-        const auto is_small = [](const Integer3& a) {
-            return std::all_of(std::begin(axes), std::end(axes), [&](auto axis) {
-                return a.*axis < std::int64_t{1} << 34 && a.*axis > -(std::int64_t{1} << 34);
-            });
-        };
-        if (is_small(low) && is_small(high)) return {{low, high, way}, scene.triangle};
+        constexpr std::int64_t limit = std::int64_t{1} << 34;
+        if (is_below(low, limit) && is_below(high, limit)) return {{low, high, way}, scene.triangle};
     }
 }
 

@@ -86,11 +86,7 @@ Case<MovingHull> some_hull(Random& random) {
         const std::int64_t radius = std::min(scene.some_radius(), std::int64_t{1} << 24);
         const Integer3 start = scene.some_start(scene.some_target(), hull.displacement, radius);
         constexpr std::int64_t most = std::int64_t{1} << 29;
-        const auto is_small = [](const Integer3& a) {
-            return std::all_of(std::begin(axes), std::end(axes),
-                               [&](auto axis) { return a.*axis < most && a.*axis > -most; });
-        };
-        if (!is_small(start) || !is_small(hull.displacement)) continue;
+        if (!is_below(start, most) || !is_below(hull.displacement, most)) continue;
         add_points(scene, start, hull);
         return {hull, scene.triangle};
     }

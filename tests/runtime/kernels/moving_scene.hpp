@@ -32,6 +32,11 @@ inline std::array<Point, 3> exact(const IntegerTriangle& t) {
 }
 inline Rational ticks(std::uint32_t count) { return Rational::of(std::int64_t{count}, -detail::tick_bits); }
 
+inline bool is_below(const Integer3& a, std::int64_t limit) {
+    return std::all_of(std::begin(axes), std::end(axes),
+                       [&](auto axis) { return a.*axis < limit && a.*axis > -limit; });
+}
+
 inline bool has_area(const IntegerTriangle& t) {
     const Integer3 n = cross(minus(t.corner[1], t.corner[0]), minus(t.corner[2], t.corner[0]));
     return n.x != 0 || n.y != 0 || n.z != 0;
@@ -143,10 +148,7 @@ struct Scene {
         for (Integer3& corner : triangle.corner) corner = minus(corner, start);
     }
     [[nodiscard]] bool is_in_range(std::int64_t limit) const {
-        return std::all_of(std::begin(triangle.corner), std::end(triangle.corner), [&](const Integer3& c) {
-            return std::all_of(std::begin(axes), std::end(axes),
-                               [&](auto axis) { return c.*axis < limit && c.*axis > -limit; });
-        });
+        return std::ranges::all_of(triangle.corner, [&](const Integer3& c) { return is_below(c, limit); });
     }
 };
 

@@ -15,17 +15,8 @@ namespace espalier::tests {
 inline constexpr std::array every_profile = {Profile::fast, Profile::balanced, Profile::small, Profile::tiny};
 
 inline std::string name_of(Profile profile) {
-    switch (profile) {
-        case Profile::fast:
-            return "fast";
-        case Profile::balanced:
-            return "balanced";
-        case Profile::small:
-            return "small";
-        case Profile::tiny:
-            return "tiny";
-    }
-    return "unknown";
+    constexpr const char* names[] = {"fast", "balanced", "small", "tiny"};
+    return names[static_cast<std::size_t>(profile)];
 }
 
 inline constexpr std::array every_effort = {Effort::fast, Effort::normal, Effort::best};
