@@ -5,6 +5,8 @@
 
 #include <initializer_list>
 
+#include "oracle/surfaces.hpp"
+
 namespace espalier::tests {
 
 inline BakeResult bake_mesh(const Mesh& mesh, const BakeOptions& options = {}) {
@@ -71,27 +73,15 @@ inline void append(Mesh& mesh, const Mesh& other) {
     for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
 }
 
-/// The corners of one baked triangle in the world, not rounded.
-inline std::array<std::array<double, 3>, 3> world_corners(const DecodedBlob& blob, const GridTriangle& triangle) {
-    const auto to_world = [&](const GridPoint& point) {
-        std::array<double, 3> world{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            world[axis] = double(blob.origin[axis]) + std::ldexp(static_cast<double>(point[axis]), blob.step_exponent);
-        }
-        return world;
-    };
-    return {to_world(triangle.a), to_world(triangle.b), to_world(triangle.c)};
-}
-
 /// Requires that the corners of a triangle are near those of its source, in their order from the first corner on.
 inline void require_near_source(const DecodedBlob& decoded, std::size_t triangle, const Mesh& mesh,
                                 std::uint32_t source, std::size_t first_corner) {
-    const auto corners = world_corners(decoded, decoded.triangles[triangle]);
+    const auto corners = reference::world_corners(decoded, decoded.triangles[triangle]);
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const Vec3& meant = mesh.positions[mesh.triangles[source][(first_corner + corner) % 3]];
-        REQUIRE(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-        REQUIRE(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-        REQUIRE(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+        REQUIRE(std::abs(corners[corner].x - double(meant.x)) <= double(decoded.max_error));
+        REQUIRE(std::abs(corners[corner].y - double(meant.y)) <= double(decoded.max_error));
+        REQUIRE(std::abs(corners[corner].z - double(meant.z)) <= double(decoded.max_error));
     }
 }
 

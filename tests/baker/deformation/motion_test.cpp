@@ -73,12 +73,11 @@ TEST_CASE("deformation: every resolution holds the range and keeps the error tha
             REQUIRE(is_sound(decoded));
             double largest = 0.0;
             for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-                const auto corners = world_corners(decoded, decoded.triangles[i]);
+                const auto corners = reference::world_corners(decoded, decoded.triangles[i]);
                 for (unsigned c = 0; c < 3; ++c) {
                     const OriginalTriangle& source = moving.remap[i];
                     const Vec3& p = pose[mesh.triangles[source.triangle][(source.first_corner + c) % 3]];
-                    largest = std::max(largest, std::hypot(corners[c][0] - double(p.x), corners[c][1] - double(p.y),
-                                                           corners[c][2] - double(p.z)));
+                    largest = std::max(largest, reference::length(corners[c] - reference::to_point(p)));
                 }
             }
             CHECK(largest <= double(moving.still.max_error()));

@@ -8,21 +8,18 @@
 namespace espalier::tests::error_test {
 namespace {
 
-using Point = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double length(const Point& a) { return std::sqrt(dot(a, a)); }
+using reference::Point;
+using reference::to_point;
 
 /// Distance to a triangle by bisection of its barycentric square: slow, plain, and unlike the baker's.
-double distance_to(const Point& point, const std::array<Point, 3>& triangle) {
-    const Point e = minus(triangle[1], triangle[0]);
-    const Point f = minus(triangle[2], triangle[0]);
+double distance_to(const Point& point, const reference::PointTriangle& triangle) {
+    const Point e = triangle[1] - triangle[0];
+    const Point f = triangle[2] - triangle[0];
     // For a fixed v the best u is that of a clamped segment; in v the rest is convex.
     const auto best_for = [&](double v) {
-        const Point from = {triangle[0][0] + v * f[0], triangle[0][1] + v * f[1], triangle[0][2] + v * f[2]};
-        const double u = std::clamp(dot(minus(point, from), e) / dot(e, e), 0.0, 1.0 - v);
-        return length(minus(point, {from[0] + u * e[0], from[1] + u * e[1], from[2] + u * e[2]}));
+        const Point from = triangle[0] + v * f;
+        const double u = std::clamp(dot(point - from, e) / dot(e, e), 0.0, 1.0 - v);
+        return length(point - (from + u * e));
     };
     double low = 0.0;
     double high = 1.0;
@@ -42,19 +39,13 @@ Point random_point_of(const Mesh& mesh, const TriangleVertices& triangle, Random
         v = 1.0 - v;
     }
     if (random.below(4) == 0) u = 0.0;
-    const Vec3& a = mesh.positions[triangle[0]];
-    const Vec3& b = mesh.positions[triangle[1]];
-    const Vec3& c = mesh.positions[triangle[2]];
-    const auto mix = [&](float from, float to_b, float to_c) {
-        return double(from) * (1 - u - v) + double(to_b) * u + double(to_c) * v;
-    };
-    return {mix(a.x, b.x, c.x), mix(a.y, b.y, c.y), mix(a.z, b.z, c.z)};
+    const auto corner = [&](std::size_t i) { return to_point(mesh.positions[triangle[i]]); };
+    return (1 - u - v) * corner(0) + u * corner(1) + v * corner(2);
 }
 
 /// The largest distance of sampled source points to the baked surface.
-double sampled_error(const Mesh& mesh, const DecodedBlob& baked, unsigned samples_per_triangle) {
-    std::vector<std::array<Point, 3>> triangles;
-    for (const GridTriangle& triangle : baked.triangles) triangles.push_back(world_corners(baked, triangle));
+double sampled_error(const Mesh& mesh, const Bytes& baked, unsigned samples_per_triangle) {
+    const std::vector<reference::PointTriangle> triangles = reference::baked_surface(baked);
     Random random(11);
     double largest = 0.0;
     for (const std::size_t number : sampled(mesh.triangles.size(), 24)) {
@@ -77,7 +68,7 @@ TEST_CASE("error: no point of the source is farther from the baked surface than 
             CAPTURE(bits);
             const auto result = must_bake_mesh(mesh, with_bits(bits));
             if (result.report.tree.triangles == 0) continue;
-            const double sampled = sampled_error(mesh, decode(result.bytes), 6);
+            const double sampled = sampled_error(mesh, result.bytes, 6);
             CHECK(sampled <= result.report.lattice.max_error * (1 + 1e-9));
         }
     }
@@ -94,11 +85,10 @@ TEST_CASE("error: without dropped triangles max_error is the largest move of a v
         const DecodedBlob decoded = decode(result.bytes);
         double largest = 0.0;
         for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-            const auto corners = world_corners(decoded, decoded.triangles[i]);
+            const auto corners = reference::world_corners(decoded, decoded.triangles[i]);
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
-                largest = std::max(
-                    largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
+                largest = std::max(largest, length(corners[corner] - to_point(source)));
             }
         }
         CHECK(result.report.lattice.max_error >= largest);

@@ -2,37 +2,28 @@
 #include "support/testing.hpp"
 
 #include "baker/baking_support.hpp"
-#include "oracle/big_integer.hpp"
+#include "support/exact/as_rationals.hpp"
 #include "support/meshes/files.hpp"
 
 namespace espalier::tests::edge_flags_test {
 namespace {
 
-using espalier::oracle::BigInteger;
+using oracle::Point;
 
-using Big3 = std::array<BigInteger, 3>;
-
-Big3 between(const GridPoint& from, const GridPoint& to) {
-    return {BigInteger(std::int64_t{to[0]} - from[0]), BigInteger(std::int64_t{to[1]} - from[1]),
-            BigInteger(std::int64_t{to[2]} - from[2])};
-}
-Big3 cross(const Big3& a, const Big3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-BigInteger dot(const Big3& a, const Big3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point between(const GridPoint& from, const GridPoint& to) { return exact_point(to) - exact_point(from); }
 
 using Corners3 = std::array<GridPoint, 3>;
 
 EdgeKind kind_of(const Corners3& here, unsigned edge, const Corners3& there, unsigned other_edge,
                  std::uint32_t flat_limit) {
-    const Big3 normal = cross(between(here[0], here[1]), between(here[0], here[2]));
-    const Big3 other = cross(between(there[0], there[1]), between(there[0], there[2]));
-    const Big3 turn = cross(normal, other);
-    const BigInteger unit(std::int64_t{1} << 24);
-    if (dot(normal, other).sign() > 0 &&
-        dot(turn, turn) * unit <= BigInteger(std::int64_t{flat_limit}) * dot(normal, normal) * dot(other, other))
+    const Point normal = between(here[0], here[1]).cross(between(here[0], here[2]));
+    const Point other = between(there[0], there[1]).cross(between(there[0], there[2]));
+    const Point turn = normal.cross(other);
+    const Rational unit(std::int64_t{1} << 24);
+    if (normal.dot(other).sign() > 0 &&
+        turn.dot(turn) * unit <= Rational(std::int64_t{flat_limit}) * normal.dot(normal) * other.dot(other))
         return EdgeKind::flat;
-    const BigInteger height = dot(normal, between(here[edge], there[(other_edge + 2) % 3]));
+    const Rational height = normal.dot(between(here[edge], there[(other_edge + 2) % 3]));
     return height.sign() > 0 ? EdgeKind::concave : EdgeKind::convex;
 }
 

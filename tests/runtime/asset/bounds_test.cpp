@@ -3,36 +3,29 @@
 
 #include <memory>
 
-#include "oracle/rational.hpp"
+#include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::asset_bounds_test {
 namespace {
 
-using espalier::oracle::Rational;
+using oracle::Point;
 
-using Exact3 = std::array<Rational, 3>;
+Point exact(Vec3 v) { return Point(Rational::of(v.x), Rational::of(v.y), Rational::of(v.z)); }
 
-Exact3 exact(Vec3 v) { return {Rational::of(v.x), Rational::of(v.y), Rational::of(v.z)}; }
-Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Rational dot(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Exact3 cross(const Exact3& a, const Exact3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-void check_point(const Exact3& point, const Sphere& sphere, const OrientedBox& box, const KDop& k_dop) {
-    const Exact3 from_center = minus(point, exact(sphere.center));
-    REQUIRE(dot(from_center, from_center) <= Rational::of(sphere.radius) * Rational::of(sphere.radius));
+void check_point(const Point& point, const Sphere& sphere, const OrientedBox& box, const KDop& k_dop) {
+    const Point from_center = point - exact(sphere.center);
+    REQUIRE(from_center.dot(from_center) <= Rational::of(sphere.radius) * Rational::of(sphere.radius));
     // point = center + sum of t_i * half axis i, by Cramer's rule: every t_i is within -1 .. 1.
-    const Exact3 a = exact(box.half_axes[0]);
-    const Exact3 b = exact(box.half_axes[1]);
-    const Exact3 c = exact(box.half_axes[2]);
-    const Exact3 p = minus(point, exact(box.center));
-    const Rational volume = dot(a, cross(b, c));
+    const Point a = exact(box.half_axes[0]);
+    const Point b = exact(box.half_axes[1]);
+    const Point c = exact(box.half_axes[2]);
+    const Point p = point - exact(box.center);
+    const Rational volume = a.dot(b.cross(c));
     REQUIRE(volume.sign() != 0);
-    for (const Rational& part : {dot(p, cross(b, c)), dot(p, cross(c, a)), dot(p, cross(a, b))})
+    for (const Rational& part : {p.dot(b.cross(c)), p.dot(c.cross(a)), p.dot(a.cross(b))})
         REQUIRE(part * part <= volume * volume);
     for (unsigned k = 0; k < KDop::count; ++k) {
-        const Rational at = dot(point, exact(KDop::directions[k]));
+        const Rational at = point.dot(exact(KDop::directions[k]));
         REQUIRE(Rational::of(k_dop.lo[k]) <= at);
         REQUIRE(at <= Rational::of(k_dop.hi[k]));
     }
@@ -57,6 +50,7 @@ TEST_CASE("bounds: bounds as floats hold every corner exactly") {
         CAPTURE(one.mesh.name);
         const OpenedBlob opened(one.mesh, with_bounds(one.bits));
         const DecodedBlob decoded = decode(opened.bytes);
+        const Point origin = exact({decoded.origin[0], decoded.origin[1], decoded.origin[2]});
         const Result<Sphere> sphere = bounding_sphere(opened.blob);
         const Result<OrientedBox> box = oriented_bounds(opened.blob);
         const Result<KDop> k_dop = k_dop_bounds(opened.blob);
@@ -64,11 +58,8 @@ TEST_CASE("bounds: bounds as floats hold every corner exactly") {
         REQUIRE(box);
         REQUIRE(k_dop);
         for (const GridPoint& corner : distinct_corners(decoded)) {
-            Exact3 point;
-            for (std::size_t k = 0; k < 3; ++k)
-                point[k] =
-                    Rational::of(decoded.origin[k]) + Rational::of(std::int64_t{corner[k]}, decoded.step_exponent);
-            check_point(point, *sphere, *box, *k_dop);
+            const Point moved = Rational::of(1, decoded.step_exponent) * exact_point(corner);
+            check_point(origin + moved, *sphere, *box, *k_dop);
         }
         (void)for_each_triangle(opened.blob, [&](TriangleId, const Triangle& corners) {
             for (const Vec3& corner : {corners.a, corners.b, corners.c})

@@ -1,19 +1,14 @@
 // Claims about contacts: those of a body are those of a loop over all triangles, each by the reference in double.
 #include "support/testing.hpp"
 
-#include "oracle/minkowski.hpp"
 #include "support/queries/shape_maker.hpp"
 #include "support/queries/sweep_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
+#include "touched.hpp"
+
 namespace espalier::tests::find_test {
 namespace {
-
-using reference::Point;
-
-using Points = std::vector<Point>;
-
-Point point_of(const Vec3& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
 
 /// A body as the reference has it: the hull of points, grown by a radius.
 struct Body {
@@ -31,23 +26,15 @@ struct Body {
         return most + radius;
     }
 };
-Body body_of(const Sphere& sphere) { return {{point_of(sphere.center)}, static_cast<double>(sphere.radius)}; }
+Body body_of(const Sphere& sphere) { return {{to_point(sphere.center)}, static_cast<double>(sphere.radius)}; }
 Body body_of(const Capsule& capsule) {
-    return {{point_of(capsule.from), point_of(capsule.to)}, static_cast<double>(capsule.radius)};
+    return {{to_point(capsule.from), to_point(capsule.to)}, static_cast<double>(capsule.radius)};
 }
-Body body_of(const OrientedBox& box) {
-    Body body;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        Point p = point_of(box.center);
-        for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half_axes[k]);
-        body.points.push_back(p);
-    }
-    return body;
-}
+Body body_of(const OrientedBox& box) { return {corners_of(to_point(box.center), box.half_axes)}; }
 
 Body body_of(const OwnedHull& hull) {
     Body body;
-    for (const Vec3& vertex : hull.vertices) body.points.push_back(point_of(vertex));
+    for (const Vec3& vertex : hull.vertices) body.points.push_back(to_point(vertex));
     return body;
 }
 
@@ -58,16 +45,9 @@ struct Surface {
     double extent = 0.0;  ///< no coordinate is larger
 
     explicit Surface(const TestBlob& blob) : step(std::ldexp(1.0, blob.opened.blob.lattice().step_exponent)) {
-        const Point origin = point_of(blob.opened.blob.lattice().origin);
-        for (const GridTriangle& t : blob.decoded.triangles) {
-            Points corners;
-            for (const GridPoint* p : {&t.a, &t.b, &t.c}) {
-                corners.push_back(origin + step * Point{static_cast<double>((*p)[0]), static_cast<double>((*p)[1]),
-                                                        static_cast<double>((*p)[2])});
-                const Point& c = corners.back();
-                extent = std::max({extent, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-            }
-            triangles.push_back(corners);
+        for (const reference::PointTriangle& t : reference::baked_surface(blob.opened.bytes)) {
+            for (const Point& c : t) extent = std::max({extent, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+            triangles.emplace_back(t.begin(), t.end());
         }
     }
     [[nodiscard]] double tolerance(const Body& body) const {
@@ -114,7 +94,7 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
         if (first == contacts.end() || is_turned) continue;
         ++decided;
         REQUIRE(std::abs(static_cast<double>(first->distance) - expected) <= error);
-        REQUIRE(std::sqrt(reference::squared_distance(point_of(first->point), corners)) <= error);
+        REQUIRE(std::sqrt(reference::squared_distance(to_point(first->point), corners)) <= error);
     }
     // Fewer places than contacts: the deepest are kept.
     for (const std::size_t places : {std::size_t{0}, std::size_t{1}, contacts.size() / 2}) {
@@ -188,7 +168,7 @@ TEST_CASE("contact: a body whose middle is inside a closed surface has one conta
             if (std::sqrt(nearest) <= error) continue;  // on the surface, but for rounding
             ++inside;
             REQUIRE(found.count == 1);
-            const Point normal = point_of(contacts[0].normal);
+            const Point normal = to_point(contacts[0].normal);
             const Point half = 0.5 * (body.points[1] - body.points[0]);
             const double reach = std::abs(reference::dot(half, normal)) + body.radius;
             REQUIRE(std::abs(static_cast<double>(contacts[0].distance) + std::sqrt(nearest) + reach) <= error);

@@ -31,7 +31,7 @@ Points world_corners(const PlacedBlob& placed, TriangleId triangle, double& larg
     REQUIRE(corners.status == QueryStatus::ok);
     Points points;
     for (const Vec3& corner : {corners->a, corners->b, corners->c}) {
-        points.push_back(point_of(to_world(placed.transform(), corner)));
+        points.push_back(to_point(to_world(placed.transform(), corner)));
         const Point& p = points.back();
         largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
@@ -68,14 +68,14 @@ TEST_CASE("pair: the places and depths of contacts are those of the reference") 
                 const double error = step + size * 0x1p-18;
                 REQUIRE(touch.count >= 1);
                 for (unsigned p = 0; p < touch.count; ++p) {
-                    const Point place = point_of(touch.points[p]);
+                    const Point place = to_point(touch.points[p]);
                     REQUIRE(reference::squared_distance(place, {of_a[0], of_a[1], of_a[2]}) <= error * error);
                     REQUIRE(reference::squared_distance(place, {of_b[0], of_b[1], of_b[2]}) <= error * error);
                 }
                 const double depth = static_cast<double>(touch.depth);
                 const double expected = -reference::signed_separation(of_a, of_b);
                 REQUIRE(std::abs(depth - expected) <= error);
-                REQUIRE(reference::gap_along(point_of(touch.normal), of_b, of_a) >= -depth - error);
+                REQUIRE(reference::gap_along(to_point(touch.normal), of_b, of_a) >= -depth - error);
                 ++checked;
             }
         }

@@ -105,7 +105,7 @@ TEST_CASE("pair: two triangles have the points and the way out of the reference"
         }
         // The points: in both triangles, and around all that the reference has.
         Points found;
-        for (unsigned k = 0; k < touch.count; ++k) found.push_back(point_of(touch.point[k]));
+        for (unsigned k = 0; k < touch.count; ++k) found.push_back(to_point(touch.point[k]));
         // The kernel counts from the lattice's origin, where a float holds 24 bits.
         const double error = side * 0x1p-21 + std::ldexp(1.0, static_cast<int>(bits)) * 0x1p-23;
         for (const Point& p : found) {
@@ -141,7 +141,7 @@ TEST_CASE("pair: two triangles have the points and the way out of the reference"
         const double least = -reference::signed_separation(of_a, of_b);
         worst_depth = std::max(worst_depth, std::abs(depth - least) / size);
         REQUIRE(std::abs(depth - least) <= slack);
-        const Point normal = point_of(touch.normal);
+        const Point normal = to_point(touch.normal);
         REQUIRE(std::abs(reference::length(normal) - 1.0) < 1e-6);
         REQUIRE(reference::gap_along(normal, of_b, of_a) >= -depth - slack);
     }

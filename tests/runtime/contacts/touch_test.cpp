@@ -47,7 +47,7 @@ TEST_CASE("contact: a point has the distance and the direction of the reference"
         detail::contacts::touch_point(point, lattice_triangle(triangle), touches);
         REQUIRE(touches.count == 1);
         const double size = std::ldexp(1.0, static_cast<int>(bits));
-        require_right({{point_of(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
+        require_right({{to_point(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
     }
     MESSAGE(count, " points; worst error ", worst, " of the size");
 }
@@ -66,7 +66,7 @@ TEST_CASE("contact: a segment has the distance or depth and the direction of the
         detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle),
                                         static_cast<float>(size) * 0.25f, touches);
         REQUIRE(touches.count >= 1);
-        const Case asked = {{point_of(from), point_of(to)}, corners_of(triangle), size, size * 0x1p-18};
+        const Case asked = {{to_point(from), to_point(to)}, corners_of(triangle), size, size * 0x1p-18};
         require_right(asked, touches, worst);
         if (touches.touch[0].distance < 0.0f) ++deep;
         if (touches.count > 1) ++several;
@@ -116,18 +116,12 @@ TEST_CASE("contact: a box has the distance or depth and the direction of the ref
         }
         for (unsigned k = 0; k < 3; ++k)
             box.face[k] = detail::contacts::direction_of(detail::wide_cross(units[(k + 1) % 3], units[(k + 2) % 3]));
-        Points body;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            Point p = point_of(at);
-            for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half[k]);
-            body.push_back(p);
-        }
         const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
         const double error = size * 0x1p-18;
         const float margin = static_cast<float>(size) * 0.1f;
         Touches touches;
         detail::contacts::touch_box(box, lattice_triangle(triangle), margin, touches);
-        tally.take({body, corners_of(triangle), size, error}, touches, margin);
+        tally.take({corners_of(to_point(at), box.half), corners_of(triangle), size, error}, touches, margin);
     }
     tally.report(count, "boxes");
 }

@@ -7,20 +7,27 @@
 #include <runtime/contacts/touch.hpp>
 
 #include "oracle/minkowski.hpp"
+#include "oracle/surfaces.hpp"
 #include "support/exact/grid_triangles.hpp"
 
 namespace espalier::tests {
 
 using reference::Point;
+using reference::to_point;
 using Points = std::vector<Point>;
 
-inline Point point_of(const Vec3& v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+inline Points corners_of(const GridTriangle& t) { return {to_point(t.a), to_point(t.b), to_point(t.c)}; }
+
+/// The corners of a box that may be turned or sheared.
+inline Points corners_of(const Point& center, std::span<const Vec3, 3> half_axes) {
+    Points corners;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        Point p = center;
+        for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * to_point(half_axes[k]);
+        corners.push_back(p);
+    }
+    return corners;
 }
-inline Point point_of(const GridPoint& p) {
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-inline Points corners_of(const GridTriangle& t) { return {point_of(t.a), point_of(t.b), point_of(t.c)}; }
 
 /// What a case needs for its verdict.
 struct Case {
@@ -39,7 +46,7 @@ inline void require_right(const Case& asked, const detail::contacts::Touches& to
     REQUIRE(std::abs(distance - expected) <= asked.error);
     for (unsigned i = 0; i < touches.count; ++i) {
         const detail::contacts::Touch& touch = touches.touch[i];
-        const Point normal = point_of(touch.normal), place = point_of(touch.point);
+        const Point normal = to_point(touch.normal), place = to_point(touch.point);
         REQUIRE(std::abs(reference::length(normal) - 1.0) < 1e-6);
         const reference::PointTriangle triangle = {asked.triangle[0], asked.triangle[1], asked.triangle[2]};
         REQUIRE(std::sqrt(reference::squared_distance(place, triangle)) <= asked.error);
@@ -52,7 +59,7 @@ inline void require_right(const Case& asked, const detail::contacts::Touches& to
     }
     // The direction separates by the depth. That of closest points does by the distance, but where two pairs are
     // equally far but for rounding it may be that of either.
-    const double gap = reference::gap_along(point_of(first.normal), asked.body, asked.triangle);
+    const double gap = reference::gap_along(to_point(first.normal), asked.body, asked.triangle);
     if (expected > 0.0 && expected < asked.size * 1e-3) return;  // only rounding tells the direction
     const double turned = asked.size * (asked.error / std::max(expected, 1.0) + 0x1p-10);
     REQUIRE(std::abs(gap - expected) <= (expected > 0.0 ? turned : asked.error));

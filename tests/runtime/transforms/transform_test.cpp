@@ -1,49 +1,34 @@
 // Claims about transforms: how far they are from real arithmetic, and that their bits depend on nothing else.
 #include "support/testing.hpp"
 
+#include "oracle/surfaces.hpp"
 #include "support/base/answer_hash.hpp"
 #include "support/machine/float_mode.hpp"
 
 namespace espalier::tests::transform_test {
 namespace {
 
-/// Doubles have 29 bits more than the floats that are judged.
-struct Real3 {
-    double at[3];
-    explicit Real3(const Vec3& v) : at{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)} {}
-    Real3(double x, double y, double z) : at{x, y, z} {}
-    [[nodiscard]] double length() const { return std::sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]); }
-    friend Real3 operator-(const Real3& a, const Real3& b) {
-        return {a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
-    }
-    friend Real3 operator+(const Real3& a, const Real3& b) {
-        return {a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]};
-    }
-    friend Real3 operator*(double s, const Real3& a) { return {s * a.at[0], s * a.at[1], s * a.at[2]}; }
-};
-double dot(const Real3& a, const Real3& b) { return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2]; }
-Real3 cross(const Real3& a, const Real3& b) {
-    return {a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
-            a.at[0] * b.at[1] - a.at[1] * b.at[0]};
-}
+// Doubles have 29 bits more than the floats that are judged.
+using reference::Point;
+using reference::to_point;
 
 /// By the formula v + 2 w (u x v) + 2 u x (u x v) of a unit quaternion (u, w).
-Real3 rotated(const Quaternion& q, const Real3& v, double direction) {
-    Real3 u(Vec3{q.x, q.y, q.z});
+Point rotated(const Quaternion& q, const Point& v, double direction) {
+    Point u = to_point(Vec3{q.x, q.y, q.z});
     const double w = static_cast<double>(q.w), length = std::sqrt(dot(u, u) + w * w);
     u = (direction / length) * u;
-    const Real3 turned = cross(u, v);
+    const Point turned = cross(u, v);
     return v + (2.0 * w / length) * turned + 2.0 * cross(u, turned);
 }
-Real3 exactly_to_world(const Transform& t, const Real3& p) {
-    return rotated(t.rotation, static_cast<double>(t.scale) * p, 1.0) + Real3(t.translation);
+Point exactly_to_world(const Transform& t, const Point& p) {
+    return rotated(t.rotation, static_cast<double>(t.scale) * p, 1.0) + to_point(t.translation);
 }
-Real3 exactly_to_local(const Transform& t, const Real3& p) {
-    return (1.0 / static_cast<double>(t.scale)) * rotated(t.rotation, p - Real3(t.translation), -1.0);
+Point exactly_to_local(const Transform& t, const Point& p) {
+    return (1.0 / static_cast<double>(t.scale)) * rotated(t.rotation, p - to_point(t.translation), -1.0);
 }
-double error(const Vec3& v, const Real3& exact) {
-    const Real3 off = Real3(v) - exact;
-    return std::max({std::abs(off.at[0]), std::abs(off.at[1]), std::abs(off.at[2])});
+double error(const Vec3& v, const Point& exact) {
+    const Point off = to_point(v) - exact;
+    return std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)});
 }
 
 // Arguments of one call would be evaluated in any order.
@@ -127,18 +112,18 @@ TEST_CASE("transform: points move within the stated error of real arithmetic") {
         const Transform t = any_transform(random, 20);
         const Vec3 p = any_point(random, 20);
         const double scale = static_cast<double>(t.scale);
-        const Real3 world = exactly_to_world(t, Real3(p)), local = exactly_to_local(t, Real3(p));
-        const double world_unit = 0x1p-19 * scale * Real3(p).length() + 0x1p-24 * world.length();
-        const double local_unit = 0x1p-19 * (Real3(p) - Real3(t.translation)).length() / scale;
+        const Point world = exactly_to_world(t, to_point(p)), local = exactly_to_local(t, to_point(p));
+        const double world_unit = 0x1p-19 * scale * length(to_point(p)) + 0x1p-24 * length(world);
+        const double local_unit = 0x1p-19 * length(to_point(p) - to_point(t.translation)) / scale;
         worst = std::max({worst, error(to_world(t, p), world) / world_unit, error(to_local(t, p), local) / local_unit});
         const Transform turn = {t.rotation, {}, t.scale};
-        const double length = Real3(p).length();
+        const double size = length(to_point(p));
         worst = std::max(
-            {worst, error(direction_to_world(t, p), exactly_to_world(turn, Real3(p))) / (0x1p-19 * scale * length),
-             error(direction_to_local(t, p), exactly_to_local(turn, Real3(p))) / (0x1p-19 * length / scale)});
+            {worst, error(direction_to_world(t, p), exactly_to_world(turn, to_point(p))) / (0x1p-19 * scale * size),
+             error(direction_to_local(t, p), exactly_to_local(turn, to_point(p))) / (0x1p-19 * size / scale)});
         const Transform rotation = {t.rotation, {}, 1.0f};
         worst =
-            std::max(worst, error(normal_to_world(t, p), exactly_to_world(rotation, Real3(p))) / (0x1p-19 * length));
+            std::max(worst, error(normal_to_world(t, p), exactly_to_world(rotation, to_point(p))) / (0x1p-19 * size));
     }
     MESSAGE("largest error, of the stated one: ", worst);
     CHECK(worst < 1.0);
@@ -181,15 +166,15 @@ TEST_CASE("transform: a box becomes the oriented box with the same corners") {
         const Vec3 high = {low.x + random.unit(), low.y + random.unit(), low.z + random.unit()};
         const OrientedBox box = to_local(t, Box{low, high});
         for (unsigned corner = 0; corner < 8; ++corner) {
-            const Real3 exact = exactly_to_local(
-                t,
-                Real3(Vec3{corner & 1u ? high.x : low.x, corner & 2u ? high.y : low.y, corner & 4u ? high.z : low.z}));
-            Real3 of_box(box.center);
+            const Point exact =
+                exactly_to_local(t, to_point(Vec3{corner & 1u ? high.x : low.x, corner & 2u ? high.y : low.y,
+                                                  corner & 4u ? high.z : low.z}));
+            Point of_box = to_point(box.center);
             for (unsigned k = 0; k < 3; ++k)
-                of_box = of_box + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * Real3(box.half_axes[k]);
+                of_box = of_box + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * to_point(box.half_axes[k]);
             const double size =
-                (Real3(low).length() + Real3(t.translation).length() + 2.0) / static_cast<double>(t.scale);
-            CHECK((of_box - exact).length() <= 0x1p-18 * size);
+                (length(to_point(low)) + length(to_point(t.translation)) + 2.0) / static_cast<double>(t.scale);
+            CHECK(length(of_box - exact) <= 0x1p-18 * size);
         }
     }
     CHECK(is_nan(to_local({}, Box{{1, 1, 1}, {0, 0, 0}}).center));
@@ -203,13 +188,14 @@ TEST_CASE("transform: a plane keeps the same points on its inner side") {
         const Plane plane = {any_point(random, 8), any_size(random, 8)};
         const Plane moved = to_local(t, plane);
         const Vec3 local = any_point(random, 8);
-        const double scale = static_cast<double>(t.scale), length = Real3(plane.normal).length();
-        const double inside = static_cast<double>(moved.offset) - dot(Real3(moved.normal), Real3(local));
+        const double scale = static_cast<double>(t.scale), size = length(to_point(plane.normal));
+        const double inside = static_cast<double>(moved.offset) - dot(to_point(moved.normal), to_point(local));
         const double expected =
-            (static_cast<double>(plane.offset) - dot(Real3(plane.normal), exactly_to_world(t, Real3(local)))) / scale;
+            (static_cast<double>(plane.offset) - dot(to_point(plane.normal), exactly_to_world(t, to_point(local)))) /
+            scale;
         const double bound =
-            2.0 * 0x1p-19 * length * Real3(local).length() +
-            0x1p-21 * (length * Real3(t.translation).length() + std::abs(static_cast<double>(plane.offset))) / scale;
+            2.0 * 0x1p-19 * size * length(to_point(local)) +
+            0x1p-21 * (size * length(to_point(t.translation)) + std::abs(static_cast<double>(plane.offset))) / scale;
         CHECK(std::abs(inside - expected) <= bound);
     }
 }
@@ -265,11 +251,11 @@ TEST_CASE("transform: a transform in another leads to the same place") {
         const Transform outer = any_transform(random, 8), inner = any_transform(random, 8);
         const Transform relative = to_local(outer, inner);
         const Vec3 p = any_point(random, 8);
-        const Real3 exact = exactly_to_local(outer, exactly_to_world(inner, Real3(p)));
-        const double size = (static_cast<double>(inner.scale) * Real3(p).length() +
-                             (Real3(inner.translation) - Real3(outer.translation)).length()) /
+        const Point exact = exactly_to_local(outer, exactly_to_world(inner, to_point(p)));
+        const double size = (static_cast<double>(inner.scale) * length(to_point(p)) +
+                             length(to_point(inner.translation) - to_point(outer.translation))) /
                             static_cast<double>(outer.scale);
-        CHECK((exactly_to_world(relative, Real3(p)) - exact).length() <= 0x1p-18 * size);
+        CHECK(length(exactly_to_world(relative, to_point(p)) - exact) <= 0x1p-18 * size);
     }
 }
 
@@ -288,6 +274,7 @@ TEST_CASE("transform: moving by a displacement adds it to every point") {
 }
 
 TEST_CASE("transform: a matrix of a rotation and a scale gives its transform") {
+    constexpr Point axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     Random random(6);
     double worst = 0.0;
     for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
@@ -295,18 +282,18 @@ TEST_CASE("transform: a matrix of a rotation and a scale gives its transform") {
         const double scale = static_cast<double>(t.scale);
         float rows[3][4];
         for (int k = 0; k < 3; ++k) {
-            const Real3 column =
-                rotated(t.rotation, {k == 0 ? scale : 0.0, k == 1 ? scale : 0.0, k == 2 ? scale : 0.0}, 1.0);
-            for (int j = 0; j < 3; ++j) rows[j][k] = static_cast<float>(column.at[j]);
+            const Point column = rotated(t.rotation, scale * axes[k], 1.0);
+            rows[0][k] = static_cast<float>(column.x);
+            rows[1][k] = static_cast<float>(column.y);
+            rows[2][k] = static_cast<float>(column.z);
         }
         rows[0][3] = t.translation.x, rows[1][3] = t.translation.y, rows[2][3] = t.translation.z;
         const Result<Transform> result = transform_from_matrix(rows);
         REQUIRE(result);
         CHECK(result->translation == t.translation);
         for (int k = 0; k < 3; ++k) {
-            const Real3 unit(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0);
             const Transform no_move = {result->rotation, {}, result->scale};
-            const Real3 column = exactly_to_world(no_move, unit);
+            const Point column = exactly_to_world(no_move, axes[k]);
             worst = std::max(worst, error({rows[0][k], rows[1][k], rows[2][k]}, column) / (0x1p-20 * scale));
         }
     }
