@@ -61,18 +61,6 @@ inline Mesh first_triangles(Mesh mesh, std::size_t count) {
     return mesh;
 }
 
-inline void append_triangle(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-}
-
-inline void append(Mesh& mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
-}
-
 /// Requires that the corners of a triangle are near those of its source, in their order from the first corner on.
 inline void require_near_source(const DecodedBlob& decoded, std::size_t triangle, const Mesh& mesh,
                                 std::uint32_t source, std::size_t first_corner) {

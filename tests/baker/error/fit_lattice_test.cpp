@@ -14,9 +14,7 @@ TEST_CASE("lattice: a vertex off the coarser lattices is kept within the toleran
     const float s = 0x1p-7f;
     Mesh mesh = make_plane_grid(1);
     for (Vec3& point : mesh.positions) point = {point.x * 64.0f, point.y * 64.0f, 0.0f};
-    Mesh small = {.positions = {{101 * s, 101 * s, 0.0f}, {100 * s, 101 * s, 0.0f}, {100 * s, 100 * s, 0.0f}},
-                  .triangles = {{0, 1, 2}}};
-    append(mesh, small);
+    append_triangle(mesh, {101 * s, 101 * s, 0.0f}, {100 * s, 101 * s, 0.0f}, {100 * s, 100 * s, 0.0f});
     const auto result = must_bake_mesh(mesh, with_tolerance(0.9 * double(s)));
     CHECK(result.report.tree.triangles == 3);
     CHECK(result.report.lattice.step == double(s));
@@ -50,9 +48,8 @@ TEST_CASE("lattice: the finest step of the format becomes coarser where the mesh
 
 TEST_CASE("lattice: a triangle without area whose error has no float32 is refused by name") {
     Mesh mesh = make_cube(0.0f, 1.0f);
-    mesh.positions.insert(mesh.positions.end(), 3, {3e38f, 3e38f, 3e38f});
-    const auto last = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.triangles.push_back({last - 3, last - 2, last - 1});
+    const Vec3 far = {3e38f, 3e38f, 3e38f};
+    append_triangle(mesh, far, far, far);
     check_refused(bake_mesh(mesh), BakeStatus::too_large, {"triangle 12", "remove it from the mesh"});
 }
 

@@ -118,7 +118,7 @@ TEST_CASE("promise: every hostile value in every argument of every query is safe
             const Vec3 high = blob.bounds().max;
             const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f,
                               low.z + (high.z - low.z) * 0.6f};
-            for (int slot = 0; slot < 8; ++slot) {
+            for (unsigned slot = 0; slot < 8; ++slot) {
                 for (const float value : hostile_values) {
                     for (const float other : {0.0f, value, 1.0f}) {
                         Ray ray{middle, {other, 0.25f, 0.5f}};
@@ -127,7 +127,7 @@ TEST_CASE("promise: every hostile value in every argument of every query is safe
                         const RayHit hit = raycast(blob, ray);
                         const bool found = bool(hit);
                         CHECK(occluded(blob, ray).status() == hit.status);
-                        for (int i = 0; i < 8; ++i) {
+                        for (unsigned i = 0; i < 8; ++i) {
                             const bool infinite_end = i >= 6;
                             if (std::isnan(*slots[i])) CHECK_FALSE(found);
                             if (!infinite_end && !std::isfinite(*slots[i])) CHECK_FALSE(found);

@@ -184,10 +184,6 @@ void check_large_cones(const Blob& blob, const DecodedBlob& decoded, std::uint64
     }
 }
 
-Mesh make_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {.positions = {a, b, c}, .triangles = {{0, 1, 2}}};
-}
-
 QueryStatus status_of(const Blob& blob, const Cone& cone) {
     const YesNo any = overlaps(blob, cone);
     TriangleId room[1];

@@ -8,10 +8,6 @@ namespace espalier::tests::pair_test {
 namespace {
 
 /// A triangle mesh of its own is a mesh of one triangle.
-Mesh one_triangle(Vec3 a, Vec3 b, Vec3 c) {
-    return {.name = "triangle", .positions = {a, b, c}, .triangles = {{0, 1, 2}}};
-}
-
 bool touch(const Blob& a, const Blob& b, const Transform& placement) {
     const YesNo answer = overlaps(a, {b, placement}, unlimited);
     REQUIRE((answer.yes() || answer.no()));
@@ -19,13 +15,12 @@ bool touch(const Blob& a, const Blob& b, const Transform& placement) {
 }
 
 TEST_CASE("pair: the first in storage of two equally near leaves is met first") {
-    Mesh pair = one_triangle({16, -16, -1}, {24, -16, 1}, {16, -24, 1});
-    pair.positions.insert(pair.positions.end(), {{-16, 16, -1}, {-16, 24, 1}, {-24, 16, 1}});
-    pair.triangles.push_back({3, 4, 5});
+    Mesh pair = make_triangle({16, -16, -1}, {24, -16, 1}, {16, -24, 1});
+    append_triangle(pair, {-16, 16, -1}, {-16, 24, 1}, {-24, 16, 1});
     const BakeOptions options = {
         .resolution = Resolution::bits(12), .profile = Profile::fast, .build = {.max_leaf_triangles = 1}};
     const OpenedBlob a(pair, options);
-    const OpenedBlob b(one_triangle({-100, -100, 0}, {100, -100, 0}, {-100, 100, 0}), options);
+    const OpenedBlob b(make_triangle({-100, -100, 0}, {100, -100, 0}, {-100, 100, 0}), options);
     const PairContact expected = {{0}, {0}, QueryStatus::ok};
     CHECK(first_contact(a.blob, b.blob, unlimited) == expected);
     CHECK(all_contacts(a.blob, b.blob) == Contacts{expected, {{1}, {0}, QueryStatus::ok}});
@@ -98,8 +93,8 @@ TEST_CASE("pair: moving both blobs by one rigid motion keeps their contacts") {
 }
 
 TEST_CASE("pair: surfaces that pierce each other have distance 0 and one common witness") {
-    const OpenedBlob flat(one_triangle({0.0f, 0.0f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}));
-    const OpenedBlob upright(one_triangle({1.0f, 1.0f, -1.0f}, {1.0f, 1.0f, 3.0f}, {9.0f, 9.0f, 9.0f}));
+    const OpenedBlob flat(make_triangle({0.0f, 0.0f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}));
+    const OpenedBlob upright(make_triangle({1.0f, 1.0f, -1.0f}, {1.0f, 1.0f, 3.0f}, {9.0f, 9.0f, 9.0f}));
     const BlobDistance nearest = distance(flat.blob, upright.blob, unlimited, 0.0f);
     CHECK(nearest);
     CHECK(nearest.distance == 0.0f);

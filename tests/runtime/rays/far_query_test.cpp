@@ -6,18 +6,12 @@
 namespace espalier::tests::far_query_test {
 namespace {
 
-void add_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-}
-
 /// Triangles in planes z = 0, 1, 2 .. over the same square.
 Mesh stacked_triangles(unsigned count) {
     Mesh mesh;
     for (unsigned i = 0; i < count; ++i) {
         const auto z = static_cast<float>(i);
-        add_triangle(mesh, {0.0f, 0.0f, z}, {64.0f, 0.0f, z}, {0.0f, 64.0f, z});
+        append_triangle(mesh, {0.0f, 0.0f, z}, {64.0f, 0.0f, z}, {0.0f, 64.0f, z});
     }
     return mesh;
 }
@@ -43,8 +37,8 @@ TEST_CASE("ray: the lowest index wins among far hits that round to the same t") 
 TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {
     Mesh mesh;
     const float top = 16777215.0f;
-    add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
-    add_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
+    append_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
+    append_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
     const OpenedBlob blob(mesh, {.resolution = Resolution::bits(24)});
     const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
     const ClosestPoint nearest = closest_point(blob.blob, point);

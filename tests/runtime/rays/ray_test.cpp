@@ -166,7 +166,7 @@ TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither 
     CHECK(occluded(cube.blob, down, none).no());
     CHECK(raycast(cube.blob, down, TriangleFilter()));
     for (const Blob& blob : {cube.blob, empty.blob}) {
-        for (int number = 0; number < 8; ++number) {
+        for (unsigned number = 0; number < 8; ++number) {
             for (const float bad : {not_a_number, -not_a_number, infinity, -infinity}) {
                 if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
                 Ray ray = down;
@@ -202,9 +202,7 @@ TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
     Mesh mesh;
     for (unsigned i = 0; i < 100; ++i) {
         const auto reach = static_cast<float>(1 + i);
-        const std::uint32_t first = 3 * i;
-        mesh.positions.insert(mesh.positions.end(), {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
+        append_triangle(mesh, {-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f});
     }
     const OpenedBlob stack(mesh);
     REQUIRE(stack.blob.triangle_count() == 100);

@@ -60,7 +60,7 @@ TEST_CASE("seams: what is no ray or no region is refused") {
     const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
     CHECK(raycast(cube.blob, round_ray(good, ray)).t == 2.0f);
     const float huge = std::numeric_limits<float>::max();
-    for (int number = 0; number < 8; ++number) {
+    for (unsigned number = 0; number < 8; ++number) {
         for (const float bad : {not_a_number, INFINITY, -INFINITY}) {
             if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
             Ray broken = ray;

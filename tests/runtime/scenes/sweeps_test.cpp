@@ -15,10 +15,7 @@ constexpr Quaternion quarter_turns[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}
 std::vector<OpenedBlob> one_cube() { return opened_blobs({make_cube(-1.0f, 1.0f)}); }
 
 /// A triangle in the plane z = 0 that faces up.
-std::vector<OpenedBlob> one_triangle() {
-    Mesh mesh = {.positions = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, .triangles = {{0, 1, 2}}};
-    return opened_blobs({mesh});
-}
+std::vector<OpenedBlob> one_triangle() { return opened_blobs({make_triangle({-4, -4, 0}, {4, -4, 0}, {0, 4, 0})}); }
 
 Instance placed_at(Vec3 translation, float scale = 1.0f, Quaternion rotation = {}) {
     return {.transform = {rotation, translation, scale}};
@@ -94,10 +91,8 @@ TEST_CASE("scene: a skin is a length in the world at every scale and in tiles") 
 
 TEST_CASE("scene: the first contact is found without the skin that stops the shape in front of it") {
     // A wall at x = 10, and behind it a slope on which a skin stops far in front.
-    Mesh wall, slope;
-    wall.positions = {{10, -4, -4}, {10, 4, -4}, {10, 0, 4}};
-    slope.positions = {{0, -40, 1.4f}, {0, 40, 1.4f}, {40, 0, -0.1f}};
-    wall.triangles = slope.triangles = {{0, 1, 2}};
+    const Mesh wall = make_triangle({10, -4, -4}, {10, 4, -4}, {10, 0, 4});
+    const Mesh slope = make_triangle({0, -40, 1.4f}, {0, 40, 1.4f}, {40, 0, -0.1f});
     const std::vector<OpenedBlob> blobs = opened_blobs({wall, slope});
     std::vector<Instance> instances(2);
     instances[0].mask = 1;

@@ -509,8 +509,7 @@ TEST_CASE("sweep: what the shape leaves is ignored and what it goes deeper into 
             {{0.2f, -0.5f, 0.99f}, {0.5f, -0.4f, 1.2f}, {0.1f, -0.3f, 1.2f}, {0.3f, -0.6f, 1.3f}}};
         check(ConvexHull{vertices});
         // A box that reaches over the edge of a wall goes deeper along the wall's plane.
-        Mesh wall = {.positions = {{0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {0.0f, 0.0f, 4.0f}},
-                     .triangles = {{0, 1, 2}}};
+        const Mesh wall = make_triangle({0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {0.0f, 0.0f, 4.0f});
         const OpenedBlob opened(wall, with_profile(profile));
         const Box box = {{-0.25f, -1.0f, -0.25f}, {0.5f, 0.01f, 0.25f}};
         CHECK(sweep(opened.blob, box, {0.0f, 1.0f, 0.0f}, SweepOptions{.ignore_leaving = true}).starts_overlapping);

@@ -21,13 +21,6 @@ Vec3 on_sphere(double x, double y, double z, double radius, Vec3 center) {
 
 std::uint32_t size_of(const std::vector<Vec3>& positions) { return static_cast<std::uint32_t>(positions.size()); }
 
-/// Adds a triangle with three vertices of its own.
-void add_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) {
-    const std::uint32_t first = size_of(mesh.positions);
-    mesh.positions.insert(mesh.positions.end(), {a, b, c});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-}
-
 /// Vertices on a lattice, row by row, at the height that `height_at(column, row)` returns, and two triangles for each
 /// of its cells.
 template <class HeightAt>
@@ -191,7 +184,7 @@ Mesh make_slivers(unsigned count, std::uint64_t seed) {
         const Vec3 b = random.in_cube(1.0f);
         const float along = random.unit();
         const Vec3 off = random.in_cube(0.0005f);
-        add_triangle(mesh, a, b, sum(sum(a, times(difference(b, a), along)), off));
+        append_triangle(mesh, a, b, sum(sum(a, times(difference(b, a), along)), off));
     }
     return mesh;
 }
@@ -210,8 +203,8 @@ Mesh make_coplanar_stacks(unsigned count, std::uint64_t seed) {
         const Vec3 a = corner();
         const Vec3 b = corner();
         const Vec3 c = corner();
-        add_triangle(mesh, a, b, c);
-        if (random.below(4) == 0) add_triangle(mesh, a, c, b);
+        append_triangle(mesh, a, b, c);
+        if (random.below(4) == 0) append_triangle(mesh, a, c, b);
     }
     return mesh;
 }
@@ -226,7 +219,7 @@ Mesh make_soup(unsigned count, std::uint64_t seed) {
         const Vec3 a = corner();
         const Vec3 b = corner();
         const Vec3 c = corner();
-        add_triangle(mesh, a, b, c);
+        append_triangle(mesh, a, b, c);
     }
     return mesh;
 }
@@ -238,11 +231,11 @@ Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
     for (unsigned i = 0; i < beams; ++i) {
         const Vec3 a = {unit(), 0.0f, unit()};
         const Vec3 b = {unit(), 1.0f, unit()};
-        add_triangle(mesh, a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
+        append_triangle(mesh, a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
     }
     for (unsigned i = 0; i < small; ++i) {
         const Vec3 a = {unit(), unit(), unit()};
-        add_triangle(mesh, a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
+        append_triangle(mesh, a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
     }
     return mesh;
 }
@@ -257,10 +250,20 @@ Mesh moved_by(Mesh mesh, Vec3 way) {
     return mesh;
 }
 
-Mesh joined(Mesh mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+Mesh make_triangle(Vec3 a, Vec3 b, Vec3 c) {
+    return {.name = "triangle", .positions = {a, b, c}, .triangles = {{0, 1, 2}}};
+}
+
+void append_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) { append(mesh, make_triangle(a, b, c)); }
+
+void append(Mesh& mesh, const Mesh& other) {
+    const std::uint32_t first = size_of(mesh.positions);
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
     for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+}
+
+Mesh joined(Mesh mesh, const Mesh& other) {
+    append(mesh, other);
     mesh.name += " and " + other.name;
     return mesh;
 }

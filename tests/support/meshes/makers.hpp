@@ -36,6 +36,10 @@ Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed);
 Mesh scaled_by(Mesh mesh, float factor);
 Mesh moved_by(Mesh mesh, Vec3 way);
 
+Mesh make_triangle(Vec3 a, Vec3 b, Vec3 c);
+/// Adds a triangle with three vertices of its own.
+void append_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c);
+void append(Mesh& mesh, const Mesh& other);
 /// Both meshes as one.
 Mesh joined(Mesh mesh, const Mesh& other);
 Mesh turned_inside_out(Mesh mesh);

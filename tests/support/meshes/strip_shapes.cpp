@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "makers.hpp"
+
 namespace espalier::tests {
 
 namespace {
@@ -106,8 +108,7 @@ Mesh make_disjoint(unsigned count) {
     Mesh mesh = {.name = "disjoint triangles"};
     for (unsigned i = 0; i < count; ++i) {
         const auto at = static_cast<float>(10 * i);
-        mesh.positions.insert(mesh.positions.end(), {{at, 0, 0}, {at + 5, 7, at}, {at, 9, 3}});
-        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        append_triangle(mesh, {at, 0, 0}, {at + 5, 7, at}, {at, 9, 3});
     }
     return mesh;
 }
