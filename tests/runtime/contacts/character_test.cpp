@@ -14,6 +14,7 @@
 #include <game/character.hpp>
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
+#include "support/base/vectors.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/meshes/files.hpp"
 #include "support/meshes/level_maker.hpp"
