@@ -1,10 +1,10 @@
 // query_answers [--set NAME] [--moving] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of
 // answers for each; asks every two blobs that follow each other about both; and prints a line about all scenes, one
 // about all blobs, one about moving scenes of the meshes and tiles of each scene, and one about all deformable blobs in
-// some poses, which are not among the others. Lines about scenes and deformable blobs are left out where there are
-// none. With --moving each blob has a second line, about a small moving scene of it. NAME is one of scalar, sse42, avx2
-// and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C streams only, so that
-// it runs wherever a C++ compiler reaches.
+// some poses, which are not among the others. A line is left out where there is nothing that it is about. With
+// --moving each blob has a second line, about a small moving scene of it. NAME is one of scalar, sse42, avx2 and
+// avx512, to ask with that instruction set where the machine has it. Uses the runtime and C streams only, so that it
+// runs wherever a C++ compiler reaches.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -179,7 +179,7 @@ int main(int argument_count, char** arguments) {
     if (!read_files(rest.subspan(1), assets, deformables, scenes)) return 2;
     const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10));
     if (!scenes.empty()) answer_scenes(scenes, questions_of_a_kind);
-    answer_blobs(assets, questions_of_a_kind, with_moving);
+    if (!assets.empty()) answer_blobs(assets, questions_of_a_kind, with_moving);
     if (!scenes.empty()) answer_moving_scenes(scenes, questions_of_a_kind);
     if (!deformables.empty()) answer_deformables(deformables, questions_of_a_kind);
     return 0;
