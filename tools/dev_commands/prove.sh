@@ -6,6 +6,9 @@ proven=docs/proven.md
 parts=(cases instruction_sets sanitizers small_code i686 armhf aarch64 riscv64 s390x compilers firmware wasm windows python packages
     release coverage lint extremes counts mutants fuzz bench)
 
+# Those that take one core most of the time: two of them run at once.
+emulated_parts=(i686 armhf aarch64 riscv64 s390x)
+
 # Those that `prove --drawn` draws from, as continuous integration does: at most 12 minutes in a fresh clone.
 drawn_parts=(instruction_sets small_code firmware)
 
@@ -195,6 +198,23 @@ run_part() {
     fi
 }
 
+# run_parts PART...: and writes the names of those that fail into build/prove/failed
+run_parts() {
+    local part
+    mkdir -p build/prove
+    : >build/prove/failed
+    for part in "$@"; do
+        if [[ " ${emulated_parts[*]} " == *" $part "* ]]; then
+            while [[ $(jobs -pr | wc -l) -ge 2 ]]; do wait -n; done
+            { run_part "$part" || echo "$part" >>build/prove/failed; } &
+        else
+            wait
+            run_part "$part" || echo "$part" >>build/prove/failed
+        fi
+    done
+    wait
+}
+
 # state_of_tree: the commit, and + where a file is another than there
 state_of_tree() {
     git rev-parse --short=12 HEAD | tr -d '\n'
@@ -203,13 +223,15 @@ state_of_tree() {
 
 # write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md
 write_line() {
-    local processor flags set sets="" known part line
+    local processor flags set sets="" known part line page
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
     flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
     for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
         [[ $flags != *" ${set%:*} "* ]] || sets+=${sets:+, }${set#*:}
     done
     line="| $1 | $(date -u +%F) | $2 | $(nproc) × $processor | ${sets:-none} | $3 | $4 |"
+    exec {page}>build/prove/page.lock
+    flock "$page"
     known=$(cat "$proven")
     {
         cat <<'TEXT'
@@ -228,6 +250,7 @@ TEXT
         done
     } >"$proven.new"
     mv "$proven.new" "$proven"
+    exec {page}>&-
 }
 
 # drawn_part: one of drawn_parts, by the hash of the commit
@@ -248,7 +271,7 @@ parts_since() {
 }
 
 prove() {
-    local chosen=() part failures=() writes=yes since
+    local chosen=() part failures writes=yes since
     case ${1-} in
         --all) chosen=("${parts[@]}") ;;
         --since)
@@ -275,8 +298,9 @@ prove() {
         [[ " ${parts[*]} " == *" $part "* ]] || fail "prove: there is no part '$part'; the parts are ${parts[*]}"
     done
     one_at_a_time
-    for part in "${chosen[@]}"; do run_part "$part" || failures+=("$part"); done
-    [[ ${#failures[@]} -eq 0 ]] || fail "prove: these parts failed: ${failures[*]}"
+    run_parts "${chosen[@]}"
+    failures=$(cat build/prove/failed)
+    [[ -z $failures ]] || fail "prove: these parts failed:" $failures
     echo "${#chosen[@]} passed, 0 failed"
 }
 

@@ -36,10 +36,11 @@ install_missing() {
         fi
     fi
     echo "installing ${missing[*]}"
-    [[ $lists_are_new == yes ]] || "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 update >/dev/null ||
+    mkdir -p build
+    [[ $lists_are_new == yes ]] || flock build/apt.lock "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 update >/dev/null ||
         fail "apt-get update failed (no network?)"
     lists_are_new=yes
-    "${as_root[@]}" apt-get -q -y -o DPkg::Lock::Timeout=300 install --no-install-recommends "${missing[@]}" >/dev/null ||
+    flock build/apt.lock "${as_root[@]}" apt-get -q -y -o DPkg::Lock::Timeout=300 install --no-install-recommends "${missing[@]}" >/dev/null ||
         fail "apt-get could not install: ${missing[*]}"
 }
 
