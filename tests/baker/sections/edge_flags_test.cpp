@@ -1,6 +1,8 @@
 // Claims about edge flags: each is what the triangles that share the edge say, worked out anew without limits of width.
 #include "support/testing.hpp"
 
+#include <Eigen/Geometry>
+
 #include "baker/baking_support.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/meshes/files.hpp"

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include <Eigen/Geometry>
+
 #include "support/exact/as_rationals.hpp"
 
 namespace espalier::tests::asset_bounds_test {
