@@ -170,7 +170,9 @@ void check_distance(const Blob& a, const PlacedBlob& b, const detail::PairFrame&
         const BlobDistance within = distance(a, b, WorkLimit::unlimited(), in_units);
         REQUIRE(within.status == (expected ? QueryStatus::ok : QueryStatus::not_found));
         REQUIRE(detail::TrianglePair{within.a, within.b} == (expected ? first->pair : detail::TrianglePair{}));
-        REQUIRE(tests::same_bits(within.distance, expected ? std::min(expected_distance, in_units) : infinity));
+        // Of pairs that are equally near but for rounding, exact arithmetic may find another one within the radius.
+        const float distance_of_first = expected ? std::ldexp(std::sqrt(first->distance.squared), exponent) : infinity;
+        REQUIRE(tests::same_bits(within.distance, expected ? std::min(distance_of_first, in_units) : infinity));
     }
 }
 

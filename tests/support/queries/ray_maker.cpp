@@ -158,7 +158,7 @@ Sphere QueryMaker::sphere() {
     const auto kind = random_.below(6);
     if (kind == 0) sphere.radius = 0.0f;
     else if (kind == 1) sphere.radius = INFINITY;
-    else if (kind == 2) sphere.radius = nudged(static_cast<float>(distance));
+    else if (kind == 2) sphere.radius = std::abs(nudged(static_cast<float>(distance)));
     else if (kind == 3) sphere.radius = size_ * 0.01f * random_.unit();
     else sphere.radius = static_cast<float>(distance) * random_.unit();
     return sphere;
