@@ -3,7 +3,8 @@
 Draws N mutants at random over the library. A smaller sample of the same seed is the beginning of a larger one, and a change of
 one file leaves what is drawn of the others as it is.
 Each meets the quick claims (claims.py); one that survives them meets the others. A mutant that no claim kills, and one
-that a comment excuses, says nothing about the tiers: the base is what any claim kills. BUILD/sample_SEED.jsonl keeps the results.
+that a comment excuses, says nothing about the tiers: the base is what any claim kills. BUILD/sample_SEED.jsonl keeps the results,
+and holds what it says until the mutant's file changes or the test that killed it is gone; remove it after other changes of tests.
 """
 import collections
 import concurrent.futures
@@ -48,6 +49,9 @@ def sample(folder, mutants, claims, count, seed, again=False):
     earlier, _ = earlier_results(path, mutants)
     if again:
         earlier = {key: result for key, result in earlier.items() if result["killed"] and result["tier"] == QUICK}
+    # A test that is no longer there kills nothing.
+    known = {claim.name for claim in claims + full_claims_of(folder, claims)}
+    earlier = {key: result for key, result in earlier.items() if not result["killed"] or result["by"] in known}
     judged = [mutant for mutant in chosen if mutant["excuse"] is None]
     pending = [mutant for mutant in judged if key_of(mutant) not in earlier]
     if pending or any(waits(earlier[key_of(mutant)]) for mutant in judged):

@@ -61,5 +61,5 @@ Publishing
 
 Missing packages are installed by apt-get, as root or by sudo without a password; otherwise the command to run is printed.
 test and prove compile by ccache, where that is installed. All output is in build/. Files are named from the
-root of the project, wherever the command is called. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build -LE prove_ -j
+root of the project, wherever the command is called. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build -LE prove_ -j 4
 TEXT

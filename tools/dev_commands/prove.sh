@@ -14,9 +14,10 @@ drawn_parts=(instruction_sets small_code firmware)
 
 # part_sources PART: a pattern of the files whose change can break it
 part_sources() {
-    local build='CMakeLists.txt|CMakePresets.json|tools/dev_commands/shared/|lib/(CMakeLists.txt|cmake)'
+    local build='CMakeLists.txt|CMakePresets.json|tools/dev$|tools/dev_commands/(shared/|prove.sh)|lib/(CMakeLists.txt|cmake)'
     local libraries="^($build|lib/(runtime|baker|espalier))" command='|^tools/([^d]|demo/)|^tests/import'
-    local tests='|^tests/(CMakeLists.txt|discover_tests.cmake|main.cpp|scales.txt|support|oracle)|^docs/examples/game'
+    local labels='|^tests/(CMakeLists.txt|discover_tests.cmake)'
+    local tests="$labels|^tests/(main.cpp|scales.txt|support|oracle)|^docs/examples/game"
     local platform='|^tests/(platform|format_versions)'
     case $1 in
         cases | sanitizers) echo "$libraries$command|^tests/|^fuzz/|^docs/|^README.md" ;;
@@ -24,24 +25,26 @@ part_sources() {
         small_code) echo "$libraries$tests$platform|^tests/(small_code|runtime)" ;;
         coverage) echo "$libraries$tests$platform|^tests/(runtime|baker|promises)|^tools/dev_commands/coverage" ;;
         i686 | armhf | aarch64 | riscv64 | s390x | compilers) echo "$libraries$platform" ;;
-        firmware) echo "$libraries$command$platform|^tests/(firmware|support)|^docs/(examples/firmware|embedding)|^tools/dev_commands/firmware" ;;
-        wasm) echo "$libraries$platform|^lib/wasm|^tests/wasm|^docs/(wasm|format_cube)|^tools/dev_commands/wasm" ;;
-        windows) echo "$libraries$command$platform|^tests/tools" ;;
+        firmware) echo "$libraries$command$labels$platform|^tests/(firmware|promises|support)|^docs/(examples/firmware|embedding)|^tools/dev_commands/firmware" ;;
+        wasm) echo "$libraries$platform|^lib/wasm|^tests/wasm|^bench/wasm|^docs/(wasm|format_cube)|^LICENSE|^tools/dev_commands/wasm" ;;
+        windows) echo "$libraries$command$labels$platform|^tests/tools" ;;
         python) echo "$libraries|^lib/(python|shared)|^tests/(python|c)/|^docs/examples/python|^tools/dev_commands/python" ;;
-        packages) echo "$libraries$command|^lib/shared|^tests/(package|build_step|c)/|^docs/(examples|embedding)|^README.md" ;;
-        release) echo "$libraries$command|^(LICENSE|README.md|docs/changelog.md)|^tools/dev_commands/release" ;;
-        lint) echo "$libraries$command|^lib/|^\\.(clang-tidy|cppcheck)|^tools/dev_commands/lint" ;;
+        packages) echo "$libraries$command$labels|^lib/shared|^tests/(package|build_step|c)/|^docs/(examples|embedding)|^README.md" ;;
+        release) echo "$libraries$command|^tests/platform/other|^(LICENSE|README.md|docs/(changelog.md|schema))|^tools/dev_commands/release" ;;
+        lint) echo "$libraries$command$labels|^lib/|^tests/promises|^\\.(clang|cppcheck)|^tools/dev_commands/lint" ;;
         extremes | counts) echo "$libraries$tests|^tests/(runtime|baker|promises)|^tools/dev_commands/$1" ;;
-        mutants) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c|small_code|mutation)|^fuzz/" ;;
+        mutants) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c|small_code|mutation)|^fuzz/|^tools/dev_commands/mutate" ;;
         fuzz) echo "$libraries$tests$command|^fuzz/|^tools/dev_commands/fuzz" ;;
         bench) echo "$libraries$tests$command|^bench/|^docs/examples/engines" ;;
     esac
 }
 
-# prove_labelled PART TARGET...: the targets that the part needs, in the build of `tools/dev test`, and the tests with its label
+# prove_labelled PART TARGET...: the targets that the part needs, in the build of `tools/dev test`, and the tests with its label. One that
+# leaves itself out fails the part, which has installed what it needs.
 prove_labelled() {
     build_test_targets "${@:2}"
     run_tests build/test --label-regex "^prove_$1\$"
+    failed=$((failed + left_out))
     summarise
 }
 
@@ -181,8 +184,11 @@ run_part() {
     commit=$(state_of_tree)
     echo "proving $part; all output is in $log"
     # No variable of the caller makes the tests fewer or compiles them by other options.
-    env -u ESPALIER_TEST_SCALE -u ESPALIER_TEST_SET -u ESPALIER_TEST_LEAVE_OUT -u ESPALIER_MESHES -u CFLAGS -u CXXFLAGS -u LDFLAGS \
-        WERROR=-Wno-error tools/dev prove --run "$part" >"$log" 2>&1 {lock}>&- || status=$?  # a server that stays must not keep the lock
+    (
+        unset $(compgen -e | grep -E '^(ESPALIER|CMAKE|CTEST|MUTATION)_|^(CC|CXX|CPATH|LIBRARY_PATH)$|(FLAGS|INCLUDE_PATH|SAN_OPTIONS)$')
+        export WERROR=-Wno-error
+        exec tools/dev prove --run "$part" >"$log" 2>&1 {lock}>&-  # a server that stays must not keep the lock
+    ) || status=$?
     local seconds=$((SECONDS - start)) result
     result=$(tail -n 1 "$log" | tr -d '|' | cut -c 1-100)
     if [[ $status -ne 0 ]]; then
@@ -194,22 +200,23 @@ run_part() {
     if [[ $commit == *+ || $commit != "$(state_of_tree)" ]]; then
         echo "not written to $proven, since the tree is not what its commit is"
     elif [[ $writes == yes ]]; then
-        write_line "$part" "$commit" "$seconds" "$result"
+        write_line "$part" "$commit" "$seconds" "$result" || fail "prove: the line of $part could not be written"
     fi
+    echo "$part" >>build/prove/passed
 }
 
-# run_parts PART...: and writes the names of those that fail into build/prove/failed
+# run_parts PART...: and writes the names of those that pass into build/prove/passed
 run_parts() {
     local part
     mkdir -p build/prove
-    : >build/prove/failed
+    : >build/prove/passed
     for part in "$@"; do
         if [[ " ${emulated_parts[*]} " == *" $part "* ]]; then
             while [[ $(jobs -pr | wc -l) -ge 2 ]]; do wait -n; done
-            { run_part "$part" || echo "$part" >>build/prove/failed; } &
+            run_part "$part" &
         else
             wait
-            run_part "$part" || echo "$part" >>build/prove/failed
+            run_part "$part" || true
         fi
     done
     wait
@@ -217,8 +224,11 @@ run_parts() {
 
 # state_of_tree: the commit, and + where a file is another than there
 state_of_tree() {
-    git rev-parse --short=12 HEAD | tr -d '\n'
-    [[ -z $(git status --porcelain -- . ":!$proven") ]] || echo -n +
+    local commit changed
+    if commit=$(git rev-parse --short=12 HEAD) && changed=$(git status --porcelain --untracked-files=all -- . ":!$proven"); then
+        echo "$commit${changed:++}"
+    else echo "unknown+"
+    fi
 }
 
 # write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md
@@ -232,7 +242,7 @@ write_line() {
     line="| $1 | $(date -u +%F) | $2 | $(nproc) × $processor | ${sets:-none} | $3 | $4 |"
     exec {page}>build/prove/page.lock
     flock "$page"
-    known=$(cat "$proven")
+    known=$(cat "$proven") || return 1
     {
         cat <<'TEXT'
 # What was proven when
@@ -248,8 +258,9 @@ TEXT
             else grep "^| $part |" <<<"$known" || echo "| $part | not yet | | | | | |"
             fi
         done
-    } >"$proven.new"
-    mv "$proven.new" "$proven"
+    } >build/prove/proven.new || return 1
+    # A full disk shows here, too.
+    [[ $(grep -cE '^\| [a-z0-9_]+ \|' build/prove/proven.new) -gt ${#parts[@]} ]] && mv build/prove/proven.new "$proven" || return 1
     exec {page}>&-
 }
 
@@ -264,14 +275,14 @@ drawn_part() {
 parts_since() {
     local part changed
     git rev-parse --quiet --verify "$1^{commit}" >/dev/null || fail "prove --since: git finds no commit '$1'"
-    changed=$(git diff --name-only --no-renames "$1" && git ls-files --others --exclude-standard)
+    changed=$(git diff --name-only --no-renames "$1" -- . ":!$proven" && git ls-files --others --exclude-standard)
     for part in "${parts[@]}"; do
         if grep -qE "$(part_sources "$part")" <<<"$changed"; then echo "$part"; fi
     done
 }
 
 prove() {
-    local chosen=() part failures writes=yes since
+    local chosen=() part failures=() writes=yes since
     case ${1-} in
         --all) chosen=("${parts[@]}") ;;
         --since)
@@ -299,8 +310,10 @@ prove() {
     done
     one_at_a_time
     run_parts "${chosen[@]}"
-    failures=$(cat build/prove/failed)
-    [[ -z $failures ]] || fail "prove: these parts failed:" $failures
+    for part in "${chosen[@]}"; do
+        grep -qx "$part" build/prove/passed || failures+=("$part")
+    done
+    [[ ${#failures[@]} -eq 0 ]] || fail "prove: these parts failed: ${failures[*]}"
     echo "${#chosen[@]} passed, 0 failed"
 }
 

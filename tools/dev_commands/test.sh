@@ -19,12 +19,14 @@ run_quick_tests() {
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
     one_at_a_time
+    unset ESPALIER_TEST_SET  # these are the tests with every set
     compile_by_ccache
-    late_test_packages+=($(formatter_packages))
     # What only the tests use is installed while this machine compiles. Who must install by hand gets one list.
-    [[ $(id -u) -eq 0 ]] || install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}"
+    [[ $(id -u) -eq 0 ]] ||
+        install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" $(formatter_packages)
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}"
     check_cmake
+    late_test_packages+=($(formatter_packages))  # known from now on: what is installed has brought the lists
     install_missing "${late_test_packages[@]}" &
     local installation=$!
     build build/test all --preset test "${options[@]}" || failed=$((failed + 1))
