@@ -110,7 +110,7 @@ bool Both::are_memories_equal() const {
     std::size_t size = 0;
     const void* const block = c99_moving_scene_block(&c->moving_scene[0], &size);
     const std::span<const std::byte> bytes = to<MovingScene>(&cpp->moving_scene[0]).bytes();
-    return size == bytes.size() && std::memcmp(block, bytes.data(), size) == 0;
+    return std::ranges::equal(std::span(static_cast<const std::byte*>(block), size), bytes);
 }
 
 void Both::prepare(const question& asked, bool any_bits, bool nothing) {
