@@ -1,31 +1,34 @@
 # Which branches of the runtime the tests take.
 
 # Few queries are enough to take a branch, and unoptimised code is slow: the tests run a fiftieth of the cases, without real
-# meshes, and those that run every query at every change of a blob are left out. Tests of the number of cases fail then; the
-# real test runs are `tools/dev test` and `tools/dev prove`.
+# meshes, and those that run every query at every change of a blob are left out, as are stacks of unoptimised code. Tests of the number
+# of cases fail then; the real test runs are `tools/dev test` and `tools/dev prove`.
 coverage() {
-    local build=build/coverage set program runtime='lib/runtime/.*' verifier='lib/runtime/open/.*'
-    install_missing "${build_packages[@]}" "${test_packages[@]}" gcovr
+    local build=$PWD/build/coverage set program objects=() options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++
+        -DESPALIER_COVERAGE=ON -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF)
+    install_missing "${build_packages[@]}" "${test_packages[@]}" llvm
     check_cmake
-    local options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=g++ -DESPALIER_COVERAGE=ON -DESPALIER_TOOLS=OFF
-        -DESPALIER_BENCH=OFF)
-    build "$build" espalier_tests "${options[@]}"
-    build "$build" espalier_query_answers "${options[@]}"
-    build "$build" espalier_platform_blobs "${options[@]}"
-    find "$build" -name '*.gcda' -delete
+    build build/coverage espalier_tests --fresh "${options[@]}"
+    build build/coverage espalier_query_answers "${options[@]}"
+    build build/coverage espalier_platform_blobs "${options[@]}"
+    rm -rf "$build/profiles"
+    export LLVM_PROFILE_FILE=$build/profiles/%p.profraw
     for program in $(test_programs "$build"); do
         ESPALIER_TEST_SCALE=0.02 ESPALIER_MESHES=none "$program" \
-            --source-file="*/tests/runtime/*,*/tests/promises/flush_*,*/tests/baker/spatial_*,*/tests/baker/edge_*" \
-            --source-file-exclude="*hostile*,*weird*" \
+            --source-file="*/tests/runtime/*,*/tests/c/*,*/tests/promises/flush_*,*/tests/baker/spatial_*,*/tests/baker/edge_*" \
+            --source-file-exclude="*hostile*,*weird*,*scenes/cost*" \
             --test-case-exclude="$(patterns_of coverage | cut -d ' ' -f 2- | paste -sd ,)" \
             >"$build/tests.log" 2>&1 || true
         grep -q '^\[doctest\] Status' "$build/tests.log" || fail "the tests did not come to an end: $build/tests.log"
+        objects+=(-object "$program")
     done
     for set in scalar sse42 avx2 avx512; do
         (cd "$build/tests/platform/blobs" && ../espalier_query_answers --set "$set" 50 *.espl >/dev/null) || [[ $? -eq 77 ]]
     done
-    gcovr --root . "$build/lib/runtime" --filter "$runtime" --branches --exclude-unreachable-branches --fail-under-branch 95
-    gcovr --root . "$build/lib/runtime" --filter "$verifier" --branches --exclude-unreachable-branches --fail-under-branch 100
+    llvm-profdata merge -sparse "$build"/profiles/*.profraw -o "$build/all.profdata"
+    llvm-cov export -skip-expansions -instr-profile="$build/all.profdata" "$build/tests/platform/espalier_query_answers" "${objects[@]}" \
+        >"$build/branches.json"
+    python3 tools/dev_commands/branches.py "$build/branches.json" lib/runtime/=97 lib/runtime/open/=100
 }
 
 without_arguments coverage "$@"

@@ -23,7 +23,7 @@ part_sources() {
         cases | sanitizers) echo "$libraries$command|^tests/|^fuzz/|^docs/|^README.md" ;;
         instruction_sets) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c)" ;;
         small_code) echo "$libraries$tests$platform|^tests/(small_code|runtime)" ;;
-        coverage) echo "$libraries$tests$platform|^tests/(runtime|baker|promises)|^tools/dev_commands/coverage" ;;
+        coverage) echo "$libraries$tests$platform|^tests/(runtime|baker|promises)|^tools/dev_commands/(coverage|branches)" ;;
         i686 | armhf | aarch64 | riscv64 | s390x | compilers) echo "$libraries$platform" ;;
         firmware) echo "$libraries$command$labels$platform|^tests/(firmware|promises|support)|^docs/(examples/firmware|embedding)|^tools/dev_commands/firmware" ;;
         wasm) echo "$libraries$platform|^lib/wasm|^tests/wasm|^bench/wasm|^docs/(wasm|format_cube)|^LICENSE|^tools/dev_commands/wasm" ;;
@@ -143,8 +143,7 @@ prove_release() {
 }
 prove_coverage() {
     tools/dev coverage | tee build/prove/coverage.out
-    awk '/^TOTAL/ { found = found (found == "" ? "" : ", ") $4 } END { print "branches taken of the runtime and of open: " found }' \
-        build/prove/coverage.out
+    echo "branches taken of the runtime and of open: $(sed -nE 's/^TOTAL .*, ([0-9.]+ %)$/\1/p' build/prove/coverage.out | paste -sd ,)"
 }
 prove_lint() {
     tools/dev lint

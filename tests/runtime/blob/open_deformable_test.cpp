@@ -64,6 +64,13 @@ TEST_CASE("open: each rule of the header of a deformable blob is enforced") {
     CHECK(blob.with(at::features_at, features & ~std::uint64_t{feature::deformable}) == OpenStatus::bad_header);
 }
 
+TEST_CASE("open: a deformable blob has triangles") {
+    Bytes empty = bake_or_throw(Mesh{}, with_profile(Profile::fast));
+    put(empty, at::version_minor_at, 1, 2);
+    put(empty, at::features_at, feature::deformable, 4);
+    CHECK(status_with(empty, at::rest_cost_at, bits_of(1.0f), 4) == OpenStatus::bad_header);
+}
+
 TEST_CASE("open: fields of deformable blobs are zero in others") {
     const Bytes bytes = plain_blob(Profile::fast);
     REQUIRE(get(bytes, at::version_minor_at, 2) == 0);

@@ -163,6 +163,8 @@ TEST_CASE("open: each rule of copies is enforced") {
     const std::size_t section = sections_of(bytes);
     CHECK(status_with(bytes, section, 0, 4) == OpenStatus::bad_section);  // none, though the map has some
     CHECK(status_with(bytes, section, 1u << 30, 4) == OpenStatus::bad_section);
+    CHECK(status_with(bytes, section + format::copies::blocks_at, 1, 4) ==
+          OpenStatus::bad_section);  // one before the first
     const std::uint64_t count = get(bytes, section, 4);
     CHECK(status_with(bytes, section, count - 1, 4) == OpenStatus::bad_section);
     // An owner more than there are copies; and one for a copy just behind the last triangle.
