@@ -2,7 +2,7 @@
 demo() {
     local cmake=build/demo/cmake mesh=build/demo/knot.obj blob=build/demo/knot.espl picture=build/demo/demo.png
     local scene=build/demo/city.esps scene_picture=build/demo/city.png
-    install_missing "${build_packages[@]}" "${tool_packages[@]}"
+    install_missing "${build_packages[@]}" python3 "${tool_packages[@]}"  # Python writes the single file
     check_cmake
     build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF -DESPALIER_UNITY=ON
     "$cmake/tools/demo/espalier_demo_mesh" "$mesh"

@@ -12,8 +12,8 @@ Every day
               test --strict fails at a compiler warning, too, as continuous integration does.
   prove       Runs the other tests, in parts, and writes what passed into docs/proven.md:
               prove PART... | --since COMMIT | --all | --drawn | --list
-              --since: the parts whose sources differ from the commit's; --all: three hours; --drawn: one part, by the hash of the
-              commit, as continuous integration does.
+              --since: the parts whose sources differ from the commit's, with --list only their names; --all: three hours;
+              --drawn: instruction_sets, small_code or firmware, by the hash of the commit, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.
@@ -25,17 +25,18 @@ Every day
   help        Prints this text.
 
 Before a release
-  coverage    Counts which branches of lib/runtime the tests take (5 minutes). Fails below 95 %, or below 100 % for open.
+  coverage    Counts which outcomes of conditions in lib/runtime the tests take (7 minutes). Fails below 97 %, or below 100 % for
+              open.
   fuzz        Fuzzes each target of fuzz for 60 seconds: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
               fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;
-              fuzz --minimise reduces the corpus to fuzz/corpus.
+              fuzz --minimise adds what covers more to fuzz/corpus.
   mutate      Breaks the library in thousands of places, one at a time, and lists the changes that no test finds and no comment
               "// mutant(...)" at the line excuses (an hour):
               mutate [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--claims TEXT...] [--publish]
               A part is one of docs/testing.md or a folder of lib; --since selects the files of lib whose code differs from a
               commit; --publish writes the table of docs/testing.md. Results are kept.
-              mutate --sample N [--seed S] [--survivors] [--publish] draws N changes at random, and prints which share of those
-              that any test finds tools/dev test finds. Exit status 1 below 97 %.
+              mutate --sample N [--seed S] [--least SHARE] [--survivors] [--publish] draws N changes at random, and prints which
+              share of those that any test finds tools/dev test finds (hours for 600). Exit status 1 below 97 %.
   release     Makes the files of a release in build/packages: Debian packages, checked by lintian, and archives of the
               command for Linux and Windows, which need no packages (10 minutes).
   firmware    Counts code, instructions, bytes read and stack of queries on six emulated Cortex-M cores (3 minutes):
@@ -46,9 +47,9 @@ Research
               side is the working tree: ab [--against COMMIT] COMMIT MESH... [OPTION...]
               A MESH is a file, or torus, terrain or level; ab --help lists the options (4 minutes).
   counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
-              on generated meshes and on those of a folder (an hour or two): counts [FOLDER]
+              on generated meshes (10 minutes) and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels
-              against exact arithmetic, and bakes ten million identical triangles (half an hour).
+              against exact arithmetic, and bakes ten million identical triangles (20 minutes).
   guide       Measures everything that docs/guide.md compares, and writes its tables and figures (20 minutes):
               guide [--part PART] [--name NAME] [MESH...]
               Without a MESH: those of ESPALIER_MESHES or ../shared/meshes, and a house of Debian's assimp-testmodels.
@@ -60,6 +61,7 @@ Publishing
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 
 Missing packages are installed by apt-get, as root or by sudo without a password; otherwise the command to run is printed.
-test and prove compile by ccache, where that is installed. All output is in build/. Files are named from the
-root of the project, wherever the command is called. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build -LE prove_ -j 4
+test and prove compile by ccache, where that is installed. All output is in build/, but for docs/proven.md and what --publish and
+--minimise write. Files are named from the root of the project, wherever the command is called. Times are of two cores.
+Without this script: cmake -B build && cmake --build build --parallel && ctest --test-dir build -LE prove_ -j 4
 TEXT

@@ -246,8 +246,9 @@ write_line() {
         cat <<'TEXT'
 # What was proven when
 
-`tools/dev prove` writes this page: of each part the last run that passed.
+`tools/dev prove` writes this page: of each part the last run of a committed tree that passed.
 [testing.md](testing.md#two-tiers) describes what the parts are.
+Processor and instruction sets are those of the machine that ran the part; other processors were QEMU's on it.
 
 | part | date | commit | processor | instruction sets | seconds | result |
 |---|---|---|---|---|---|---|
@@ -285,8 +286,9 @@ prove() {
     case ${1-} in
         --all) chosen=("${parts[@]}") ;;
         --since)
-            [[ $# -eq 2 ]] || fail "prove --since COMMIT: one commit is needed"
+            [[ $# -eq 2 || ( $# -eq 3 && $3 == --list ) ]] || fail "prove --since COMMIT [--list]: one commit is needed"
             since=$(parts_since "$2")
+            [[ $# -eq 2 ]] || { echo "$since"; return; }
             [[ -n $since ]] || { echo "nothing to prove: no part has a source that differs from $2"; return; }
             mapfile -t chosen <<<"$since"
             ;;
