@@ -44,7 +44,7 @@ part_sources() {
 prove_labelled() {
     build_test_targets "${@:2}"
     run_tests build/test --label-regex "^prove_$1\$"
-    failed=$((failed + left_out))
+    failed=$((failed + skipped_tests))
     summarise
 }
 

@@ -3,7 +3,7 @@
 passed=0
 failed=0
 skipped=0
-left_out=0  # of the skipped: tests, not cases
+skipped_tests=0  # of the skipped, those of ctest
 
 # count_cases LOG: adds the cases of the programs of tests, and those of them that skipped themselves
 count_cases() {
@@ -31,7 +31,7 @@ run_tests() {
     [[ $all -gt 0 ]] || failed=$((failed + 1))
     passed=$((passed + run - $(grep -c '<testcase name="cases: .* status="run"' "$results" || true)))
     skipped=$((skipped + not_run))
-    left_out=$((left_out + not_run))
+    skipped_tests=$((skipped_tests + not_run))
     failed=$((failed + all - run - not_run))
     count_cases "$results"
 }
