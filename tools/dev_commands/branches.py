@@ -31,7 +31,7 @@ for number, limit in enumerate(limits):
         missing = [place for is_taken, place in taken if not is_taken]
         print(f"{len(taken) - len(missing):5} of {len(taken):5}  {file}  {', '.join(missing)}")
     every = [is_taken for taken in counted.values() for is_taken, _ in taken]
-    share = 100 * sum(every) / max(len(every), 1)
+    share = 100 * sum(every) / len(every)
     print(f"TOTAL {folder}: {sum(every)} of {len(every)}, {share:.1f} %")
     failed = failed or share < float(least)
 sys.exit(1 if failed else 0)

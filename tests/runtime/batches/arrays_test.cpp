@@ -212,22 +212,16 @@ TEST_CASE("batch: points and volumes in arrays get the answers of each alone") {
             REQUIRE(found[i].status == alone.status);
             for (std::size_t k = 0; k < alone.count; ++k) REQUIRE(same_bits(rows[3 * i + k], row[k]));
         }
-        check_lists<TriangleId>(
-            count, random,
-            [&](std::size_t first, auto statuses, auto offsets, auto elements) {
-                return collect_overlaps(blob, spheres.from(first), statuses, offsets, elements);
-            },
-            [&](std::size_t i, auto visit) {
-                return for_each_overlap(blob, Sphere{points[i], lengths[i]}, visit);
-            });
-        check_lists<TriangleId>(
-            count, random,
-            [&](std::size_t first, auto statuses, auto offsets, auto elements) {
-                return collect_overlaps(blob, boxes.from(first), statuses, offsets, elements);
-            },
-            [&](std::size_t i, auto visit) {
-                return for_each_overlap(blob, Box{points[i], others[i]}, visit);
-            });
+        const auto check_overlaps = [&](const auto& shapes, auto shape_at) {
+            check_lists<TriangleId>(
+                count, random,
+                [&](std::size_t first, auto... arrays) {
+                    return collect_overlaps(blob, shapes.from(first), arrays...);
+                },
+                [&](std::size_t i, auto visit) { return for_each_overlap(blob, shape_at(i), visit); });
+        };
+        check_overlaps(spheres, [&](std::size_t i) { return Sphere{points[i], lengths[i]}; });
+        check_overlaps(boxes, [&](std::size_t i) { return Box{points[i], others[i]}; });
     }
     if (asks_enough()) CHECK(touched > 10);
     if (asks_enough()) CHECK(inside > 10);

@@ -86,8 +86,7 @@ TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
         const std::optional<Rational> time = exact_first_contact(c);
         CAPTURE(i);
         ++decided;
-        require_right_limits(c, step, random);
-        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+        require_right_limits(c, step, random, seen);
         if (!require_tick(time, step)) continue;
 
         // The normal separates, and looks against the way.

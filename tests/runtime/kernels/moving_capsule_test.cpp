@@ -50,8 +50,7 @@ TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
         REQUIRE(step > 0);
         ++decided;
         require_right_step(c, step);
-        require_right_limits(c, step, random);
-        ++seen[step == no_contact ? 1 : 2];
+        require_right_limits(c, step, random, seen);
         if (step == no_contact || !has_area(c.triangle)) continue;
         // The named point is on the triangle and as far from the axis as the normal says.
         const SweepContact contact = contact_at(c.moving, c.triangle, step);

@@ -161,8 +161,7 @@ TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
         CAPTURE(i);
         CAPTURE(describe(c));
         ++decided;
-        require_right_limits(c, step, random);
-        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+        require_right_limits(c, step, random, seen);
         if (!require_tick(time, step)) continue;
 
         // The normal separates, and looks against the way.

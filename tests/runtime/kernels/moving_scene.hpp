@@ -194,9 +194,10 @@ void require_right_step(const Case<Moving>& c, SweepStep step) {
     }
 }
 
-/// A limit changes nothing but that later contacts are none.
+/// A limit changes nothing but that later contacts are none. Counts the contact: at the start, none, or later.
 template <class Moving>
-void require_right_limits(const Case<Moving>& c, SweepStep step, Random& random) {
+void require_right_limits(const Case<Moving>& c, SweepStep step, Random& random, std::array<std::uint64_t, 3>& seen) {
+    ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
     const SweepStep near = step == no_contact ? whole_way : step;
     for (const SweepStep most : {near, near == 0 ? 0 : near - 1, random.below(whole_way + 1)})
         REQUIRE(first_contact(c.moving, c.triangle, most) == (step <= most ? step : no_contact));

@@ -35,8 +35,7 @@ TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
         CAPTURE(i);
         ++decided;
         require_right_step(c, step);
-        require_right_limits(c, step, random);
-        ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+        require_right_limits(c, step, random, seen);
     }
     for (const std::uint64_t number : seen) CHECK(number > count / 20);
     MESSAGE(decisions_made("sphere that moves", decided));

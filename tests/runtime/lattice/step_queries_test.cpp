@@ -266,12 +266,10 @@ TEST_CASE("lattice query: an end beyond the range is refused and an end at it is
         const std::int32_t middle = lattice.extent[0] / 2 + 1;
         constexpr std::int32_t most = max_lattice_coordinate;
         LatticeHit hit = raycast(cube.blob, LatticeSegment{{middle, middle - 2, -most}, {middle, middle - 2, most}});
-        CHECK(hit);
         CHECK(hit.triangle != no_triangle);
         CHECK(hit.side == Side::front);
         CHECK(hit.t == 1u << 30);
         hit = raycast(cube.blob, LatticeSegment{{middle, middle - 2, middle}, {middle, middle - 2, most}});
-        CHECK(hit);
         CHECK(hit.side == Side::back);
         const OpenedBlob empty(Mesh{});
         for (const std::int32_t beyond : {most + 1, -most - 1, INT32_MAX, INT32_MIN}) {

@@ -21,7 +21,6 @@ TEST_CASE("ray: the lowest index wins among far hits that round to the same t") 
         const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
         const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
         const RayHit hit = raycast(stack.blob, ray);
-        REQUIRE(hit);
         CHECK(hit.t == 0x1p34f);
         CHECK(hit.triangle.index == 0);
         unsigned hits = 0;
@@ -42,7 +41,6 @@ TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps awa
     const OpenedBlob blob(mesh, {.resolution = Resolution::bits(24)});
     const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
     const ClosestPoint nearest = closest_point(blob.blob, point);
-    REQUIRE(nearest);
     CHECK(nearest.point.x == 0.0f);
     const double exact = std::hypot(1.5 * 0x1p32, static_cast<double>(top) - 1000.0);
     CHECK(std::abs(static_cast<double>(nearest.distance) - exact) < exact * 0x1p-22);
