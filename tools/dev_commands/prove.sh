@@ -200,7 +200,7 @@ run_part() {
     if [[ $commit == *+ || $commit != "$(state_of_tree)" ]]; then
         echo "not written to $proven, since the tree is not what its commit is"
     elif [[ $writes == yes ]]; then
-        write_line "$part" "$commit" "$seconds" "$result" || fail "prove: the line of $part could not be written"
+        write_line "$part" "$commit" "$seconds" "$result" || { echo "the line of $part could not be written" >&2; return 1; }
     fi
     echo "$part" >>build/prove/passed
 }
@@ -231,8 +231,8 @@ state_of_tree() {
     fi
 }
 
-# write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md
-write_line() {
+# write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md; in a shell of its own, whose end gives up the lock
+write_line() (
     local processor flags set sets="" known part line page
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
     flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
@@ -262,8 +262,7 @@ TEXT
     } >build/prove/proven.new || return 1
     # A full disk shows here, too.
     [[ $(grep -cE '^\| [a-z0-9_]+ \|' build/prove/proven.new) -gt ${#parts[@]} ]] && mv build/prove/proven.new "$proven" || return 1
-    exec {page}>&-
-}
+)
 
 # drawn_part: one of drawn_parts, by the hash of the commit
 drawn_part() {
