@@ -4,7 +4,7 @@ Draws N mutants at random over the library. A smaller sample of the same seed is
 one file leaves what is drawn of the others as it is.
 Each meets the quick claims (claims.py); one that survives them meets the others. A mutant that no claim kills, and one
 that a comment excuses, says nothing about the tiers: the base is what any claim kills. BUILD/sample_SEED.jsonl keeps the results,
-and holds what it says until the mutant's file changes or the test that killed it is gone; remove it after other changes of tests.
+and holds what it says until the mutant's file changes or the test that killed it is gone; --survivors runs the others again.
 """
 import collections
 import concurrent.futures
