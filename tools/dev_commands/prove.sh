@@ -4,7 +4,7 @@ proven=docs/proven.md
 
 # The parts, in the order in which `prove --all` runs them.
 parts=(cases instruction_sets sanitizers small_code i686 armhf aarch64 riscv64 s390x compilers firmware wasm windows python packages
-    release coverage lint extremes counts mutants fuzz bench)
+    release coverage lint aimed_rays extremes counts mutants fuzz bench)
 
 # Those that take one core most of the time: two of them run at once.
 emulated_parts=(i686 armhf aarch64 riscv64 s390x)
@@ -32,7 +32,8 @@ part_sources() {
         packages) echo "$libraries$command$labels|^lib/shared|^tests/(package|build_step|c)/|^docs/(examples|embedding)|^README.md" ;;
         release) echo "$libraries$command|^tests/platform/other|^(LICENSE|README.md|docs/(changelog.md|schema))|^tools/dev_commands/release" ;;
         lint) echo "$libraries$command$labels|^lib/|^tests/promises|^\\.(clang|cppcheck)|^tools/dev_commands/lint" ;;
-        extremes | counts) echo "$libraries$tests|^tests/(runtime|baker|promises)|^tools/dev_commands/$1" ;;
+        aimed_rays | extremes) echo "$libraries$tests|^tests/(runtime|baker|promises)|^tools/dev_commands/extremes" ;;
+        counts) echo "$libraries$tests|^tests/(runtime|baker|promises)|^tools/dev_commands/counts" ;;
         mutants) echo "$libraries$tests$platform|^tests/(runtime|baker|promises|c|small_code|mutation)|^fuzz/|^tools/dev_commands/mutate" ;;
         fuzz) echo "$libraries$tests$command|^fuzz/|^tools/dev_commands/fuzz" ;;
         bench) echo "$libraries$tests$command|^bench/|^docs/examples/engines" ;;
@@ -150,7 +151,8 @@ prove_lint() {
     tools/dev lint
     prove_labelled lint
 }
-prove_extremes() { tools/dev extremes; }
+prove_aimed_rays() { tools/dev extremes aimed_rays; }
+prove_extremes() { tools/dev extremes extremes; }
 prove_counts() {
     tools/dev counts | tee build/prove/counts.out
     echo "$(($(grep -c '^| ' build/prove/counts.out) - 1)) queries and kinds of meshes, no difference"

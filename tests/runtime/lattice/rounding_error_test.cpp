@@ -88,16 +88,28 @@ Rational growth(const detail::BlobData& blob, float radius, std::int64_t units, 
     return change.sign() < 0 ? -change : change;
 }
 
+/// Calls function(blob, data, random) so often for each blob with triangles.
+template <class Function>
+void for_each_blob(std::uint64_t seed, int exponent, std::uint64_t count, const Function& function) {
+    Random random(seed + static_cast<std::uint64_t>(exponent));
+    for (const TestBlob& test : small_test_blobs())
+        for (std::uint64_t i = 0; i < count && test.decoded.triangle_count != 0; ++i)
+            function(test.opened.blob, detail::data_of(test.opened.blob), random);
+}
+
+void check_used(std::initializer_list<Held> all) {
+    for (const Held& held : all) {
+        CHECK(held.queries > 0);
+        if (asks_enough()) CHECK(held.above_an_eighth > 0);
+    }
+}
+
 TEST_CASE("rounding: no point or segment or volume moves farther than the error and some move an eighth as far") {
     for (const int exponent : exponents) {
         CAPTURE(exponent);
         Held points, segments, triangles, boxes;
-        Random random(2500 + static_cast<std::uint64_t>(exponent));
-        for (const TestBlob& test : small_test_blobs()) {
-            if (test.decoded.triangle_count == 0) continue;
-            const Blob& blob = test.opened.blob;
-            const detail::BlobData& data = detail::data_of(blob);
-            for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+        for_each_blob(
+            2500, exponent, scaled_share(30), [&](const Blob& blob, const detail::BlobData& data, Random& random) {
                 const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent);
                 const Vec3 c = some_place(blob, random, exponent), places[3] = {a, b, c};
                 detail::RoundedPoint point{};
@@ -124,7 +136,7 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                 detail::Rounded<OrientedBox> box;
                 const QueryStatus status = detail::round_volume(data, world, box);
                 if (is_refused(status)) REQUIRE(rounding_error(blob, world).status == status);
-                if (status != QueryStatus::ok) continue;
+                if (status != QueryStatus::ok) return;
                 Rational most;
                 for (unsigned corner = 0; corner < 8; ++corner) {
                     Exact moved = in_steps(data, world.center) - from_units(box.center, box.fraction_bits);
@@ -136,12 +148,8 @@ TEST_CASE("rounding: no point or segment or volume moves farther than the error 
                     most = std::max(most, square(moved));
                 }
                 boxes.check(data, rounding_error(blob, world), most);
-            }
-        }
-        for (const Held& held : {points, segments, triangles, boxes}) {
-            CHECK(held.queries > 0);
-            if (asks_enough()) CHECK(held.above_an_eighth > 0);
-        }
+            });
+        check_used({points, segments, triangles, boxes});
     }
 }
 
@@ -149,12 +157,8 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
     for (const int exponent : exponents) {
         CAPTURE(exponent);
         Held spheres, capsules, boxes, turned, hulls;
-        Random random(2650 + static_cast<std::uint64_t>(exponent));
-        for (const TestBlob& test : small_test_blobs()) {
-            if (test.decoded.triangle_count == 0) continue;
-            const Blob& blob = test.opened.blob;
-            const detail::BlobData& data = detail::data_of(blob);
-            for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+        for_each_blob(
+            2650, exponent, scaled_share(30), [&](const Blob& blob, const detail::BlobData& data, Random& random) {
                 const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent);
                 const Vec3 c = some_place(blob, random, exponent), d = some_place(blob, random, exponent);
                 const Vec3 way = difference(c, d);
@@ -199,7 +203,7 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
                     turned.check(data, rounding_error(blob, world, way), most);
                 }
                 detail::BoxSweep box;
-                if (!is_answered(Box{a, b}, box)) continue;
+                if (!is_answered(Box{a, b}, box)) return;
                 Rational most;
                 for (unsigned corner = 0; corner < 8; ++corner) {
                     const auto either = [corner](unsigned axis, auto low, auto high) {
@@ -211,12 +215,8 @@ TEST_CASE("rounding: no sweep moves farther than the error and some move an eigh
                     most = std::max(most, squared_move(data, box, at, way, units));
                 }
                 boxes.check(data, rounding_error(blob, Box{a, b}, way), most);
-            }
-        }
-        for (const Held& held : {spheres, capsules, boxes, turned, hulls}) {
-            CHECK(held.queries > 0);
-            if (asks_enough()) CHECK(held.above_an_eighth > 0);
-        }
+            });
+        check_used({spheres, capsules, boxes, turned, hulls});
     }
 }
 
@@ -261,16 +261,12 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
     for (const int exponent : {0, 4, 12, 20}) {
         CAPTURE(exponent);
         Held rays;
-        Random random(2600 + static_cast<std::uint64_t>(exponent));
-        for (const TestBlob& test : small_test_blobs()) {
-            if (test.decoded.triangle_count == 0) continue;
-            const Blob& blob = test.opened.blob;
-            const detail::BlobData& data = detail::data_of(blob);
-            for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
+        for_each_blob(
+            2600, exponent, scaled_share(100), [&](const Blob& blob, const detail::BlobData& data, Random& random) {
                 const Vec3 from = some_place(blob, random, exponent), to = some_place(blob, random, 0);
                 const Ray world = {.origin = from, .direction = difference(to, from)};
                 detail::LatticeRay ray;
-                if (!detail::round_ray(data, world, ray)) continue;
+                if (!detail::round_ray(data, world, ray)) return;
                 const Exact origin = in_steps(data, from), way = exact(world.direction);
                 const Exact rounded_origin = from_units(ray.origin, ray.fraction_bits);
                 Rational most;
@@ -291,10 +287,8 @@ TEST_CASE("rounding: no ray moves farther than the error and some move an eighth
                     }
                 }
                 rays.check(data, rounding_error(blob, world), most);
-            }
-        }
-        CHECK(rays.queries > 0);
-        if (asks_enough()) CHECK(rays.above_an_eighth > 0);
+            });
+        check_used({rays});
     }
 }
 
