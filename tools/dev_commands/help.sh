@@ -49,7 +49,7 @@ Research
   counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
               on generated meshes (10 minutes) and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels
-              against exact arithmetic, and bakes ten million identical triangles: extremes [LIST] (20 minutes).
+              against exact arithmetic, and bakes ten million identical triangles: extremes [LIST] (25 minutes).
   guide       Measures everything that docs/guide.md compares, and writes its tables and figures (20 minutes):
               guide [--part PART] [--name NAME] [MESH...]
               Without a MESH: those of ESPALIER_MESHES or ../shared/meshes, and a house of Debian's assimp-testmodels.
