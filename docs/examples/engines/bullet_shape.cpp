@@ -41,12 +41,14 @@ Feature feature_at(const btTriangleShape& triangle, const btVector3& point) {
 }
 
 /// Returns the normal to use in the place of one that leads from the surface to the body, in the space of the world.
+/// The body's middle decides on which side of the triangle: a normal that lies in the plane is on neither.
 btVector3 corrected(const EspalierShape& mesh, const btCollisionObjectWrapper& triangle, int index,
-                    const btVector3& point, const btVector3& normal) {
+                    const btVector3& point, const btVector3& normal, const btCollisionObjectWrapper& body) {
     const btTransform& place = triangle.getWorldTransform();
     const auto& shape = static_cast<const btTriangleShape&>(*triangle.getCollisionShape());
     const Feature feature = feature_at(shape, place.invXform(point));
-    const espalier::Vec3 local = from_bullet(normal * place.getBasis());  // by the transpose
+    const btVector3 to_middle = body.getWorldTransform().getOrigin() - point;
+    const espalier::Vec3 local = from_bullet(to_middle * place.getBasis());  // by the transpose
     const espalier::Vec3 fixed = fix_internal_edge_normal(mesh.blob(), {std::uint32_t(index)}, feature, local);
     return fixed == local ? normal : place.getBasis() * to_bullet(fixed);
 }
@@ -83,11 +85,12 @@ bool correct_internal_edge(btManifoldPoint& contact, const btCollisionObjectWrap
                            const btCollisionObjectWrapper* second, int, int second_index) {
     const btVector3 before = contact.m_normalWorldOnB;  // from the second to the first
     if (const EspalierShape* mesh = mesh_of(second)) {
-        contact.m_normalWorldOnB = corrected(*mesh, *second, second_index, contact.m_positionWorldOnB, before);
+        contact.m_normalWorldOnB = corrected(*mesh, *second, second_index, contact.m_positionWorldOnB, before, *first);
         contact.m_positionWorldOnB = contact.m_positionWorldOnA - contact.m_normalWorldOnB * contact.m_distance1;
         contact.m_localPointB = second->getCollisionObject()->getWorldTransform().invXform(contact.m_positionWorldOnB);
     } else if (const EspalierShape* other = mesh_of(first)) {
-        contact.m_normalWorldOnB = -corrected(*other, *first, first_index, contact.m_positionWorldOnA, -before);
+        contact.m_normalWorldOnB =
+            -corrected(*other, *first, first_index, contact.m_positionWorldOnA, -before, *second);
         contact.m_positionWorldOnA = contact.m_positionWorldOnB + contact.m_normalWorldOnB * contact.m_distance1;
         contact.m_localPointA = first->getCollisionObject()->getWorldTransform().invXform(contact.m_positionWorldOnA);
     }
