@@ -30,30 +30,36 @@ struct Contact {
     float distance = 0.0f;            ///< from the surface to the body along the normal; below 0 the depth
     TriangleId triangle;              ///< original_triangle() maps it to the source mesh
     Feature feature = Feature::face;  ///< the part of the triangle that holds the point
-    Side side = Side::front;          ///< the side of the triangle's plane on which the middle of the body lies
+    Side side = Side::front;          ///< of the triangle, on which the middle of the body lies; of a long body that is
+                                      ///< over another slope the side to which the normal leads
     std::uint8_t reserved[2] = {};
 };
 
 /// Writes the contacts of a body with the triangles that are no farther away than `margin`, sorted by distance: the
-/// deepest first, of equally deep ones that of the lowest triangle.
+/// deepest first; of equally deep ones that of the lowest triangle, but for those whose depth was limited.
 ///
-/// Each triangle is a sheet with two sides. The normal is that of the shortest way out of it, and the distance is minus
-/// the length of this way if the body touches the triangle. A triangle has one contact with a sphere. With a capsule, a
-/// box or a hull it has more, up to 8 with one normal, where a side or a face of the body lies over it: the ends of
-/// that part, of a hull those that reach farthest. If the surface is closed and contains the middle of the body, that
-/// of a hull the mean of its vertices, there is one contact, with the closest point of the surface to the middle: along
-/// its normal the whole body leaves the inside.
+/// Each triangle is a sheet with two sides, and the body leaves it on the side where its middle lies. The normal is
+/// that of the shortest way out or, where this would lead the middle through the triangle, that of the face. The
+/// distance is minus the length of the way if the body overlaps the triangle, and else that of the two; no way is
+/// longer than the longest of all shortest ones. A triangle has one contact with a sphere. With a capsule, a box or a
+/// hull it has more, up to 8 with one normal, where a side or a face of the body lies over it: the ends of that part,
+/// of a hull those that reach farthest. If the surface is closed and contains the middle of the body, that of a hull
+/// the mean of its vertices, there is one contact, with the closest point of the surface to the middle: along its
+/// normal the whole body leaves the inside.
 ///
-/// In a blob with edge flags (BakeOptions::flat_angle), a contact on an edge that only joins two triangles has the
-/// normal of the triangle's face, as fix_internal_edge_normal() returns it. Its distance is that from the plane of the
-/// face along that normal, and its point is the place there below the body, which may lie beyond the edge. Where the
-/// body, without its radius, touches the triangle, the point stays on the edge and the depth takes it out of the plane.
+/// In a blob with edge flags (BakeOptions::flat_angle) an edge is internal where the surface is flat, or a valley on
+/// the side of the body's middle; so is a corner between two such edges of the triangle. On these a contact has the
+/// normal of the face, if a part of the body, without its radius, is over the triangle: the depth takes that part out
+/// of it. Where the middle is behind this triangle's plane but in front of the flat neighbor that it is over, the
+/// normal is the neighbor's. Otherwise the contact is left out where another triangle at the same edge or corner is
+/// nearer, or as near with a lower index. So a body on an even floor has contacts with the triangles below it alone.
 ///
-/// Status: ok; output_full if there are more contacts than places, of which the deepest are kept; or a refusal: of an
+/// Status: ok; output_full if all places are taken: of more contacts the deepest are kept; or a refusal: of an
 /// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(). A hull is refused as by
 /// sweep(), and from 2^29 lattice steps on (out_of_range); one that is farther away than the margin has no contacts.
 /// Cost: expected O(log n + k * places) for k triangles, times the edges of a hull, whose faces are found in
-/// O(vertices^2); and of a closed surface that of contains().
+/// O(vertices^2); and of a closed surface that of contains(). With up to 4 places the nearest are looked for first, so
+/// that a large margin costs little more than closest_point().
 Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept;
@@ -95,11 +101,12 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
 /// Returns the normal to use for a contact on `feature` of `triangle`, where `normal` leads from the surface to the
 /// body and has any length. closest_triangles() returns triangle and feature, one of each triangle nearby.
 ///
-/// On a flat or concave edge, or on a corner between two such edges of this triangle, returns the triangle's own
-/// normal, of length 1, on the side to which `normal` points. Otherwise returns `normal`: on a face, a convex edge or a
-/// boundary, for a blob without edge flags, and for a triangle that the blob does not have. A corner is judged by the
-/// edges of its own triangle, also where a ridge between other triangles ends. Cost: O(depth), the way down to the
-/// triangle.
+/// On an internal edge, one that is flat or a valley on the side to which `normal` points, or on a corner between two
+/// such edges of this triangle, returns the triangle's own normal on that side, of length 1. Where `normal` lies nearly
+/// in the plane of the triangle the side is in doubt: find_contacts() takes that of the body's middle. Otherwise
+/// returns `normal`: on a face, a ridge or a boundary, for a blob without edge flags, and for a triangle that the blob
+/// does not have. A corner is judged by the edges of its own triangle, also where a ridge between other triangles ends.
+/// Cost: O(depth), the way down to the triangle.
 [[nodiscard]] Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId triangle, Feature feature,
                                             Vec3 normal) noexcept;
 

@@ -41,32 +41,65 @@ inline Point closest_to_origin(const PointTriangle& t) {
     return inside ? (dot(t[0], normal) / area) * normal : closest;
 }
 
+/// The differences of all vertices, and the largest of their lengths.
+struct Differences {
+    std::vector<Point> points;
+    double size = 0.0;
+
+    Differences(const std::vector<Point>& a, const std::vector<Point>& b) {
+        for (const Point& p : a)
+            for (const Point& q : b) points.push_back(p - q);
+        for (const Point& p : points) size = std::max(size, length(p));
+    }
+    /// Calls function(triangle) with each three, in which a point may be repeated.
+    template <class Function>
+    void for_each_triangle(const Function& function) const {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t j = i; j < points.size(); ++j)
+                for (std::size_t k = j; k < points.size(); ++k)
+                    function(PointTriangle{points[i], points[j], points[k]});
+    }
+};
+
+/// Calls function(direction, gap) with all directions in which a may leave b by the shortest way, and more: those
+/// across three differences of vertices. The gap is below 0 by how far a has to go.
+template <class Function>
+void for_each_way_out(const std::vector<Point>& a, const std::vector<Point>& b, const Function& function) {
+    const Differences differences(a, b);
+    differences.for_each_triangle([&](const PointTriangle& triangle) {
+        const Point normal = normal_of(triangle);
+        const double size_of_normal = length(normal);
+        if (size_of_normal <= 1e-12 * differences.size * differences.size) return;
+        for (const double sense : {-1.0, 1.0}) {
+            const Point direction = (sense / size_of_normal) * normal;
+            function(direction, gap_along(direction, a, b));
+        }
+    });
+}
+
+/// Returns how far a, which touches b, has to go in a direction until it only touches.
+inline double depth_along(Point direction, const std::vector<Point>& a, const std::vector<Point>& b) {
+    double depth = std::numeric_limits<double>::infinity();
+    for_each_way_out(a, b, [&](Point way, double gap) {
+        const double share = dot(way, direction);
+        if (share > 1e-12) depth = std::min(depth, std::max(-gap, 0.0) / share);
+    });
+    return depth;
+}
+
 /// Returns the distance of two convex hulls, or minus the length of the shortest translation that separates them.
 inline double signed_separation(const std::vector<Point>& a, const std::vector<Point>& b) {
-    std::vector<Point> differences;
-    for (const Point& p : a)
-        for (const Point& q : b) differences.push_back(p - q);
-    double size = 0.0;
-    for (const Point& p : differences) size = std::max(size, length(p));
-    Point nearest = differences[0];
-    double depth = std::numeric_limits<double>::infinity();
-    const std::size_t count = differences.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = i; j < count; ++j) {
-            for (std::size_t k = j; k < count; ++k) {
-                const PointTriangle triangle = {differences[i], differences[j], differences[k]};
-                const Point closest = closest_to_origin(triangle), normal = normal_of(triangle);
-                if (dot(closest, closest) < dot(nearest, nearest)) nearest = closest;
-                const double size_of_normal = length(normal);
-                if (size_of_normal <= 1e-12 * size * size) continue;
-                for (const double sense : {-1.0, 1.0})
-                    depth = std::min(depth, -gap_along((sense / size_of_normal) * normal, a, b));
-            }
-        }
-    }
+    const Differences differences(a, b);
+    Point nearest = differences.points[0];
+    differences.for_each_triangle([&](const PointTriangle& triangle) {
+        const Point closest = closest_to_origin(triangle);
+        if (dot(closest, closest) < dot(nearest, nearest)) nearest = closest;
+    });
     // The closest point proves that they are apart; else the shortest way over all planes is the way out.
     const double distance = length(nearest);
     if (distance > 0.0 && gap_along((1.0 / distance) * nearest, a, b) > 0.0) return distance;
+    double depth = std::numeric_limits<double>::infinity();
+    for_each_way_out(a, b, [&](Point, double gap) { depth = std::min(depth, -gap); });
     return std::isinf(depth) ? 0.0 : -std::max(depth, 0.0);
 }
 

@@ -57,8 +57,8 @@ typedef struct ESPALIER_SHARED_ espalier_edge_kinds_result {
 
 /* Returns the kinds of a triangle's edges. */
 espalier_edge_kinds_result espalier_edge_kinds_of(const espalier_blob* blob, espalier_triangle_id triangle);
-/* Returns the normal to use for a contact on a feature of a triangle: on a flat or concave edge the triangle's own
- * normal, else `normal`, which leads from the surface to the body. */
+/* Returns the normal to use for a contact on a feature of a triangle: on an edge that is flat or a valley on the side
+ * to which `normal` leads the triangle's own, else `normal`, which leads from the surface to the body. */
 espalier_vec3 espalier_fix_internal_edge_normal(const espalier_blob* blob, espalier_triangle_id triangle,
                                                 espalier_feature feature, espalier_vec3 normal);
 

@@ -22,25 +22,26 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept {
     return {{kind(0), kind(1), kind(2)}, status};
 }
 
-bool detail::is_internal(const Blob& blob, TriangleId triangle, Feature feature) noexcept {
+InternalFeatures detail::internal_features(const Blob& blob, TriangleId triangle) noexcept {
     const Result<EdgeKinds> kinds = edge_kinds(blob, triangle);
-    if (!kinds) return false;
-    // Edges ab, bc, ca are bits 0, 1, 2; on a corner meet the edge that leads from it and the one before.
-    constexpr std::uint8_t edges_of[] = {0b000, 0b001, 0b010, 0b100, 0b101, 0b011, 0b110};
-    static_assert(Feature::edge_ab == Feature{1} && Feature::vertex_a == Feature{4} && Feature::vertex_c == Feature{6});
-    const auto part = static_cast<unsigned>(feature);
-    const unsigned edges = part < sizeof edges_of ? edges_of[part] : 0u;
-    const auto outer = [](EdgeKind kind) { return kind == EdgeKind::convex || kind == EdgeKind::boundary ? 1u : 0u; };
-    const unsigned outer_edges = outer(kinds->ab) | outer(kinds->bc) << 1 | outer(kinds->ca) << 2;
-    return edges != 0 && (edges & outer_edges) == 0;
+    if (!kinds) return {};
+    const auto seen_from = [&kinds](EdgeKind ridge) {
+        const auto inner = [ridge](EdgeKind kind) { return kind == ridge || kind == EdgeKind::boundary ? 0u : 1u; };
+        const unsigned ab = inner(kinds->ab), bc = inner(kinds->bc), ca = inner(kinds->ca);
+        static_assert(Feature::edge_ab == Feature{1} && Feature::vertex_a == Feature{4} &&
+                      Feature::vertex_c == Feature{6});
+        return static_cast<std::uint8_t>(ab << 1 | bc << 2 | ca << 3 | (ca & ab) << 4 | (ab & bc) << 5 |
+                                         (bc & ca) << 6);
+    };
+    return {seen_from(EdgeKind::convex), seen_from(EdgeKind::concave)};
 }
 
 Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId touched, Feature feature, Vec3 normal) noexcept {
-    if (!is_internal(blob, touched, feature)) return normal;
+    if (feature == Feature::face || !edge_kinds(blob, touched)) return normal;
     const Integer3 face = normal_of(integer_triangle(find_triangle(data_of(blob), touched.index)));
     if (is_zero(face)) return normal;  // a triangle without area, which no baker wrote
     const bool behind = normal.x * to_float(face.x) + normal.y * to_float(face.y) + normal.z * to_float(face.z) < 0.0f;
-    return to_unit(behind ? -face : face);
+    return internal_features(blob, touched).have(feature, behind) ? to_unit(behind ? -face : face) : normal;
 }
 
 }  // namespace espalier

@@ -1,13 +1,18 @@
-// Bodies as find_contacts() takes them: each has its middle, how far it reaches in a direction, a box or shape around
-// it and its margin, and its kernel.
+// Bodies as find_contacts() takes them: each has its middle, how far it reaches from there in a direction, what of it
+// is nearest to the surface and how far the rest reaches from that (at least and at most), a box or shape around it and
+// its margin, and its kernel.
 #pragma once
 
+#include <espalier/distance.hpp>
 #include <espalier/shapes.hpp>
 #include <runtime/contacts/hull_body.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail::contacts {
+
+/// No vector is longer than that.
+inline float sum_of_coordinates(const Vec3& a) { return absolute(a.x) + absolute(a.y) + absolute(a.z); }
 
 /// A sphere.
 struct SphereBody {
@@ -20,12 +25,17 @@ struct SphereBody {
     }
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const { return relative_to(center, triangle); }
     [[nodiscard]] int fraction_bits() const { return center.fraction_bits; }
-    [[nodiscard]] static float core_reach(const Vec3&) { return 0.0f; }
-    void touch(const LatticeTriangle& triangle, float, Touches& touches) const {
-        touch_point(center, triangle, touches);
+    void touch(const LatticeTriangle& triangle, const FacingSide& side, float, Touches& touches) const {
+        touch_point(center, triangle, side, touches);
     }
     static Vec3 middle_of(const Sphere& sphere) { return sphere.center; }
     static float reach_of(const Sphere& sphere, const Vec3&) { return sphere.radius; }
+    static float least_margin(const Sphere& sphere) { return -sphere.radius; }
+    static float least_reach(const Sphere& sphere) { return sphere.radius; }
+    static float most_reach(const Sphere& sphere) { return sphere.radius; }
+    static ClosestPoint nearest(const Blob& blob, const Sphere& sphere, float within) {
+        return closest_point(blob, sphere.center, within);
+    }
     static Sphere grown(const Sphere& sphere, float margin) { return {sphere.center, sphere.radius + margin}; }
 };
 
@@ -45,13 +55,8 @@ struct CapsuleBody {
         return relative_to(doubled_middle, fraction_bits(), triangle);
     }
     [[nodiscard]] int fraction_bits() const { return segment.fraction_bits + 1; }
-    [[nodiscard]] float core_reach(const Vec3& way) const {
-        const Integer3 whole = segment.to - segment.from;
-        const Vec3 axis = {to_float(whole.x), to_float(whole.y), to_float(whole.z)};
-        return absolute(dot(axis, way)) * power_of_two(-fraction_bits());
-    }
-    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
-        touch_segment(segment, triangle, reach, touches);
+    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
+        touch_segment(segment, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const Capsule& capsule) {
         const Vec3 &a = capsule.from, &b = capsule.to;
@@ -61,6 +66,12 @@ struct CapsuleBody {
         const Vec3 &a = capsule.from, &b = capsule.to;
         const Vec3 half = {0.5f * b.x - 0.5f * a.x, 0.5f * b.y - 0.5f * a.y, 0.5f * b.z - 0.5f * a.z};
         return capsule.radius + absolute(half.x * way.x + half.y * way.y + half.z * way.z);
+    }
+    static float least_margin(const Capsule& capsule) { return -capsule.radius; }
+    static float least_reach(const Capsule& capsule) { return capsule.radius; }
+    static float most_reach(const Capsule& capsule) { return capsule.radius; }
+    static ClosestPoint nearest(const Blob& blob, const Capsule& capsule, float within) {
+        return closest_point(blob, Segment{capsule.from, capsule.to}, within);
     }
     static Capsule grown(const Capsule& capsule, float margin) {
         return {capsule.from, capsule.to, capsule.radius + margin};
@@ -108,12 +119,21 @@ struct OrientedBoxBody {
         return relative_to(box.center, box.fraction_bits, triangle);
     }
     [[nodiscard]] int fraction_bits() const { return box.fraction_bits; }
-    [[nodiscard]] float core_reach(const Vec3& way) const { return reach_along(box.half, way); }
-    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) const {
-        touch_box(box, triangle, reach, touches);
+    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
+        touch_box(box, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const OrientedBox& world) { return world.center; }
     static float reach_of(const OrientedBox& world, const Vec3& way) { return reach_along(world.half_axes, way); }
+    static ClosestPoint nearest(const Blob& blob, const OrientedBox& world, float within) {
+        return closest_point(blob, world.center, within);
+    }
+    static float least_margin(const OrientedBox&) { return 0.0f; }
+    static float least_reach(const OrientedBox&) { return 0.0f; }
+    static float most_reach(const OrientedBox& world) {
+        float sum = 0.0f;
+        for (const Vec3& half : world.half_axes) sum += sum_of_coordinates(half);
+        return sum;
+    }
     static float reach_along(const Vec3 (&half_axes)[3], const Vec3& way) {
         float sum = 0.0f;
         for (const Vec3& half : half_axes) sum += absolute(dot(half, way));
@@ -170,15 +190,10 @@ struct ConvexHullBody {
         return relative_to(hull.middle, hull.fraction_bits, triangle);
     }
     [[nodiscard]] int fraction_bits() const { return hull.fraction_bits; }
-    [[nodiscard]] float core_reach(const Vec3& way) const {
-        float most = 0.0f;
-        for (unsigned i = 0; i < hull.vertex_count; ++i) most = maximum(most, -dot(hull.at(i), way));
-        return most;
-    }
-    void touch(const LatticeTriangle& triangle, float reach, Touches& touches) {
+    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
         if (!has_faces) find_faces(hull);
         has_faces = true;
-        touch_hull(hull, triangle, reach, touches);
+        touch_hull(hull, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const ConvexHull& world) {
         const float share = 1.0f / static_cast<float>(world.vertices.size());
@@ -190,6 +205,17 @@ struct ConvexHullBody {
         const Vec3 middle = middle_of(world);
         float most = 0.0f;
         for (const Vec3& vertex : world.vertices) most = maximum(most, dot(middle - vertex, way));
+        return most;
+    }
+    static ClosestPoint nearest(const Blob& blob, const ConvexHull& world, float within) {
+        return closest_point(blob, middle_of(world), within);
+    }
+    static float least_margin(const ConvexHull&) { return 0.0f; }
+    static float least_reach(const ConvexHull&) { return 0.0f; }
+    static float most_reach(const ConvexHull& world) {
+        const Vec3 middle = middle_of(world);
+        float most = 0.0f;
+        for (const Vec3& vertex : world.vertices) most = maximum(most, sum_of_coordinates(vertex - middle));
         return most;
     }
     /// The box along the axes around it and the margin, with room for rounding.

@@ -7,6 +7,7 @@
 #include <runtime/answers/answer.hpp>
 #include <runtime/asset/internal_edges.hpp>
 #include <runtime/contacts/bodies.hpp>
+#include <runtime/contacts/surface_around.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/kernels/face.hpp>
 #include <runtime/lattice/to_world.hpp>
@@ -17,8 +18,10 @@ namespace espalier {
 using namespace detail;
 using detail::contacts::CapsuleBody;
 using detail::contacts::ConvexHullBody;
+using detail::contacts::FacingSide;
 using detail::contacts::OrientedBoxBody;
 using detail::contacts::SphereBody;
+using detail::contacts::SurfaceAround;
 using detail::contacts::Touch;
 using detail::contacts::Touches;
 
@@ -31,8 +34,8 @@ public:
 
     void add(const Contact& contact) {
         std::size_t place = count_;
+        is_empty_ = false;
         if (count_ == room_.size()) {
-            is_full_ = true;
             if (place == 0 || !comes_first(contact, room_[place - 1])) return;
             --place;
         } else {
@@ -41,7 +44,17 @@ public:
         for (; place > 0 && comes_first(contact, room_[place - 1]); --place) room_[place] = room_[place - 1];
         room_[place] = contact;
     }
-    [[nodiscard]] Filled filled() const { return {count_, {}, is_full_ ? QueryStatus::output_full : QueryStatus::ok}; }
+    /// Lets no contact be deeper. They stay sorted.
+    void limit_depth(float deepest) {
+        for (Contact& contact : room_.first(count_)) contact.distance = maximum(contact.distance, deepest);
+    }
+    /// Whether all places are taken by contacts that are no farther away.
+    [[nodiscard]] bool are_full_within(float distance) const {
+        return count_ == room_.size() && !is_empty_ && (count_ == 0 || room_[count_ - 1].distance <= distance);
+    }
+    [[nodiscard]] Filled filled() const {
+        return {count_, {}, are_full_within(infinity) ? QueryStatus::output_full : QueryStatus::ok};
+    }
 
 private:
     static bool comes_first(const Contact& a, const Contact& b) {
@@ -50,7 +63,7 @@ private:
 
     std::span<Contact> room_;
     std::size_t count_ = 0;
-    bool is_full_ = false;
+    bool is_empty_ = true;  ///< nothing was added
 };
 
 /// Takes triangles from the walk.
@@ -58,12 +71,22 @@ template <class Body>
 struct ContactsOf : Each {
     Body& body;
     const Blob& owner;
-    float margin;        ///< of the caller
+    Vec3 middle;  ///< of the caller's body, as radius and margin
+    float radius;
+    float margin;
     float margin_steps;  ///< lattice steps
     SortedContacts& sorted;
+    float deepest = infinity;  ///< the least distance of the body and a triangle, before any correction
 
-    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, SortedContacts& into)
-        : Each(data_of(of_blob), by_id), body(of_body), owner(of_blob), margin(within), sorted(into) {
+    ContactsOf(const Blob& of_blob, Body& of_body, Vec3 around, float of_radius, float within,
+               const TriangleVisitor& by_id, SortedContacts& into)
+        : Each(data_of(of_blob), by_id),
+          body(of_body),
+          owner(of_blob),
+          middle(around),
+          radius(of_radius),
+          margin(within),
+          sorted(into) {
         margin_steps = radius_in_steps(data_of(of_blob), within);
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
             return static_cast<ContactsOf&>(self).add(index, triangle);
@@ -71,54 +94,58 @@ struct ContactsOf : Each {
     }
 
     Visit add(std::uint32_t index, const LatticeTriangle& triangle) {
+        const bool is_behind = is_origin_behind(body.seen(triangle));
+        FacingSide side = {is_behind, internal_features(owner, TriangleId{index}), {}, {}};
+        const SurfaceAround around(blob, body, index, triangle, side);
+        const auto faces = [&around](Feature feature) { return around.faces(feature); };
+        side.faces = faces;
+        const auto find_nearest_side = [this](const Vec3& face, bool& is_behind_it) {
+            return find_side_of_nearest(face, is_behind_it);
+        };
+        side.find_nearest_side = find_nearest_side;
         Touches touches;
-        body.touch(triangle, body.radius + margin_steps, touches);
+        body.touch(triangle, side, body.radius + margin_steps, touches);
         if (touches.count == 0) return Visit::next;
-        const OriginRelative seen = body.seen(triangle);
-        const bool is_behind = is_origin_behind(seen);
-        const bool on_internal_edge = touches.touch[0].feature != Feature::face &&
-                                      is_internal(owner, TriangleId{index}, touches.touch[0].feature);
+        deepest = minimum(deepest, to_world_distance(touches.nearest));
+        if (touches.is_beside && around.has_nearer(touches)) return Visit::next;
+        const float steepness = contacts::dot(face_normal_of(triangle), touches.touch[0].normal);
         for (unsigned i = 0; i < touches.count; ++i) {
-            Touch& touch = touches.touch[i];
-            if (on_internal_edge) turn_to_face(touch, face_normal_of(triangle), seen, is_behind);
-            touch.distance -= body.radius;
+            const Touch& touch = touches.touch[i];
             Contact contact;
             contact.point = to_world(blob, touch.point.x, touch.point.y, touch.point.z);
             contact.normal = touch.normal;
-            contact.distance =
-                minimum(scale_by_power_of_two(touch.distance, blob.step_exponent), margin);  // decided before
+            contact.distance = to_world_distance(touch.distance);
             contact.triangle = TriangleId{index};
             contact.feature = touch.feature;
-            contact.side = is_behind ? Side::back : Side::front;
+            contact.side = (absolute(steepness) > steep ? steepness < 0.0f : is_behind) ? Side::back : Side::front;
             sorted.add(contact);
         }
         return Visit::next;
     }
 
 private:
-    /// Gives a place on an internal edge the normal of the face, the distance along it and the point there, on the
-    /// plane of the face. Where the body's core touches the triangle, the distance is that in which it leaves the
-    /// plane.
-    void turn_to_face(Touch& touch, Vec3 normal, const OriginRelative& seen, bool is_behind) const {
-        using contacts::operator+;
+    /// FacingSide::find_nearest_side. Where only a joined edge or corner is nearest and the middle is far beside it,
+    /// the surface goes on below the middle in another blob.
+    bool find_side_of_nearest(const Vec3& face, bool& is_behind) {
+        if (nearest_.status == QueryStatus::not_open) nearest_ = closest_point(owner, middle);
+        if (!(contacts::dot(face, nearest_.face_normal) > 0.5f)) return true;
+        is_behind = nearest_.side == Side::back;
         using contacts::operator-;
-        using contacts::operator*;
-        if (contacts::dot(normal, normal) == 0.0f) return;
-        const float share = contacts::dot(normal, touch.normal);
-        const bool is_apart = touch.distance >= 0.0f;
-        if (is_apart ? share < 0.0f : is_behind) normal = normal * -1.0f;
-        if (is_apart) {
-            const Vec3 core = touch.point + touch.normal * touch.distance;
-            touch.distance *= absolute(share);
-            touch.point = core - normal * touch.distance;
-        } else {
-            const Vec3 corner = {to_float(seen.a.x), to_float(seen.a.y), to_float(seen.a.z)};
-            const float level = contacts::dot(corner, normal) * -power_of_two(-body.fraction_bits());
-            touch.distance = minimum(touch.distance, level - body.core_reach(normal));
-        }
-        touch.normal = normal;
+        return !is_behind || !internal_features(owner, nearest_.triangle).have(nearest_.feature, true) ||
+               contacts::dot(nearest_.face_normal, nearest_.point - middle) > 0.7f * nearest_.distance;
     }
+    /// Of the body's surface, from a distance of its core in steps. A huge radius is more steps than a float holds.
+    [[nodiscard]] float to_world_distance(float of_core) const {
+        return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - radius, margin);  // decided before
+    }
+
+    /// The cosine from which on a normal clearly leaves a triangle on one side.
+    static constexpr float steep = 0.5f;
+    ClosestPoint nearest_;  ///< to the middle: looked for once, where that matters
 };
+
+/// With no more places than these the nearest contacts are looked for first.
+constexpr std::size_t most_few = 4;
 
 /// Finds the exit of a closed surface for a body whose middle is inside; not_found for others.
 template <class Body, class Shape>
@@ -134,11 +161,25 @@ QueryStatus find_exit(const Blob& blob, const Shape& shape, Contact& contact) {
     contact.side = nearest.side;
     using contacts::operator-;
     using contacts::operator*;
-    contact.normal = nearest.feature == Feature::face
-                         ? nearest.face_normal * (nearest.side == Side::back ? 1.0f : -1.0f)
-                         : contacts::direction_of(nearest.point - middle);
+    const Vec3 outward = nearest.face_normal * (nearest.side == Side::back ? 1.0f : -1.0f);
+    contact.normal = nearest.feature == Feature::face ? outward : contacts::direction_of(nearest.point - middle);
+    if (contacts::largest(contact.normal) == 0.0f) contact.normal = outward;  // far from the origin they round alike
     contact.distance = -(nearest.distance + Body::reach_of(shape, contact.normal));
     return QueryStatus::ok;
+}
+
+/// Returns a margin, at most the given one, within which a body probably has a contact: of a few contacts the nearest
+/// are then found without those that are far away.
+template <class Body, class Shape>
+float first_margin(const Blob& blob, const Shape& shape, float margin) {
+    const float reach = Body::most_reach(shape);
+    const ClosestPoint nearest = Body::nearest(blob, shape, (reach + margin) * (1.0f + 0x1p-16f));
+    if (nearest.status != QueryStatus::ok) return margin;
+    // Of a sphere and a capsule that is the distance, below 0 the depth.
+    const float least = maximum(nearest.distance - reach, Body::least_margin(shape));
+    const float most = maximum(nearest.distance - Body::least_reach(shape), least);
+    const float step = scale_by_power_of_two(1.0f, data_of(blob).step_exponent);
+    return minimum(least + (most - least) * (1.0f / 16.0f) + nearest.distance * 0x1p-12f + step, margin);
 }
 
 template <class Body, class Shape>
@@ -148,26 +189,39 @@ Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std:
     filled.status = QueryStatus::invalid_argument;
     if (!is_radius(margin) || !is_finite(margin)) return filled;
     Body body;
-    const auto grown = Body::grown(shape, margin);
-    SortedContacts sorted(contacts);
-    // Where the leaf is not at hand, on small cores, the triangle is searched.
-    ContactsOf<Body>* self = nullptr;
-    const auto search = [&](TriangleId triangle) {
-        return self->add(triangle.index, find_triangle(data_of(blob), triangle.index));
-    };
-    ContactsOf<Body> answer(blob, body, margin, search, sorted);
-    self = &answer;
     const QueryStatus rounded = body.round(data_of(blob), shape, margin);
     if (is_refused(rounded)) return {0, {}, rounded};
     if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
     Contact exit;
     if (find_exit<Body>(blob, shape, exit) == QueryStatus::ok) {
+        SortedContacts sorted(contacts);
         sorted.add(exit);
         return sorted.filled();
     }
-    const QueryStatus status =
-        find_overlaps_of<std::remove_const_t<decltype(grown)>>(data_of(blob), &grown, answer, exactly);
-    return is_refused(status) ? Filled{0, {}, status} : sorted.filled();
+    // A margin that is small beside the body adds few.
+    const bool is_wide = margin > 0.25f * Body::most_reach(shape);
+    float within = is_wide && contacts.size() <= most_few ? first_margin<Body>(blob, shape, margin) : margin;
+    for (;;) {
+        const auto grown = Body::grown(shape, within);
+        SortedContacts sorted(contacts);
+        // Where the leaf is not at hand, on small cores, the triangle is searched.
+        ContactsOf<Body>* self = nullptr;
+        const auto search = [&](TriangleId triangle) {
+            return self->add(triangle.index, find_triangle(data_of(blob), triangle.index));
+        };
+        ContactsOf<Body> answer(blob, body, Body::middle_of(shape), Body::least_reach(shape), margin, search, sorted);
+        self = &answer;
+        const QueryStatus status =
+            find_overlaps_of<std::remove_const_t<decltype(grown)>>(data_of(blob), &grown, answer, exactly);
+        if (is_refused(status)) return {0, {}, status};
+        // Any triangle that was not met is farther away than `within`, but for rounding.
+        if (!(within < margin) || sorted.are_full_within(within - (within + Body::most_reach(shape)) * 0x1p-16f)) {
+            sorted.limit_depth(answer.deepest);
+            return sorted.filled();
+        }
+        const float next = within + maximum(absolute(within), 0.25f * Body::most_reach(shape));
+        within = next > within ? minimum(next, margin) : margin;
+    }
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ void set_vertices(HullBody& hull, const Point* points, unsigned count, int fract
 void find_faces(HullBody& hull) noexcept;
 
 /// Writes how a hull touches the triangle, or is no farther away than `reach`; nothing if it is farther.
-void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, float reach, Touches& touches);
+void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                Touches& touches);
 
 }  // namespace espalier::detail::contacts

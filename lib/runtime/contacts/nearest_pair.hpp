@@ -30,6 +30,24 @@ struct SeenTriangle {
     }
 };
 
+/// How far a shape is from a triangle along one direction, which leads from the triangle to the shape: of all
+/// directions that separate them, each bounds by how much the shape can go back until it touches, and until it is
+/// through. Both are below 0 where it has to come forward.
+struct GapAlong {
+    Vec3 way;
+    float to_touch = -infinity;
+    float to_leave = infinity;
+
+    [[nodiscard]] bool rules_out(float) const { return false; }
+    void offer(const Vec3& normal, float gap) {
+        const float share = dot(normal, way);
+        if (share > 0.0f) to_touch = maximum(to_touch, gap / share);
+        else if (share < 0.0f) to_leave = minimum(to_leave, gap / share);
+        else if (gap > 0.0f) to_leave = -infinity;
+    }
+    [[nodiscard]] bool is_over() const { return to_touch <= to_leave && to_leave >= 0.0f; }
+};
+
 /// The nearest points of shape and triangle.
 struct NearestPair {
     float squared = infinity;
@@ -51,6 +69,42 @@ inline Vec3 direction_between(const NearestPair& nearest, const Separation& sepa
     const bool is_of_axis = distance <= size * 0x1p-19f || largest(off_axis) < size * 0x1p-19f;
     return is_of_axis ? separation.normal : direction_of(nearest.apart);
 }
+
+/// The first place of a shape with flat sides.
+struct FirstPlace {
+    NearestPair nearest;
+    Vec3 normal;
+    float distance;
+    float size;  ///< what both reach from the shape's middle
+    bool is_deep;
+
+    /// Gives it the normal of the facing side, if it is on an internal feature or leads the shape's middle through the
+    /// triangle. `find_gap` offers all directions that may separate, and `find_nearest` finds the nearest points after
+    /// a move. Returns false where no part of the shape is over the triangle.
+    template <class FindGap, class FindNearest>
+    bool turn(const SeenTriangle& seen, const FacingSide& side, FindGap find_gap, FindNearest find_nearest) {
+        const bool is_touching = is_deep || distance <= size * 0x1p-19f;
+        const bool leads_through = is_touching && dot(normal, nearest.on_triangle) > size * 0x1p-20f;
+        if (!(largest(seen.face) > 0.0f) || (!leads_through && side.keeps(nearest.feature, normal, seen.face)))
+            return true;
+        const Vec3 to_middle = nearest.on_triangle * -1.0f;
+        bool is_back = false, is_turned = false;
+        if (!side.finds_side(nearest.feature, seen.face, is_back)) {
+            if (!leads_through) return true;
+            GapAlong through = {seen.face};  // the side on which most of the shape is
+            find_gap(through);
+            is_back = -through.to_touch > through.to_leave;
+        }
+        GapAlong along = {outward_from(seen.face, is_back, to_middle, size * 0x1p-20f, is_turned)};
+        find_gap(along);
+        if (!is_deep && !leads_through && !along.is_over()) return false;
+        normal = along.way;
+        if (!is_deep) return true;
+        distance = minimum(distance, along.to_touch);
+        if (!is_turned) nearest = find_nearest(normal * -distance);
+        return true;
+    }
+};
 
 inline float clamped_share(float part, float whole) {
     return part <= 0.0f ? 0.0f : part >= whole ? 1.0f : part / whole;

@@ -1,7 +1,9 @@
 // Where a shape touches a triangle or is near it, in lattice steps: what the kernels of contacts return.
 #pragma once
 
+#include <espalier/base/function_ref.hpp>
 #include <espalier/types.hpp>
+#include <runtime/asset/internal_edges.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_segment.hpp>
@@ -73,11 +75,54 @@ struct Touch {
     Feature feature;
 };
 
-/// A closest or deepest place comes first.
+/// The side of a triangle's plane on which the middle of a body lies, and the features of the triangle that only join
+/// it there with others of one surface.
+struct FacingSide {
+    bool is_back = false;
+    InternalFeatures internal;
+    /// Whether the surface that goes on at a valley has the middle on this side too. Empty: none goes on.
+    FunctionRef<bool(Feature feature)> faces;
+    /// Sets whether the middle is behind the surface that is nearest to it, if that faces the way of `face`. Returns
+    /// false if that is open. Empty: there is no other surface.
+    FunctionRef<bool(const Vec3& face, bool& is_behind)> find_nearest_side;
+
+    [[nodiscard]] bool is_internal(Feature feature) const { return internal.have(feature, is_back); }
+    [[nodiscard]] bool is_flat(Feature feature) const {
+        return internal.have(feature, false) && internal.have(feature, true);
+    }
+    /// Sets whether the middle is behind the surface; returns false if that is open. At a flat feature the plane of one
+    /// triangle does not decide it: it leads far beyond, over a plank that lies on the other slope of a ridge.
+    bool finds_side(Feature feature, const Vec3& face, bool& is_behind) const {
+        is_behind = is_back;
+        return !find_nearest_side || !is_flat(feature) || find_nearest_side(face, is_behind);
+    }
+    /// Whether a place may keep its normal: it is on no internal feature, has the normal of the face, or belongs to a
+    /// valley whose other slope has the middle behind it.
+    [[nodiscard]] bool keeps(Feature feature, const Vec3& normal, const Vec3& face) const {
+        if (!is_internal(feature)) return true;
+        if (dot(face, normal) * (is_back ? -1.0f : 1.0f) > 1.0f - 0x1p-20f) return true;
+        return faces && !is_flat(feature) && !faces(feature);
+    }
+};
+
+/// Returns the normal of a face on one side or, where that would lead the middle back, the direction nearest to it that
+/// does not.
+inline Vec3 outward_from(const Vec3& face, bool is_back, const Vec3& to_middle, float rounding, bool& is_turned) {
+    const Vec3 outward = is_back ? face * -1.0f : face;
+    const float level = dot(outward, to_middle);
+    is_turned = level < -rounding;
+    return is_turned ? direction_of(outward - to_middle * (level / dot(to_middle, to_middle))) : outward;
+}
+
+/// A closest or deepest place comes first. If it is on an internal feature, or the way out of it led the body's middle
+/// through the triangle, its normal is that of the facing side.
 struct Touches {
     static constexpr unsigned most = 8;
     Touch touch[most];
     unsigned count = 0;
+    float nearest = 0.0f;  ///< the distance of body and triangle, or minus the length of the shortest way out
+    bool is_beside =
+        false;  ///< the first place is on an internal feature, and no part of the body is over the triangle
 
     /// Adds a place on the face unless it is nearer than `apart` to one before it.
     void add(const Vec3& point, const Vec3& normal, float distance, float apart) {
@@ -94,13 +139,19 @@ struct Touches {
 struct Separation {
     Vec3 normal;
     float gap = -infinity;
+
+    [[nodiscard]] bool rules_out(float of_way) const { return of_way <= gap; }
+    void offer(const Vec3& way, float of_way) {
+        if (!rules_out(of_way)) *this = {way, of_way};
+    }
 };
 
 /// Writes how a point touches the triangle, or is near it.
-void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, Touches& touches);
+void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, const FacingSide& side, Touches& touches);
 
 /// Writes how a segment touches the triangle, or is near it: also where its ends are no farther than `reach`.
-void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, float reach, Touches& touches);
+void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                   Touches& touches);
 
 /// A box of any orientation, its center an integer point.
 struct BoxBody {
@@ -113,7 +164,8 @@ struct BoxBody {
 };
 
 /// Writes how a box touches the triangle, or is no farther away than `reach`; nothing if it is farther.
-void touch_box(const BoxBody& box, const LatticeTriangle& triangle, float reach, Touches& touches);
+void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+               Touches& touches);
 
 /// Returns the unit normal on the front of a triangle; of one without area any direction across it.
 Vec3 front_of(const LatticeTriangle& triangle);

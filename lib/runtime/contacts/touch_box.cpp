@@ -7,22 +7,24 @@ namespace espalier::detail::contacts {
 
 namespace {
 
-void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Separation& best) {
+/// Offers both senses of an axis to a Separation or a GapAlong.
+template <class Best>
+void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Best& best) {
     float reach = 0.0f;
     for (const Vec3& half : box.half) reach += absolute(dot(unit, half));
     const float at[3] = {dot(unit, seen.corner[0]), dot(unit, seen.corner[1]), dot(unit, seen.corner[2])};
     const float low = minimum(minimum(at[0], at[1]), at[2]), high = maximum(maximum(at[0], at[1]), at[2]);
-    const float above = low - reach, below = -high - reach;  // the triangle is ahead of the box, or behind it
-    if (above > best.gap) best = {unit * -1.0f, above};
-    if (below > best.gap) best = {unit, below};
+    best.offer(unit * -1.0f, low - reach);  // the triangle is ahead of the box
+    best.offer(unit, -high - reach);        // or behind it
 }
 
-void try_direction(const Vec3& axis, const BoxBody& box, const SeenTriangle& seen, Separation& best) {
+template <class Best>
+void try_direction(const Vec3& axis, const BoxBody& box, const SeenTriangle& seen, Best& best) {
     if (largest(axis) > 0.0f) try_unit_axis(direction_of(axis), box, seen, best);
 }
 
-Separation separate(const BoxBody& box, const SeenTriangle& seen) {
-    Separation best;
+template <class Best>
+void separate(const BoxBody& box, const SeenTriangle& seen, Best& best) {
     try_unit_axis(seen.front, box, seen, best);
     bool is_flat = false;
     for (const Vec3& face : box.face) {
@@ -36,7 +38,7 @@ Separation separate(const BoxBody& box, const SeenTriangle& seen) {
             if (dot(axis, axis) > 0.0f) try_unit_axis(axis, box, seen, best);
         }
     }
-    if (!is_flat) return best;
+    if (!is_flat) return;
     // Without volume, also the normals of each direction within whichever plane all may lie in.
     constexpr Vec3 units[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
     for (const Vec3& unit : units) {
@@ -46,7 +48,6 @@ Separation separate(const BoxBody& box, const SeenTriangle& seen) {
             try_direction(cross(unit, to_vector(seen.side[i])), box, seen, best);
         }
     }
-    return best;
 }
 
 /// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face.
@@ -133,18 +134,25 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
 
 }  // namespace
 
-void touch_box(const BoxBody& box, const LatticeTriangle& triangle, float reach, Touches& touches) {
+void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+               Touches& touches) {
     const SeenTriangle seen(triangle, box.center, box.fraction_bits);
-    const Separation separation = separate(box, seen);
+    Separation separation;
+    separate(box, seen, separation);
     if (separation.gap > reach) return;
-    const Vec3 moved = separation.gap < 0.0f ? separation.normal * -separation.gap : Vec3{};
-    const NearestPair nearest = nearest_pair(box, moved, seen);
-    const float distance = separation.gap < 0.0f ? separation.gap : square_root(nearest.squared);
-    if (distance > reach) return;
-    const float size = box.size + seen.reach();
-    const Vec3 normal = direction_between(nearest, separation, distance, size);
-    const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits);
-    touches.touch[0] = {center + nearest.on_triangle, normal, distance, nearest.feature};
+    FirstPlace first;
+    first.size = box.size + seen.reach();
+    first.is_deep = separation.gap < 0.0f;
+    first.nearest = nearest_pair(box, first.is_deep ? separation.normal * -separation.gap : Vec3{}, seen);
+    first.distance = first.is_deep ? separation.gap : square_root(first.nearest.squared);
+    if (first.distance > reach) return;
+    first.normal = direction_between(first.nearest, separation, first.distance, first.size);
+    touches.nearest = first.distance;
+    touches.is_beside = !first.turn(
+        seen, side, [&](GapAlong& along) { separate(box, seen, along); },
+        [&](const Vec3& moved) { return nearest_pair(box, moved, seen); });
+    const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits), normal = first.normal;
+    touches.touch[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
     touches.count = 1;
 
     const float steepness = dot(seen.face, normal);
@@ -154,8 +162,9 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, float reach,
     for (unsigned i = 0; i < Prism::plane_count; ++i) polygon.cut(prism.on_plane[i], prism.inward[i]);
     for (unsigned i = 0; i < polygon.count; ++i) {
         const float gap = dot(seen.face, polygon.vertex[i] - seen.corner[0]) / steepness;
-        if (gap <= reach)
-            touches.add(center + (polygon.vertex[i] - normal * gap), normal, gap, box.size * (1.0f / 64.0f));
+        const Vec3 place = polygon.vertex[i] - normal * gap;
+        if (gap <= reach && dot(normal, place) <= 0.0f)
+            touches.add(center + place, normal, gap, box.size * (1.0f / 64.0f));
     }
 }
 

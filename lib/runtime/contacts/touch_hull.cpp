@@ -38,10 +38,12 @@ void for_each_edge(const HullBody& hull, Function function) {
     }
 }
 
-/// Looks for the direction that separates most.
+/// Offers the directions that may separate to a Separation or a GapAlong.
+template <class Best>
 class Separating {
 public:
-    Separating(const HullBody& hull, const TriangleBeside& triangle) : hull_(hull), triangle_(triangle) {
+    Separating(const HullBody& hull, const TriangleBeside& triangle, Best& best)
+        : hull_(hull), triangle_(triangle), best_(best) {
         for (const float sense : {1.0f, -1.0f}) try_way(triangle.front * sense);
         for (unsigned face = 0; face < hull.face_count; ++face) try_face(face);
         for_each_edge(hull, [&](const HullEdge& edge) {
@@ -49,7 +51,6 @@ public:
             if (hull.vertex_count == 2) try_across(edge.units);
         });
     }
-    [[nodiscard]] const Separation& best() const { return best_; }
 
 private:
     /// Tries a unit vector that leads from the hull to the triangle.
@@ -58,15 +59,15 @@ private:
         float high = -infinity;
         for (unsigned i = 0; i < hull_.vertex_count; ++i) {
             high = maximum(high, dot(way, hull_.at(i)));
-            if (low - high <= best_.gap) return;
+            if (best_.rules_out(low - high)) return;
         }
-        best_ = {way * -1.0f, low - high};
+        best_.offer(way * -1.0f, low - high);
     }
     void try_face(unsigned face) {
         const Vec3 way = direction_of(hull_.normal_of_face(face));
         if (!(dot(way, way) > 0.0f)) return;
         const float gap = triangle_.lowest(way) - dot(way, hull_.at(hull_.from[hull_.first[face]]));
-        if (gap > best_.gap) try_way(way);
+        if (!best_.rules_out(gap)) try_way(way);
     }
     /// Tries both directions across an edge of the hull and a side.
     void try_edges(const HullEdge& edge, unsigned side) {
@@ -84,8 +85,8 @@ private:
         if (!goes_up && !goes_down) return;
         const Vec3 way = direction_of(scaled);
         const float gap = dot(way, triangle_.corner[side] - from);
-        if (goes_up && gap > best_.gap) try_way(way);
-        if (goes_down && -gap > best_.gap) try_way(way * -1.0f);
+        if (goes_up && !best_.rules_out(gap)) try_way(way);
+        if (goes_down && !best_.rules_out(-gap)) try_way(way * -1.0f);
     }
 
     /// Tries directions across a segment. A triangle that is a point has no sides, so that no product gives one.
@@ -101,7 +102,7 @@ private:
 
     const HullBody& hull_;
     const TriangleBeside& triangle_;
-    Separation best_;
+    Best& best_;
 };
 
 /// Whether a point is over a face of the hull, or under it, along a direction that leads from there to the outside.
@@ -201,7 +202,8 @@ void add_places_over(const HullBody& hull, const TriangleBeside& triangle, const
     FarthestPlaces places(normal);
     const auto offer = [&](const Vec3& on_hull) {
         const float gap = dot(triangle.face, on_hull - triangle.corner[0]) / steepness;
-        if (gap <= reach) places.offer(on_hull - normal * gap, gap);
+        const Vec3 place = on_hull - normal * gap;
+        if (gap <= reach && dot(normal, place) <= 0.0f) places.offer(place, gap);
     };
     const Prism prism(triangle.corner, normal);
     for (unsigned face = 0; face < hull.face_count; ++face) {
@@ -219,7 +221,7 @@ void add_places_over(const HullBody& hull, const TriangleBeside& triangle, const
         for (const Vec3& corner : triangle.corner) {
             if (!is_over(hull, face, normal * -1.0f, corner)) continue;
             const float gap = dot(outward, hull.at(hull.from[hull.first[face]]) - corner) / facing;
-            if (gap <= reach) places.offer(corner, gap);
+            if (gap <= reach && dot(normal, corner) <= 0.0f) places.offer(corner, gap);
         }
     }
     places.add_to(touches, middle, normal, hull.size * (1.0f / 64.0f));
@@ -227,23 +229,31 @@ void add_places_over(const HullBody& hull, const TriangleBeside& triangle, const
 
 }  // namespace
 
-void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, float reach, Touches& touches) {
+void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                Touches& touches) {
     const TriangleBeside beside(hull, triangle);
-    const Separation separation = Separating(hull, beside).best();
+    Separation separation;
+    Separating(hull, beside, separation);
     if (separation.gap > reach) return;
+    FirstPlace first;
+    first.size = beside.size;
     // Directions within the plane of a flat hull are not tried: only the distance can say that it is apart there.
     const bool is_in_doubt = separation.gap > beside.size * -0x1p-20f;
     const Vec3 moved = is_in_doubt ? Vec3{} : separation.normal * -separation.gap;
-    const NearestPair nearest = nearest_pair(hull, moved, beside);
+    first.nearest = nearest_pair(hull, moved, beside);
     const float rounding = beside.size * 0x1p-19f;
-    const bool is_deep = separation.gap < 0.0f && (!is_in_doubt || nearest.squared <= rounding * rounding);
-    const float distance = is_deep ? separation.gap : square_root(nearest.squared);
-    if (distance > reach) return;
-    const Vec3 normal = direction_between(nearest, separation, distance, beside.size);
+    first.is_deep = separation.gap < 0.0f && (!is_in_doubt || first.nearest.squared <= rounding * rounding);
+    first.distance = first.is_deep ? separation.gap : square_root(first.nearest.squared);
+    if (first.distance > reach) return;
+    first.normal = direction_between(first.nearest, separation, first.distance, beside.size);
+    touches.nearest = first.distance;
+    touches.is_beside = !first.turn(
+        beside, side, [&](GapAlong& along) { Separating(hull, beside, along); },
+        [&](const Vec3& by) { return nearest_pair(hull, by, beside); });
     const Vec3 middle = to_vector(hull.middle) * hull.scale;
-    touches.touch[0] = {middle + nearest.on_triangle, normal, distance, nearest.feature};
+    touches.touch[0] = {middle + first.nearest.on_triangle, first.normal, first.distance, first.nearest.feature};
     touches.count = 1;
-    add_places_over(hull, beside, normal, reach, middle, touches);
+    add_places_over(hull, beside, first.normal, reach, middle, touches);
 }
 
 }  // namespace espalier::detail::contacts

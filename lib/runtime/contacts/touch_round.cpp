@@ -81,7 +81,7 @@ Vec3 front_of(const LatticeTriangle& triangle) {
     return direction_of(detail::cross(longest, axis));
 }
 
-void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, Touches& touches) {
+void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, const FacingSide& side, Touches& touches) {
     const PointDistance distance = distance_to(point, triangle);
     const OriginRelative t = relative_to(point, triangle);
     Vec3 normal = direction_from(distance.feature, t, triangle, point.fraction_bits);
@@ -89,9 +89,12 @@ void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, Tou
     touches.touch[0] = {place_at(triangle, distance.u, distance.v), normal,
                         square_root(distance.squared) + point.distance_offset, distance.feature};
     touches.count = 1;
+    touches.nearest = touches.touch[0].distance;
+    touches.is_beside = side.is_internal(distance.feature);
 }
 
-void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, float reach, Touches& touches) {
+void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                   Touches& touches) {
     const SegmentDistance distance = distance_to(segment, triangle);
     Touch& first = touches.touch[0];
     first.point = place_at(triangle, distance.u, distance.v);
@@ -111,11 +114,9 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
         first.distance = square_root(distance.squared);
     }
     touches.count = 1;
+    touches.nearest = first.distance;
 
-    // Where the segment lies over the face, both ends of that part touch it too.
-    const Vec3 face = face_normal_of(triangle), way = first.normal;
-    const float steepness = dot(face, way);
-    if (absolute(steepness) < 0.25f) return;
+    const Vec3 face = face_normal_of(triangle);
     const auto from_start = [&](const std::int32_t* corner) {
         return Vec3{static_cast<float>(corner[0]) - segment.from_steps[0],
                     static_cast<float>(corner[1]) - segment.from_steps[1],
@@ -125,13 +126,39 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
                             from_start(triangle.corner[2])};
     const Vec3 start = {segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]};
     const Vec3 along = Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start;
+    const bool is_deep = distance.squared == 0.0f;
+    const Vec3 middle = along * 0.5f;
+    bool leads_through = false;  // the middle, after the way out
+    for (const Vec3& at : corner) leads_through = leads_through || (is_deep && dot(first.normal, at - middle) > 0.0f);
+    bool is_back = false;
+    if (largest(face) > 0.0f && (leads_through || !side.keeps(first.feature, first.normal, face)) &&
+        (side.finds_side(first.feature, face, is_back) || leads_through)) {
+        const Vec3 to_middle = start + middle - first.point;
+        bool is_turned = false;
+        const Vec3 outward = outward_from(face, is_back, to_middle, largest(to_middle) * 0x1p-20f, is_turned);
+        float low = 0.0f, high = 1.0f;
+        const bool is_over = Prism(corner, outward).clip({}, along, low, high);
+        const float steepness = dot(face, outward), at_low = dot(face, along * low - corner[0]) / steepness,
+                    at_high = dot(face, along * high - corner[0]) / steepness;
+        touches.is_beside = !is_deep && !(is_over && maximum(at_low, at_high) >= 0.0f);
+        if (!touches.is_beside) first.normal = outward;
+        if (is_deep && is_over) {
+            first.distance = minimum(first.distance, minimum(at_low, at_high));
+            if (!is_turned) first.point = start + along * (at_low < at_high ? low : high) - outward * first.distance;
+        }
+    }
+
+    // Where the segment lies over the face, both ends of that part touch it too.
+    const Vec3 way = first.normal;
+    const float steepness = dot(face, way);
     float low = 0.0f, high = 1.0f;
-    if (!Prism(corner, way).clip({}, along, low, high)) return;
+    if (absolute(steepness) < 0.25f || !Prism(corner, way).clip({}, along, low, high)) return;
     const float apart = largest(along) * (1.0f / 64.0f);
     for (const float share : {low, high}) {
         const Vec3 place = along * share;
         const float gap = dot(face, place - corner[0]) / steepness;
-        if (gap <= reach) touches.add(start + (place - way * gap), way, gap, apart);
+        const bool is_below_middle = dot(way, middle - (place - way * gap)) >= 0.0f;
+        if (gap <= reach && is_below_middle) touches.add(start + (place - way * gap), way, gap, apart);
     }
 }
 

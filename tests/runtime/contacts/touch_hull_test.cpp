@@ -143,10 +143,13 @@ TEST_CASE("contact: a hull has the distance or depth and the direction of the re
         const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(hull.size);
         const double error = size * 0x1p-18;
         const float margin = static_cast<float>(size) * 0.1f;
+        GridPoint middle;
+        for (unsigned k = 0; k < 3; ++k) middle[k] = static_cast<std::int32_t>(hull.middle[k]);
         Touches touches;
-        detail::contacts::touch_hull(hull, lattice_triangle(triangle), margin, touches);
+        detail::contacts::touch_hull(hull, lattice_triangle(triangle), side_of(middle, triangle), margin, touches);
         CAPTURE(i);
-        tally.take({points_of(vertices), corners_of(triangle), size, error}, touches, margin);
+        tally.take({{points_of(vertices), corners_of(triangle), to_point(middle), error, false, 2.0}, size}, touches,
+                   margin);  // its middle is a whole number
     }
     tally.report(count, "hulls");
 }

@@ -18,6 +18,8 @@ using detail::contacts::operator*;
 
 Integer3 integer_point(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
+GridPoint twice_of(const GridPoint& p) { return {2 * p[0], 2 * p[1], 2 * p[2]}; }
+
 detail::RoundedSegment segment_of(const GridPoint& from, const GridPoint& to) {
     detail::RoundedSegment segment{};
     segment.from = integer_point(from);
@@ -44,10 +46,10 @@ TEST_CASE("contact: a point has the distance and the direction of the reference"
             point.steps[k] = static_cast<float>(at[k]);
         }
         Touches touches;
-        detail::contacts::touch_point(point, lattice_triangle(triangle), touches);
+        detail::contacts::touch_point(point, lattice_triangle(triangle), side_of(at, triangle), touches);
         REQUIRE(touches.count == 1);
         const double size = std::ldexp(1.0, static_cast<int>(bits));
-        require_right({{to_point(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
+        require_right({{{to_point(at)}, corners_of(triangle), to_point(at), size * 0x1p-20}, size}, touches, worst);
     }
     MESSAGE(count, " points; worst error ", worst, " of the size");
 }
@@ -63,10 +65,15 @@ TEST_CASE("contact: a segment has the distance or depth and the direction of the
         const GridPoint from = point_near(random, bits, triangle), to = point_near(random, bits, triangle);
         Touches touches;
         const double size = std::ldexp(1.0, static_cast<int>(bits));
-        detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle),
+        GridPoint twice;
+        for (unsigned k = 0; k < 3; ++k) twice[k] = from[k] + to[k];
+        const GridTriangle doubled = {twice_of(triangle.a), twice_of(triangle.b), twice_of(triangle.c)};
+        detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle), side_of(twice, doubled),
                                         static_cast<float>(size) * 0.25f, touches);
         REQUIRE(touches.count >= 1);
-        const Case asked = {{to_point(from), to_point(to)}, corners_of(triangle), size, size * 0x1p-18};
+        const Points ends = {to_point(from), to_point(to)};
+        const Case asked = {{ends, corners_of(triangle), middle_of(ends), size * 0x1p-18}, size};
+        CAPTURE(i);
         require_right(asked, touches, worst);
         if (touches.touch[0].distance < 0.0f) ++deep;
         if (touches.count > 1) ++several;
@@ -120,8 +127,9 @@ TEST_CASE("contact: a box has the distance or depth and the direction of the ref
         const double error = size * 0x1p-18;
         const float margin = static_cast<float>(size) * 0.1f;
         Touches touches;
-        detail::contacts::touch_box(box, lattice_triangle(triangle), margin, touches);
-        tally.take({corners_of(to_point(at), box.half), corners_of(triangle), size, error}, touches, margin);
+        detail::contacts::touch_box(box, lattice_triangle(triangle), side_of(at, triangle), margin, touches);
+        tally.take({{corners_of(to_point(at), box.half), corners_of(triangle), to_point(at), error}, size}, touches,
+                   margin);
     }
     tally.report(count, "boxes");
 }
