@@ -276,6 +276,33 @@ BakeResult bake(std::span<const MeshView> meshes, const BakeOptions& options = {
 /// reads. Empty unless the result's status is ok.
 [[nodiscard]] std::vector<std::byte> remap_file(const BakeResult& result);
 
+/// A blob that join_borders() changes, and how far it is moved in the world.
+struct JoinedBlob {
+    std::span<std::byte> bytes;
+    Vec3 translation = {};  ///< as an Instance that is neither turned nor scaled
+};
+
+/// The outcome of join_borders(). Converts to true if the borders are joined.
+struct [[nodiscard]] JoinReport {
+    BakeStatus status = BakeStatus::internal;
+    std::string message;      ///< what is wrong, where, and what to do; empty if status is ok
+    std::uint64_t edges = 0;  ///< that two triangles share now
+
+    explicit operator bool() const noexcept { return status == BakeStatus::ok; }
+};
+
+/// Gives the edges on the borders of blobs the kind that the surface has where it goes on in another one: the tiles of
+/// a ground, on which contacts (contact.hpp) then do not lean over the seams. Changes edge flags and the checksum.
+///
+/// The blobs have edge flags of one flat_angle, and one lattice: the same step, and places that differ by whole steps.
+/// An edge is joined where exactly two triangles of all blobs run along it in opposite directions, and neither blob has
+/// another triangle there; all other edges of one triangle become boundaries. A further call with more blobs gives the
+/// same as a single one. What is refused, with invalid_mesh, changes no blob. A blob given twice, at two places, has
+/// the kinds of its last one: give each place bytes of its own.
+///
+/// Takes about 200 bytes of memory per triangle.
+JoinReport join_borders(std::span<const JoinedBlob> blobs);
+
 /// The outcome of verify or verify_scene. Converts to true if the blob or scene is sound.
 struct [[nodiscard]] VerifyReport {
     bool sound = false;
@@ -288,8 +315,8 @@ struct [[nodiscard]] VerifyReport {
 ///
 /// A sound blob opens. Every box contains all vertices below it and ends near the asset. No triangle is without area,
 /// and no two are the same. The vertices of each leaf are numbered by first use. Extent, vertex count, the closed flag,
-/// duplicate references, edge flags and stored bounds are true. Of a triangle that is in several leaves, each corner
-/// lies in the boxes of one of them.
+/// duplicate references, edge flags and stored bounds are true; an edge of one triangle may be joined to another blob.
+/// Of a triangle that is in several leaves, each corner lies in the boxes of one of them.
 ///
 /// A deformable blob may have triangles without area and equal ones. Its boxes and the sizes of its leaves are the
 /// least, as refit() makes them, and its vertices are those of its positions.

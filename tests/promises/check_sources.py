@@ -61,7 +61,7 @@ BAKER = {  # in the order of its stages
     "sections": "base input quantise build collapse",
     "encode": "base input quantise build collapse sections",
     "verify": "base input quantise build collapse sections",
-    "scenes": "base build optimise collapse encode verify",
+    "scenes": "base build optimise collapse sections encode verify",
     "c": "base",
 }
 TOOLS = {  # from what all of the command uses to the command line

@@ -180,3 +180,19 @@ def test_mesh_files(mesh, tmp_path):
     (tmp_path / "b.ply").write_bytes(header.replace(b" uchar int", b" char int") + vertices + b"\xff" + faces)
     raises(ValueError, "b.ply", espalier.bake_file, tmp_path / "b.ply")
     raises(ValueError, "only", espalier.bake_file, tmp_path / "a.glb")
+
+
+def test_joined_borders_carry_a_ball_over_the_seam():
+    def ground(x):
+        positions = np.array([[x, -4, 0], [x + 4, -4, 0], [x + 4, 4, 0], [x, 4, 0]], np.float32)
+        return espalier.bake(positions, [[0, 1, 2], [0, 2, 3]], step_exponent=-8, flat_angle=5)
+
+    def leaning(left, right):
+        return [abs(tile.contacts(espalier.Sphere([x, 0, 0.24], 0.25), 0.05).items["normal"][..., 0]).max(initial=0)
+                for tile, x in ((left, 0.1), (right, 8.1))]
+
+    tiles, moved = [ground(-4), ground(8)], [[0, 0, 0], [-8, 0, 0]]
+    assert max(leaning(*tiles)) > 0
+    joined = espalier.join_borders(tiles, moved)
+    assert max(leaning(*joined)) == 0
+    raises(espalier.BakeError, "blob 1 does not lie", espalier.join_borders, tiles, [[0, 0, 0], [0.001, 0, 0]])

@@ -1,4 +1,4 @@
-// espalier/c/bake.h: scenes, and the deep check of blobs and scenes.
+// espalier/c/bake.h: scenes, borders between blobs, and the deep check of blobs and scenes.
 #include <espalier/c/bake.h>
 
 #include <cstddef>
@@ -31,23 +31,40 @@ const espalier_bake_result* refuse(const char* name, const char* count_name, std
                        default_memory);
 }
 
+/// Returns null if all of the blobs have bytes.
+template <class Blob>
+const espalier_bake_result* refuse_null(const Blob* blobs, std::size_t blob_count) {
+    if (blobs == nullptr && blob_count != 0) return refuse("blobs", "blob_count", blob_count);
+    for (std::size_t i = 0; i < blob_count; ++i)
+        if (blobs[i].bytes == nullptr && blobs[i].byte_count != 0)
+            return refuse(("bytes of blob " + std::to_string(i)).c_str(), "byte_count", blobs[i].byte_count);
+    return nullptr;
+}
+
 /// May throw whatever bake_scene() throws.
 const espalier_bake_result* bake_from_c(const espalier_bytes* blobs, std::size_t blob_count,
                                         const espalier_instance* given, std::size_t instance_count) {
-    if (blobs == nullptr && blob_count != 0) return refuse("blobs", "blob_count", blob_count);
+    if (const auto* refused = refuse_null(blobs, blob_count)) return refused;
     if (given == nullptr && instance_count != 0) return refuse("instances", "instance_count", instance_count);
     std::vector<std::span<const std::byte>> bytes;
-    for (const espalier_bytes& blob : std::span(blobs, blob_count)) {
-        if (blob.bytes == nullptr && blob.byte_count != 0) {
-            const std::string number = "bytes of blob " + std::to_string(bytes.size());
-            return refuse(number.c_str(), "byte_count", blob.byte_count);
-        }
+    for (const espalier_bytes& blob : std::span(blobs, blob_count))
         bytes.push_back(span_of(blob.bytes, blob.byte_count));
-    }
     std::vector<Instance> instances(instance_count);
     if (instance_count != 0)
         std::memcpy(static_cast<void*>(instances.data()), given, instance_count * sizeof(Instance));
     return make_result(bake_scene(bytes, instances), default_memory);
+}
+
+/// May throw whatever join_borders() throws.
+const espalier_bake_result* join_from_c(const espalier_joined_blob* given, std::size_t count, std::uint64_t* edges) {
+    if (const auto* refused = refuse_null(given, count)) return refused;
+    std::vector<JoinedBlob> blobs;
+    for (const espalier_joined_blob& blob : std::span(given, count))
+        blobs.push_back({{static_cast<std::byte*>(blob.bytes), blob.byte_count},
+                         {blob.translation.x, blob.translation.y, blob.translation.z}});
+    const JoinReport report = join_borders(blobs);
+    if (edges != nullptr) *edges = report.edges;
+    return make_result(Failure{static_cast<espalier_bake_status>(report.status), report.message}, default_memory);
 }
 
 /// Returns the result of a check of bytes.
@@ -68,6 +85,12 @@ const espalier_bake_result* espalier_bake_scene(const espalier_bytes* blobs, siz
                                                 const espalier_instance* instances, size_t instance_count) {
     return without_exceptions(default_memory,
                               [&] { return bake_from_c(blobs, blob_count, instances, instance_count); });
+}
+
+const espalier_bake_result* espalier_join_borders(const espalier_joined_blob* blobs, size_t blob_count,
+                                                  uint64_t* edges) {
+    if (edges != nullptr) *edges = 0;
+    return without_exceptions(default_memory, [&] { return join_from_c(blobs, blob_count, edges); });
 }
 
 const espalier_bake_result* espalier_verify(const void* bytes, size_t byte_count) {

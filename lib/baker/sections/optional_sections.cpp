@@ -21,7 +21,7 @@ void put_edge_flags(std::vector<std::byte>& blob, const OptionalSections& sectio
     put_u32(blob, sections.flat_limit);
     BitStream stream(blob);
     for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
-        const auto& flags = sections.edge_flags[wide.triangles[i]];
+        const auto& flags = sections.edge_flags[wide.triangles[i]].kinds;
         for (unsigned edge = 0; edge < 3; ++edge)
             stream.put(flags[(wide.first_corners[i] + edge) % 3u], format::edge_flags::edge_bits);
     }
@@ -45,9 +45,9 @@ std::optional<std::string> check_edge_flags(const Blob& blob, const LatticeMesh&
         const EdgeKind kinds[3] = {found.ab, found.bc, found.ca};
         for (std::size_t edge = 0; edge < 3; ++edge) {
             const auto kind = static_cast<std::uint8_t>(kinds[edge]);
-            if (kind == flags[edge]) continue;
+            if (kind == flags.kinds[edge] || flags.is_alone[edge]) continue;  // perhaps joined to another blob
             return "triangle " + std::to_string(index) + " calls its edge " + edge_names[edge] + ' ' +
-                   kind_names[kind] + ", but it is " + kind_names[flags[edge]];
+                   kind_names[kind] + ", but it is " + kind_names[flags.kinds[edge]];
         }
     }
     return std::nullopt;

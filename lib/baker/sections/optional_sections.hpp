@@ -13,6 +13,7 @@
 
 #include <baker/collapse/order.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
+#include <baker/sections/edge_flags.hpp>
 #include <baker/sections/fit_bounds.hpp>
 
 namespace espalier::baker {
@@ -20,7 +21,7 @@ namespace espalier::baker {
 struct OptionalSections {
     std::uint32_t features = 0;
     std::uint32_t flat_limit = 0;
-    std::vector<std::array<std::uint8_t, 3>> edge_flags;  ///< of each triangle of the mesh
+    std::vector<EdgeFlags> edge_flags;  ///< of each triangle of the mesh
     FittedBox box;
     FittedSphere sphere;
     FittedKDop k_dop;

@@ -227,6 +227,19 @@ typedef struct espalier_bytes {
 const espalier_bake_result* espalier_bake_scene(const espalier_bytes* blobs, size_t blob_count,
                                                 const espalier_instance* instances, size_t instance_count);
 
+/* A blob that espalier_join_borders() changes, and how far it is moved in the world. */
+typedef struct espalier_joined_blob {
+    void* bytes;
+    size_t byte_count;
+    espalier_vec3 translation;
+} espalier_joined_blob;
+
+/* Gives the edges on the borders of blobs the kind that the surface has where it goes on in another one, as
+ * join_borders() of bake.hpp. Sets `edges`, which may be null, to the number of edges that two blobs share now. What is
+ * refused changes no blob. The result has no bytes. */
+const espalier_bake_result* espalier_join_borders(const espalier_joined_blob* blobs, size_t blob_count,
+                                                  uint64_t* edges);
+
 /* Tests whether a blob or a scene is what its header states, as verify() and verify_scene() of bake.hpp. The status is
  * ok or ESPALIER_BAKE_NOT_SOUND with the first thing that is wrong; the result has no bytes. Memory: about 60 bytes per
  * triangle. */

@@ -16,7 +16,7 @@ from types import ModuleType as _ModuleType
 from . import pairs
 from ._core import version as __version__
 from .baking import BakeWarning, Mesh, bake, bake_file, bake_meshes
-from .blob import Blob, Refitted, open_blob, verify
+from .blob import Blob, Refitted, join_borders, open_blob, verify
 from .errors import BakeError, OpenError
 from .mesh_files import read_mesh
 from .moving_scenes import MovingScene, Pairs, open_moving_scene

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .baked import Baked, bytes_of
-from .errors import OpenError
+from .errors import BakeError, OpenError
 from .integers import integer_array
 from .points import ShapeQueries
 from .rays import RayQueries
@@ -163,6 +163,20 @@ def open_blob(source: Any) -> Blob:
     if isinstance(opened, int):
         raise OpenError(opened)
     return Blob(opened)
+
+
+def join_borders(blobs: Sequence[Blob], translations: ArrayLike = 0.0) -> list[Blob]:
+    """Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the tiles of a
+    ground, on which contacts then do not lean over the seams.
+
+    The blobs have edge flags of one flat_angle, and one lattice: bake them with the same `step`. translations: (n, 3),
+    how far each is moved, by whole steps. Raises BakeError with the number of the blob that does not fit.
+    """
+    moved = np.broadcast_to(np.asarray(translations, np.float32), (len(blobs), 3))
+    joined = _core.join_borders([blob._core for blob in blobs], moved.tolist())
+    if isinstance(joined, tuple):
+        raise BakeError(*joined)
+    return [Blob(core) for core in joined]
 
 
 def verify(source: Any) -> None:

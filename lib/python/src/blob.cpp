@@ -2,6 +2,7 @@
 #include "bindings.hpp"
 #include "held_blob.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -98,6 +99,30 @@ py::tuple refit_copy(const HeldBlob& self, const Positions& positions) {
     return py::make_tuple(std::move(pose), result.quality);
 }
 
+/// Returns (status, message), or the joined blobs.
+py::object join(const py::list& blobs, const std::vector<std::array<float, 3>>& translations) {
+    std::vector<std::vector<std::byte>> copies;
+    for (const py::handle blob : blobs) {
+        const auto bytes = blob.cast<const HeldBlob&>().bytes();
+        copies.emplace_back(bytes.begin(), bytes.end());
+    }
+    JoinReport report;
+    std::vector<HeldBlob> joined;
+    {
+        const py::gil_scoped_release unlocked;
+        std::vector<JoinedBlob> given;
+        for (std::size_t i = 0; i < copies.size(); ++i)
+            given.push_back({copies[i], {translations[i][0], translations[i][1], translations[i][2]}});
+        report = join_borders(given);
+        for (auto& bytes : copies) {
+            joined.push_back({HeldBytes::of(std::move(bytes)), {}});
+            joined.back().blob = open(joined.back().held->bytes());
+        }
+    }
+    if (!report) return py::make_tuple(static_cast<int>(report.status), report.message);
+    return py::cast(std::move(joined));
+}
+
 }  // namespace
 
 void bind_blob(py::module_& module) {
@@ -108,6 +133,7 @@ void bind_blob(py::module_& module) {
     });
     module.def("open", open_bytes);
     module.def("refit", refit_copy);
+    module.def("join_borders", join);
     module.def("verify", [](const py::object& object) {
         const auto held = HeldBytes::of(object);
         const py::gil_scoped_release unlocked;

@@ -122,6 +122,26 @@ export function resultOf(instance, name, ...rest) {
     }
 }
 
+/// Checks the arguments, and returns what joins the borders of blobs, given as bytes: a function of an instance, which serves
+/// once. It returns the bytes of each, which lie in memory of the instance.
+export function preparedJoin(blobs, translations) {
+    if (translations.count !== 1 && translations.count !== blobs.length)
+        throw new RangeError(`translations must have 3 numbers for each of the ${blobs.length} blobs`);
+    return (instance) => {
+        const { bytes: size } = instance.records.joined_blob, at = instance.allocate(size * blobs.length);
+        const places = blobs.map((bytes, i) => {
+            const address = instance.allocate(bytes.length), first = translations.count === 1 ? 0 : i * translations.stride;
+            instance.array(Uint8Array, address, bytes.length).set(bytes);
+            const translation = Array.from(translations.array.slice(first, first + 3));
+            instance.write('joined_blob', at + i * size, { bytes: address, byteCount: bytes.length, translation });
+            return address;
+        });
+        const result = resultOf(instance, 'espalier_join_borders', at, blobs.length, 0);
+        if (result.status !== OK) throw errorOf(instance, result);
+        return blobs.map((bytes, i) => instance.array(Uint8Array, places[i], bytes.length));
+    };
+}
+
 /// Checks meshes and options, and returns what bakes them: a function of an instance, which serves once. It returns
 /// bytes, which lie in memory of the instance, the report and the sources.
 export function preparedBake(given, options = {}) {

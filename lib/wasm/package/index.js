@@ -1,5 +1,6 @@
 // Espalier: baked collision meshes, queried straight from their bytes.
-import { preparedBake, resultOf } from './bake.js';
+import { Strided } from './arguments.js';
+import { preparedBake, preparedJoin, resultOf } from './bake.js';
 import { Blob } from './blob.js';
 import { VerifyError } from './errors.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
@@ -42,6 +43,11 @@ class Espalier {
 
     openBlob(source) {
         return new Blob(this.#instance, bytesOf(source));
+    }
+
+    async joinBorders(blobs, translations = [0, 0, 0]) {
+        const run = preparedJoin(blobs.map(bytesOf), new Strided(translations, 3, 'translations'));
+        return run(await Instance.create(this.#module)).map((bytes) => new Blob(this.#instance, bytes));
     }
 
     async bakeScene(blobs, instances) {

@@ -154,6 +154,7 @@ RECORD(baked_pair, FIELD(moving), FIELD_AS("instance", baked.index), FIELD_AS("i
 RECORD(filled_baked_pairs, FIELD(count), FIELD_AS("moving", next.moving), FIELD_AS("instance", next.baked.index),
        FIELD_AS("in_tile", next.baked.in_tile), FIELD(status))
 RECORD(bytes, FIELD(bytes), FIELD(byte_count))
+RECORD(joined_blob, FIELD(bytes), FIELD(byte_count), FIELD(translation))
 RECORD(lattice, FIELD(origin), FIELD(step_exponent), FIELD(extent))
 RECORD(mesh_view, FIELD(size), FIELD(positions), FIELD(position_count), FIELD(position_stride), FIELD(triangles),
        FIELD(triangle_count), FIELD(triangle_stride), FIELD(materials), FIELD(name), FIELD(file), FIELD(mesh),
@@ -190,8 +191,8 @@ using AllRecords =
             scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
             flags_table, scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
             instance_word_table, movement_table, pair_filter_table, instance_pair_table, filled_instance_pairs_table,
-            baked_pair_table, filled_baked_pairs_table, bytes_table, lattice_table, mesh_view_table, bake_options_table,
-            bake_report_table, bake_warning_table, bake_result_table>;
+            baked_pair_table, filled_baked_pairs_table, bytes_table, joined_blob_table, lattice_table, mesh_view_table,
+            bake_options_table, bake_report_table, bake_warning_table, bake_result_table>;
 
 }  // namespace
 

@@ -88,6 +88,40 @@ TEST_CASE("c api: a scene that cannot be baked is refused with the reason") {
     check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
 }
 
+TEST_CASE("c api: borders are joined as from C++ and what is refused is unchanged") {
+    std::vector<Bytes> tiles;
+    for (const float x : {0.0f, 1.0f}) {
+        const Mesh tile = moved_by(make_plane_grid(4), {x, 0.0f, 0.0f});  // from 0 to 1
+        tiles.push_back(OpenedBlob(tile, {.resolution = Resolution::step(-8), .flat_angle = 5.0}).bytes);
+    }
+    const auto untouched = tiles, expected = [&] {
+        auto joined = tiles;
+        const std::array<JoinedBlob, 2> blobs = {JoinedBlob{joined[0], {}}, JoinedBlob{joined[1], {}}};
+        CHECK(join_borders(blobs).edges > 0);
+        return joined;
+    }();
+    std::array<espalier_joined_blob, 2> given = {};
+    for (std::size_t i = 0; i < 2; ++i) given[i] = {tiles[i].data(), tiles[i].size(), {0.0f, 0.0f, 0.0f}};
+    given[1].translation.x = 0x1p-9f;
+    std::uint64_t edges = 9;
+    const BakedFromC refused(c99_join_borders(given.data(), 2, &edges));
+    CHECK(refused->status == ESPALIER_BAKE_INVALID_MESH);
+    CHECK(std::string(refused->message).find("blob 1") == 0);
+    CHECK(edges == 0);
+    CHECK(tiles == untouched);
+    given[1].translation.x = 0.0f;
+    const BakedFromC joined(c99_join_borders(given.data(), 2, &edges));
+    CHECK(joined->status == ESPALIER_BAKE_OK);
+    CHECK(edges > 0);
+    CHECK(tiles == expected);
+    const BakedFromC again(c99_join_borders(given.data(), 2, nullptr));
+    CHECK(again->status == ESPALIER_BAKE_OK);
+    given[0].bytes = nullptr;
+    check_refused(c99_join_borders(given.data(), 2, nullptr), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
+    check_refused(c99_join_borders(nullptr, 1, nullptr), ESPALIER_BAKE_INVALID_ARGUMENT, "blobs is null");
+    CHECK(BakedFromC(c99_join_borders(nullptr, 0, nullptr))->status == ESPALIER_BAKE_OK);
+}
+
 TEST_CASE("c api: the deep check has the verdict of C++") {
     Bytes blob = some_blob(1.0f);
     const BakedFromC sound(c99_verify(blob.data(), blob.size()));
