@@ -47,7 +47,7 @@ bool are_steps_sound(IdWalk& walk, std::uint32_t triangles, std::uint32_t bit_co
     if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > bit_count) return false;
     walk.begin();
     for (;;) {
-        if (walk.recent[0] >= limit) return false;
+        if (walk.newest >= limit) return false;
         if (--triangles == 0) return true;
         if (walk.find_kind() > bit_count - walk.fields.bit) return false;
         walk.take_step();
