@@ -20,7 +20,7 @@ namespace espalier {
 /// Returns the source's triangle of a triangle of the blob.
 ///
 /// Status: not_open, no_data (baked without ids), not_found for no_triangle, or invalid_argument for a triangle that
-/// the blob does not have. Cost: at most 127 steps from id to id, then O(log(number of meshes)).
+/// the blob does not have. Cost: at most 32 steps from id to id, then O(log(number of meshes)).
 Result<OriginalTriangle> original_triangle(const Blob& blob, TriangleId triangle) noexcept;
 
 /// Writes the source's triangle of each of `triangles` to the same place of `originals`, each with its own status.

@@ -117,9 +117,14 @@ void list_ids(Bytes bytes, const detail::BlobData& data, ByteListing& listing) {
                             text(factor == 1 ? "ids" : "ids.first corners", " of triangles from ", first, ':', values));
     }
     listing.field_up_to(static_cast<std::size_t>(detail::id_block(data, 0) - data.bytes), "padding");
-    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles)
+    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
+        const std::size_t at = listing.at();
+        std::string runs;
+        for (std::uint32_t run = 1; run * run_triangles < std::min(block_triangles, data.triangle_count - first); ++run)
+            runs += text(run == 1 ? ", runs " : " ", detail::run_begin(data.bytes + at, run), " bytes on");
         listing.field(block_bytes,
-                      text("block of triangles from ", first, ": at byte ", read_u32(bytes, listing.at())));
+                      text("block of triangles from ", first, ": at byte ", read_u32(bytes, at + begin_at), runs));
+    }
 }
 
 void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {

@@ -97,15 +97,17 @@ void count(std::span<const std::span<const std::uint32_t>> blocks, std::vector<C
     std::stable_sort(by_cost.begin(), by_cost.end(),
                      [](const Candidate* a, const Candidate* b) { return a->step_cost() < b->step_cost(); });
     for (const auto block : blocks) {
-        RecentNumbers recent(block[0]);
-        for (const std::uint32_t number : block.subspan(1)) {
-            const auto reaches = [&](const Candidate* each) { return each->kind.reaches(number, recent, mask); };
-            const auto best = std::find_if(by_cost.begin(), by_cost.end(), reaches);
-            const auto second = std::find_if(best + 1, by_cost.end(), reaches);
-            ++(*best)->uses;
-            if (second != by_cost.end()) (*best)->loss += (*second)->step_cost() - (*best)->step_cost();
-            recent.add(number, (*best)->kind.replaced);
-        }
+        for_each_run(block, [&](unsigned, std::span<const std::uint32_t> run) {
+            RecentNumbers recent(block[0]);
+            for (const std::uint32_t number : run) {
+                const auto reaches = [&](const Candidate* each) { return each->kind.reaches(number, recent, mask); };
+                const auto best = std::find_if(by_cost.begin(), by_cost.end(), reaches);
+                const auto second = std::find_if(best + 1, by_cost.end(), reaches);
+                ++(*best)->uses;
+                if (second != by_cost.end()) (*best)->loss += (*second)->step_cost() - (*best)->step_cost();
+                recent.add(number, (*best)->kind.replaced);
+            }
+        });
     }
 }
 

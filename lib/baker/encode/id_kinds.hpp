@@ -42,6 +42,16 @@ struct IdKind {
     }
 };
 
+/// Calls `take` with the place of each run of a block and the numbers that it steps to, from the block's first on.
+template <class Take>
+void for_each_run(std::span<const std::uint32_t> block, Take take) {
+    using format::ids::run_triangles;
+    for (std::size_t at = 0; at < block.size(); at += run_triangles) {
+        const auto run = block.subspan(at, std::min<std::size_t>(block.size() - at, run_triangles));
+        take(static_cast<unsigned>(at / run_triangles), at == 0 ? run.subspan(1) : run);
+    }
+}
+
 struct IdKinds {
     unsigned kind_bits = 0;     ///< no code is longer
     std::vector<IdKind> kinds;  ///< the first takes every step; every row of kind_bits bits begins with the code of one

@@ -45,18 +45,28 @@ IdSteps put_ids(std::vector<std::byte>& blob, std::span<const std::uint32_t> num
     std::vector<std::byte> blocks;
     const std::size_t begin = blob.size();
     for (std::size_t first = 0; first < numbers.size(); first += block_triangles) {
-        put_u32(blocks, static_cast<std::uint32_t>(blob.size() - begin));
+        const std::size_t begin_of_block = blob.size();
+        std::uint32_t begins_of_runs = 0;
         BitStream stream(blob);
         stream.put(numbers[first], number_bits);
-        RecentNumbers recent(numbers[first]);
-        for (const std::uint32_t number :
-             numbers.subspan(first + 1, std::min<std::size_t>(numbers.size() - first, block_triangles) - 1)) {
-            const IdKind& kind = best_kind(kinds, number, recent, mask);
-            stream.put(kind.code, kind.prefix);
-            stream.put((number - recent[kind.from] - kind.offset) & mask, kind.width);
-            recent.add(number, kind.replaced);
-        }
+        for_each_run(numbers.subspan(first, std::min<std::size_t>(numbers.size() - first, block_triangles)),
+                     [&](unsigned run, std::span<const std::uint32_t> steps) {
+                         if (run != 0) {
+                             stream.finish();
+                             const auto at = static_cast<std::uint32_t>(blob.size() - begin_of_block);
+                             begins_of_runs |= at << run_begin_bits * (run - 1);
+                         }
+                         RecentNumbers recent(numbers[first]);
+                         for (const std::uint32_t number : steps) {
+                             const IdKind& kind = best_kind(kinds, number, recent, mask);
+                             stream.put(kind.code, kind.prefix);
+                             stream.put((number - recent[kind.from] - kind.offset) & mask, kind.width);
+                             recent.add(number, kind.replaced);
+                         }
+                     });
         stream.finish();
+        put_u32(blocks, static_cast<std::uint32_t>(begin_of_block - begin));
+        put_u32(blocks, begins_of_runs);
     }
     const auto bytes = static_cast<std::uint32_t>(blob.size() - begin);
     pad_to(blob, 4);

@@ -31,13 +31,20 @@ inline const std::byte* id_block(const BlobData& blob, std::uint32_t block) {
     return id_steps(blob, 0) + (step_bytes + 3) / 4 * 4 + format::ids::block_bytes * std::size_t{block};
 }
 
+/// Where the bits of a run after the block's first begin, counted in bytes from the block's.
+inline std::uint32_t run_begin(const std::byte* block, std::uint32_t run) {
+    using namespace format::ids;
+    return load_u32(block + runs_at) >> (run_begin_bits * (run - 1)) & ((1u << run_begin_bits) - 1u);
+}
+
 /// Reads the fields of a block's steps one after the other.
 struct StepFields {
+    static constexpr unsigned bits_ahead = 57;
     const std::byte* bytes;
     const std::byte* last_word;  ///< the last eight bytes of the blob
     unsigned bit = 0;            ///< of the next field
 
-    /// Returns the bits from the next field on, at least 57 of them unless the blob ends before.
+    /// Returns the bits from the next field on, at least `bits_ahead` of them unless the blob ends before.
     [[nodiscard]] std::uint64_t ahead() const {
         const std::byte* const at = bytes + bit / 8;
         if (at <= last_word) return load_u64(at) >> (bit % 8);
@@ -83,9 +90,13 @@ struct IdWalk {
 
     /// Begins with the block's first number.
     void begin() {
-        const std::uint32_t first = fields.take(static_cast<unsigned>(std::bit_width(mask)));
-        for (std::uint32_t& number : numbers_) number = first;
-        newest = first;
+        first_ = newest = fields.take(static_cast<unsigned>(std::bit_width(mask)));
+        begin_run();
+    }
+
+    /// Makes the block's first number all recent ones.
+    void begin_run() {
+        for (std::uint32_t& number : numbers_) number = first_;
     }
 
     /// Finds the kind of the next step by the bits that it begins with; returns the bits of the whole step. Its prefix
@@ -104,16 +115,30 @@ struct IdWalk {
         add(load_u8(kind + format::ids::from_at), load_u32(kind) + field, load_u8(kind + format::ids::replaced_at));
     }
 
-    /// Finds and takes the next step, which there must be, in fewer loads: its bits and its kind are a word each.
-    void step() {
-        const std::uint64_t bits = fields.ahead();
-        const std::uint64_t of_kind =
-            load_u64(id_kind(blob, static_cast<std::uint32_t>(bits) & ((1u << blob.id_kind_bits) - 1u)));
-        const auto part = [of_kind](std::size_t at) { return static_cast<unsigned>(of_kind >> (8 * at)) & 0xFFu; };
-        const unsigned width = part(format::ids::width_at), prefix = part(format::ids::prefix_at);
-        const auto field = static_cast<std::uint32_t>(bits >> prefix & ((std::uint64_t{1} << width) - 1u));
-        fields.bit += prefix + width;
-        add(part(format::ids::from_at), static_cast<std::uint32_t>(of_kind) + field, part(format::ids::replaced_at));
+    /// Finds and takes steps, which there must be. A step waits for the bits of the one before it alone: they are
+    /// loaded for two at once, and the recent numbers follow behind.
+    void take_steps(std::uint32_t count) {
+        constexpr unsigned most_bits = format::ids::max_kind_bits + 32;
+        const std::uint32_t kind_mask = (1u << blob.id_kind_bits) - 1u;
+        std::uint64_t bits = 0;
+        const auto take_one = [&] {
+            kind = id_kind(blob, static_cast<std::uint32_t>(bits) & kind_mask);
+            const unsigned prefix = load_u8(kind + format::ids::prefix_at),
+                           width = load_u8(kind + format::ids::width_at);
+            const auto field = static_cast<std::uint32_t>(bits >> prefix & ((std::uint64_t{1} << width) - 1u));
+            bits >>= prefix + width;
+            fields.bit += prefix + width;
+            add(load_u8(kind + format::ids::from_at), load_u32(kind) + field, load_u8(kind + format::ids::replaced_at));
+            return prefix + width;
+        };
+        while (count != 0) {
+            bits = fields.ahead();
+            const bool leaves_one = take_one() <= StepFields::bits_ahead - most_bits;
+            --count;
+            if (!leaves_one || count == 0) continue;
+            take_one();
+            --count;
+        }
     }
 
 private:
@@ -127,19 +152,24 @@ private:
         numbers_[own] = newest;
     }
 
+    std::uint32_t first_ = 0;
     std::uint32_t numbers_[format::ids::recent_numbers];
     std::uint32_t places_ = 0x76543210;  ///< of the recent numbers, that of the newest in the lowest bits
 };
 
-/// The number of a triangle that there is. At most 127 steps.
+/// The number of a triangle that there is. At most 32 steps.
 inline std::uint32_t number_of(const BlobData& blob, std::uint32_t triangle) {
-    const std::byte* const block = id_block(blob, triangle / format::ids::block_triangles);
+    using namespace format::ids;
+    const std::byte* block = id_block(blob, triangle / block_triangles);
     IdWalk walk(blob, load_u32(block));
     walk.begin();
-    for (std::uint32_t left = triangle % format::ids::block_triangles; left != 0; --left) {
-        if (takes_shortcut()) {
-            walk.step();
-        } else {
+    const std::uint32_t run = triangle % block_triangles / run_triangles;
+    if (run != 0) walk.fields.bit = 8 * run_begin(block, run);
+    std::uint32_t steps = triangle % run_triangles + (run != 0 ? 1u : 0u);
+    if (takes_shortcut()) {
+        walk.take_steps(steps);
+    } else {
+        for (; steps != 0; --steps) {
             walk.find_kind();
             walk.take_step();
         }

@@ -40,18 +40,32 @@ OpenStatus check_tree_of(const BlobData& blob) {
     return are_all_seen ? OpenStatus::ok : OpenStatus::bad_leaf;
 }
 
-/// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.
-/// `walk` is then behind them.
-bool are_steps_sound(IdWalk& walk, std::uint32_t triangles, std::uint32_t bit_count) {
+/// Whether the bits of a block of so many triangles end within `bytes`, its runs begin where the table states, each of
+/// them filled up with zero bits to a whole byte, and every number is one that the sources can have. `walk` is then
+/// behind them.
+bool is_block_sound(IdWalk& walk, const std::byte* block, std::uint32_t triangles, std::uint32_t bytes) {
+    using namespace format::ids;
     const std::uint32_t limit = number_limit(walk.blob);
-    if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > bit_count) return false;
+    const auto end_run = [&walk] {
+        const unsigned end = walk.fields.bit;
+        walk.fields.bit = (end + 7) / 8 * 8;
+        return is_padded_with_zeros(walk.fields.bytes, end);
+    };
+    if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > 8 * bytes) return false;
     walk.begin();
-    for (;;) {
+    std::uint32_t begins = 0;
+    for (std::uint32_t at = 0;;) {
         if (walk.newest >= limit) return false;
-        if (--triangles == 0) return true;
-        if (walk.find_kind() > bit_count - walk.fields.bit) return false;
+        if (++at == triangles) break;
+        if (at % run_triangles == 0) {
+            if (!end_run()) return false;
+            begins |= walk.fields.bit / 8 << run_begin_bits * (at / run_triangles - 1);
+            walk.begin_run();
+        }
+        if (walk.find_kind() > 8 * bytes - walk.fields.bit) return false;
         walk.take_step();
     }
+    return end_run() && load_u32(block + runs_at) == begins;
 }
 
 bool is_kind_sound(const BlobData& blob, const std::byte* kind) {
@@ -65,22 +79,22 @@ bool is_kind_sound(const BlobData& blob, const std::byte* kind) {
 /// The bits of each block begin where those of the block before it end.
 bool are_numbers_sound(const BlobData& blob) {
     using namespace format::ids;
-    constexpr std::uint32_t max_bytes_of_a_block = block_triangles * (max_kind_bits + 32) / 8;
+    constexpr std::uint32_t max_bytes_of_a_block = block_triangles * (max_kind_bits + 32) / 8 + 4;
     const std::uint32_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
     for (std::uint32_t kind = 0; kind >> blob.id_kind_bits == 0; ++kind)
         if (!is_kind_sound(blob, id_kind(blob, kind))) return false;
     std::uint32_t begin = 0;
     for (std::uint32_t first = 0; first < blob.triangle_count; first += block_triangles) {
-        if (load_u32(id_block(blob, first / block_triangles)) != begin) return false;
+        const std::byte* const block = id_block(blob, first / block_triangles);
+        if (load_u32(block + begin_at) != begin) return false;
         const std::uint32_t left = blob.triangle_count - first;
         const std::uint32_t bytes_left = step_bytes - begin;
         IdWalk walk(blob, begin);
         // mutant(< -> <= 1, < -> <= 2) equivalent: both sides are equal then
-        if (!are_steps_sound(walk, left < block_triangles ? left : block_triangles,
-                             8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block)) ||
-            !is_padded_with_zeros(walk.fields.bytes, walk.fields.bit))
+        if (!is_block_sound(walk, block, left < block_triangles ? left : block_triangles,
+                            bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block))
             return false;
-        begin += (walk.fields.bit + 7) / 8;
+        begin += walk.fields.bit / 8;
     }
     return begin == step_bytes;
 }

@@ -24,7 +24,7 @@ public:
         return *this;
     }
     /// Goes on in the next byte.
-    BitWriter& end_block() {
+    BitWriter& end_run() {
         bit_ = 8 * static_cast<unsigned>(bytes_.size());
         return *this;
     }
@@ -35,6 +35,11 @@ private:
     unsigned bit_ = 0;
 };
 
+/// Where runs 1, 2 and 3 of a block begin.
+std::uint32_t runs(std::uint32_t first, std::uint32_t second = 0, std::uint32_t third = 0) {
+    return first | second << 10 | third << 20;
+}
+
 Bytes zeros(std::size_t count) { return Bytes(count, std::byte{0}); }
 
 /// A grid of 2 * side * side triangles with another section of ids, which is the last one.
@@ -43,8 +48,8 @@ struct Section {
     unsigned side;
     std::vector<Kind> kinds;  // a power of two of them
     Bytes steps;
-    std::vector<std::uint32_t> blocks = {0};  // where the bits of each begin
-    std::uint64_t source_triangles = 0;       // 0: as baked
+    std::vector<std::uint32_t> blocks = {0, 0};  // where the bits of each begin, and those of its runs
+    std::uint64_t source_triangles = 0;          // 0: as baked
 
     [[nodiscard]] Bytes blob() const {
         Bytes bytes = bake_or_throw(make_plane_grid(side), {.profile = profile, .original_ids = true});
@@ -76,25 +81,29 @@ struct Section {
 TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {
     for_each_profile([](Profile profile) {
         const std::size_t number_bits = profile == Profile::fast ? 6 : 8;
-        const auto status = [&](std::vector<Kind> kinds, Bytes steps) {
-            return Section{profile, 5, std::move(kinds), std::move(steps)}.status();
-        };
-        // 49 steps, after the first number.
+        // 31 steps after the first number, then 18 in another run.
         for (const std::size_t width : {0u, 4u}) {
             for (const unsigned kind_bits : {0u, 1u, 7u}) {
                 CAPTURE(width);
                 CAPTURE(kind_bits);
                 const std::vector<Kind> kinds(std::size_t{1} << kind_bits,
                                               {0, static_cast<std::uint32_t>(width), kind_bits});
-                const std::size_t bits = number_bits + 49 * (width + kind_bits);
+                const std::size_t first_bits = number_bits + 31 * (width + kind_bits), second = (first_bits + 7) / 8;
+                const std::size_t bits = 8 * second + 18 * (width + kind_bits);
                 const std::size_t bytes = (bits + 7) / 8;
-                CHECK(status(kinds, zeros(bytes)) == OpenStatus::ok);
+                const auto status = [&](const Bytes& steps) {
+                    return Section{profile, 5, kinds, steps, {0, static_cast<std::uint32_t>(second)}}.status();
+                };
+                CHECK(status(zeros(bytes)) == OpenStatus::ok);
                 // Of nothing, of the first number alone, a byte less, a byte more.
                 for (const std::size_t other : {std::size_t{0}, std::size_t{1}, bytes - 1, bytes + 1})
-                    if (other != bytes) CHECK(status(kinds, zeros(other)) == OpenStatus::bad_section);
-                Bytes padded = zeros(bytes);
-                padded.back() = static_cast<std::byte>(1u << (bits - 1) % 8 << 1);
-                if (bits % 8 != 0) CHECK(status(kinds, padded) == OpenStatus::bad_section);
+                    if (other != bytes) CHECK(status(zeros(other)) == OpenStatus::bad_section);
+                for (const std::size_t end : {first_bits, bits}) {
+                    if (end % 8 == 0) continue;
+                    Bytes padded = zeros(bytes);
+                    padded[end / 8] = static_cast<std::byte>(1u << end % 8);
+                    CHECK(status(padded) == OpenStatus::bad_section);
+                }
             }
         }
     });
@@ -103,21 +112,22 @@ TEST_CASE("open: steps of ids end where the header states and no byte behind the
 TEST_CASE("open: a first number of ids that does not fit into the steps is refused") {
     for (const std::size_t bytes : {0u, 1u, 2u}) {
         // 10 bits, and no step takes any.
-        CHECK(Section{Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
+        CHECK(Section{Profile::balanced, 7, {{}}, zeros(bytes), {0, runs(2, 2, 2)}, 1024 / 3}.status() ==
               (bytes == 2 ? OpenStatus::ok : OpenStatus::bad_section));
     }
     // 256 numbers take 8 bits, one more takes 9.
     for (const std::uint64_t numbers : {256u, 257u}) {
-        CHECK(Section{Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
+        CHECK(Section{Profile::fast, 7, {{}}, zeros(1), {0, runs(1, 1, 1)}, numbers}.status() ==
               (numbers == 256 ? OpenStatus::ok : OpenStatus::bad_section));
     }
 }
 
 TEST_CASE("open: each block of ids has the steps that are left for it") {
     for_each_profile([](Profile profile) {
-        // 8 or 10 bits of a first number, then 127 and 71 steps of 4 bits: 65 and 37 bytes.
-        const auto status = [&](std::uint32_t second, std::size_t bytes) {
-            return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, second}}.status();
+        // 8 or 10 bits of a first number, then 31, 32, 32, 32 steps of 4 bits, and 31, 32, 8: 65 and 37 bytes.
+        const auto status = [&](std::uint32_t second, std::size_t bytes, std::uint32_t first_runs = runs(17, 33, 49),
+                                std::uint32_t second_runs = runs(17, 33)) {
+            return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, first_runs, second, second_runs}}.status();
         };
         CHECK(status(65, 102) == OpenStatus::ok);
         CHECK(status(65, 101) == OpenStatus::bad_section);
@@ -128,6 +138,10 @@ TEST_CASE("open: each block of ids has the steps that are left for it") {
         CHECK(status(64, 102) == OpenStatus::bad_section);
         CHECK(status(66, 103) == OpenStatus::bad_section);
         CHECK(status(~0u, 102) == OpenStatus::bad_section);
+        for (unsigned bit = 0; bit < 32; ++bit) {
+            CHECK(status(65, 102, runs(17, 33, 49) ^ 1u << bit) == OpenStatus::bad_section);
+            CHECK(status(65, 102, runs(17, 33, 49), runs(17, 33) ^ 1u << bit) == OpenStatus::bad_section);
+        }
     });
 }
 
@@ -135,7 +149,7 @@ TEST_CASE("open: a kind of step that is not used obeys the rules too") {
     for_each_profile([](Profile profile) {
         const std::uint32_t number_bits = profile == Profile::fast ? 6 : 8;
         const auto status = [&](const Kind& unused) {
-            return Section{profile, 5, {{0, 0, 1}, unused}, zeros((number_bits + 49 + 7) / 8)}.status();
+            return Section{profile, 5, {{0, 0, 1}, unused}, zeros(8), {0, runs(5)}}.status();
         };
         CHECK(status({~0u, number_bits, 1, 7, 7}) == OpenStatus::ok);
         CHECK(status({0, 0, 0, 0, 0}) == OpenStatus::ok);
@@ -152,13 +166,15 @@ TEST_CASE("open: a kind of step that is not used obeys the rules too") {
 TEST_CASE("open: numbers of ids fill 32 bits and no more") {
     for_each_profile([](Profile profile) {
         const std::uint32_t corners = profile == Profile::fast ? 1 : 3;
-        // A first number and 49 steps of 7 and 32 bits: 242 bytes and seven bits.
+        // A first number and 31 and 18 steps of 7 and 32 bits.
         const auto status = [&](std::uint64_t source_triangles, std::uint32_t number) {
             BitWriter steps;
             steps.add(number, 32);
-            for (int i = 0; i < 49; ++i) steps.add(0, 32).add(0, 7);
-            return Section{profile, 5, std::vector<Kind>(128, Kind{0, 32, 7}), steps.bytes(), {0}, source_triangles}
-                .status();
+            for (int i = 0; i < 31; ++i) steps.add(0, 32).add(0, 7);
+            const std::uint32_t run = runs(static_cast<std::uint32_t>(steps.end_run().bytes().size()));
+            for (int i = 0; i < 18; ++i) steps.add(0, 32).add(0, 7);
+            const std::vector<Kind> kinds(128, Kind{0, 32, 7});
+            return Section{profile, 5, kinds, steps.bytes(), {0, run}, source_triangles}.status();
         };
         const std::uint32_t most = ~0u / corners;
         CHECK(status(most, corners * most - 1) == OpenStatus::ok);
@@ -174,12 +190,18 @@ TEST_CASE("source triangle: steps of several kinds lead through two blocks") {
     BitWriter steps;
     std::vector<std::uint32_t> expected, begins;
     for (const auto& [first, count] : {std::pair{5u, 128u}, std::pair{7u, 72u}}) {
-        begins.push_back(static_cast<std::uint32_t>(steps.bytes().size()));
+        const std::size_t begin = steps.bytes().size();
+        begins.insert(begins.end(), {static_cast<std::uint32_t>(begin), 0});
         steps.add(first, 8);
         std::vector<std::uint32_t> recent(8, first);
         for (std::uint32_t i = 0; i < count; ++i) {
             expected.push_back(recent[0]);
             if (i + 1 == count) break;
+            if ((i + 1) % 32 == 0) {
+                const auto at = static_cast<std::uint32_t>(steps.end_run().bytes().size() - begin);
+                begins.back() |= at << 10 * ((i + 1) / 32 - 1);
+                recent.assign(8, first);
+            }
             std::uint32_t number = recent[0] + 1;
             std::size_t lost = 0;
             if (i % 16 == 5) {
@@ -196,7 +218,7 @@ TEST_CASE("source triangle: steps of several kinds lead through two blocks") {
             recent.erase(recent.begin() + static_cast<std::ptrdiff_t>(lost));
             recent.insert(recent.begin(), number);
         }
-        steps.end_block();
+        steps.end_run();
     }
     const Section section{Profile::fast, 10, kinds, steps.bytes(), begins};
     const GuardedPages pages(section.blob(), true);

@@ -81,6 +81,10 @@ TEST_CASE("open: each rule of the steps of ids is enforced") {
         CHECK(status(blocks + ids::block_bytes, second - 1) == OpenStatus::bad_section);
         CHECK(status(blocks + ids::block_bytes, second + 1) == OpenStatus::bad_section);
         CHECK(status(blocks + ids::block_bytes, ~0u) == OpenStatus::bad_section);
+        // So does a run of a block.
+        const std::uint64_t runs = get(bytes, blocks + ids::runs_at, 4);
+        for (const std::uint64_t other : {std::uint64_t{0}, runs + 1, runs + (1u << 10), runs | 1u << 30})
+            CHECK(status(blocks + ids::runs_at, other) == OpenStatus::bad_section);
         // Steps end where the header says, and bits that fill them up are zero.
         CHECK(status(at::id_step_bytes_at, step_bytes - 4) == OpenStatus::bad_section);
         CHECK(status(at::id_step_bytes_at, step_bytes + 4) == OpenStatus::bad_section);
@@ -133,6 +137,7 @@ TEST_CASE("open: ids may have steps of every kind and width up to numbers of 32 
             for (const std::uint32_t word : {0u, 32u, last}) append(word);
             for (unsigned step = 1; step < 12; ++step)  // from the last number to the first and back
                 append(step % 2 != 0 ? 0u - last : last);
+            append(0);
             append(0);
             put(widest, at::source_triangles_at, count, 4);
             put(widest, at::id_step_bytes_at, 48, 4);

@@ -259,17 +259,24 @@ private:
         const std::size_t steps_at = kinds_at + (std::size_t{8} << id_kind_bits_);
         const std::size_t blocks_at = steps_at + padded(bytes_.u32(80));
         std::size_t byte = steps_at, bit = 0;
-        std::uint64_t number = 0;
+        std::uint64_t number = 0, first = 0;
         std::deque<std::uint64_t> recent;
         for (std::uint32_t i = 0; i < decoded_.triangle_count; ++i) {
-            if (i % 128 == 0) {
+            if (i % 32 == 0) {
                 byte += (bit + 7) / 8;
                 bit = 0;
-                if (bytes_.u32(blocks_at + i / 32) != byte - steps_at)
-                    throw std::runtime_error("decoder: a block of ids begins elsewhere than the one before it ends");
-                number = bytes_.field(byte, bit, number_bits);
-                bit += number_bits;
-                recent.assign(8, number);
+                const std::size_t block = blocks_at + i / 128 * 8, run = i % 128 / 32;
+                const std::size_t in_block = run == 0 ? 0 : bytes_.u32(block + 4) >> 10 * (run - 1) & 1023;
+                if (bytes_.u32(block) + in_block != byte - steps_at)
+                    throw std::runtime_error("decoder: a run of ids begins elsewhere than the one before it ends");
+                if (run == 0) {
+                    first = bytes_.field(byte, 0, number_bits);
+                    bit = number_bits;
+                }
+                recent.assign(8, first);
+            }
+            if (i % 128 == 0) {
+                number = first;
             } else {
                 const std::size_t kind = kinds_at + std::size_t{8} * bytes_.field(byte, bit, id_kind_bits_);
                 const unsigned width = bytes_.u8(kind + 4), prefix = bytes_.u8(kind + 5);
@@ -289,7 +296,7 @@ private:
         }
         byte += (bit + 7) / 8;
         if (byte - steps_at != bytes_.u32(80)) throw std::runtime_error("decoder: ids do not fill their section");
-        return blocks_at + 4 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
+        return blocks_at + 8 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
     }
 
     void read_optional_sections() {

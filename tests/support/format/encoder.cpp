@@ -315,16 +315,25 @@ private:
         const std::uint64_t modulus = std::uint64_t{1} << number_bits;
         Writer blocks, steps;
         std::vector<std::uint64_t> recent;
-        std::size_t last = 0;
+        std::uint64_t first = 0;
+        std::size_t last = 0, block_begin = 0;
+        std::uint64_t run_begins = 0;
         for (std::size_t i = 0; i < triangles_; ++i) {
             const std::uint64_t corner = factor == 1 ? 0 : head_.first_corners[i];
             const std::uint64_t number = factor * head_.original_ids[i] + corner;
+            if (i % 32 == 0) steps.end_stream();
             if (i % 128 == 0) {
-                steps.end_stream();
-                blocks.put(steps.bytes.size(), 4);
+                if (i != 0) blocks.put(run_begins, 4);
+                run_begins = 0;
+                block_begin = steps.bytes.size();
+                blocks.put(block_begin, 4);
                 steps.put_bits(number, number_bits);
-                recent.assign(8, number);
-            } else {
+                first = number;
+            } else if (i % 32 == 0) {
+                run_begins += (steps.bytes.size() - block_begin) << 10 * (i % 128 / 32 - 1);
+            }
+            if (i % 32 == 0) recent.assign(8, first);
+            if (i % 128 != 0) {
                 std::uint64_t field = modulus;
                 PlainIdKind kind;
                 do {
@@ -338,6 +347,7 @@ private:
                 recent.insert(recent.begin(), number);
             }
         }
+        if (triangles_ != 0) blocks.put(run_begins, 4);
         id_step_bytes_ = steps.bytes.size();
         for (const PlainIdKind& kind : blob_.id_kinds) {
             out.put(kind.offset, 4);
