@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of OBJ, PLY and STL, of formats that assimp reads, and of files with a wrong name, on small files that are written here.
+"""Tests of OBJ, OFF, PLY and STL, of formats that assimp reads, and of files with a wrong name, on small files that are written here.
 
 Usage: generated_test.py PATH_TO_ESPALIER
 """
@@ -12,6 +12,7 @@ from generated.assimp import assimp
 from generated.claims import Claims
 from generated.names import names
 from generated.obj import obj
+from generated.off import off
 from generated.ply import ply
 from generated.stl import stl
 
@@ -22,7 +23,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, ply, stl, names, assimp):
+        for family in (obj, off, ply, stl, names, assimp):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

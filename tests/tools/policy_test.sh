@@ -141,17 +141,18 @@ claim "verify and trade refuse warnings of the import under --strict and take it
 run 0 verify box.espl --source box.obj --strict
 run 0 trade box.obj --strict --bits 12 --leaf-sizes 16 --byte-prices 1 --profiles small --rays 100 --repetitions 1
 
-# An OFF file that claims more vertices than there is memory for.
+# An AC3D file that claims more vertices than there is memory for.
 # The address sanitizer needs more address space than any limit, and ends the process where an allocation fails.
 if ! grep -q __asan_init "$espalier"; then
     claim "a file that needs more memory than --import-memory is refused by that name and leaves nothing"
-    printf 'OFF\n200000000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >huge.off
-    refused import_memory "'huge.off': reading it takes more than 512 MiB of memory, the limit of --import-memory" huge.off --import-memory 512M
-    json '.error.file == "huge.off"'
+    printf '%s\n' AC3Db 'MATERIAL "" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0' 'OBJECT world' 'kids 1' 'OBJECT poly' \
+        'numvert 20000000' '0 0 0' >huge.ac
+    refused import_memory "'huge.ac': reading it takes more than 128 MiB of memory, the limit of --import-memory" huge.ac --import-memory 128M
+    json '.error.file == "huge.ac"'
     run 0 bake box.obj -o x.espl --import-memory 512M
     run 0 bake box.obj -o x.espl --import-memory none
-    run 3 verify box.espl --source huge.off --import-memory 512M --json
-    run 3 trade huge.off --import-memory 512M --json
+    run 3 verify box.espl --source huge.ac --import-memory 128M --json
+    run 3 trade huge.ac --import-memory 128M --json
     for amount in 0 -1 many 12 512 1023K ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
     refuses 1 "'12' is 12 bytes, too few to read any file. Write 1M or more" bake box.obj -o x.espl --import-memory 12
 
@@ -175,9 +176,10 @@ run 0 bake slow.obj -o x.espl --effort fast -q
 for seconds in 0 -1 nan long; do run 1 bake box.obj -o x.espl --import-seconds "$seconds"; done
 
 claim "--verbose prints what the importers report and quiet runs do not"
-printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
-reports "importer: " bake one.off -o x.espl --verbose
-run 0 bake one.off -o x.espl
+{ echo '<amf>' && echo '</amf>'; } >none.amf
+run 3 bake none.amf -o x.espl --verbose
+err_has "importer: "
+run 3 bake none.amf -o x.espl
 err_lacks "importer: "
 
 finish

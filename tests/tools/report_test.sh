@@ -46,7 +46,8 @@ warns_of empty
 claim "an error lists the warnings that came before it whichever step fails"
 { write_box_obj 0; echo faces 7; } >unknown.obj
 printf 'o a\nv 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n' >corner.obj
-printf 'OFF\n1000 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off # fails an assertion of assimp 5.2
+{ echo '<COLLADA version="1.4.1"><library_visual_scenes><visual_scene>' && yes '<node>' | head -n 200000 && yes '</node>' | head -n 200000 &&
+    echo '</visual_scene></library_visual_scenes></COLLADA>'; } >deep.dae # uses up the stack of assimp
 fails_after_warning() { # EXIT_CODE KIND ARGUMENTS...
     local code=$1 kind=$2
     shift 2
@@ -56,7 +57,7 @@ fails_after_warning() { # EXIT_CODE KIND ARGUMENTS...
 }
 fails_after_warning 2 file_access bake unknown.obj missing.obj -o x.espl
 fails_after_warning 3 invalid_input bake unknown.obj corner.obj -o x.espl
-fails_after_warning 3 importer_crash bake unknown.obj boastful.off -o x.espl
+fails_after_warning 3 importer_crash bake unknown.obj deep.dae -o x.espl
 fails_after_warning 5 unsupported bake unknown.obj -o x.espl --max-bytes 100
 fails_after_warning 5 unsupported bake unknown.obj -o x.espl --step 2^-60
 fails_after_warning 2 file_access bake unknown.obj -o /dev/full

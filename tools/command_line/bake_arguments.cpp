@@ -28,7 +28,7 @@ void add_deformation(Verb verb, BakeArguments& arguments) {
     const Option deformable = verb.flag(
         "--deformable", arguments.deformable,
         "Bake a blob whose vertices may move, by refit. Profile fast, and all vertices in the order of their file: "
-        "OBJ, PLY and glTF");
+        "OBJ, OFF, PLY and glTF");
     verb.option("--range", arguments.range, "X0 Y0 Z0 X1 Y1 Z1",
                 "The box that no vertex of any pose leaves, by two corners, as lengths in the blob's units and "
                 "axes. It grows to hold the mesh and --poses. Without it, the box around these, wider by a tenth "
@@ -43,8 +43,8 @@ void add_deformation(Verb verb, BakeArguments& arguments) {
 
 void add_files(Verb verb, BakeArguments& arguments) {
     verb.option("inputs", arguments.inputs, "MESH",
-                "Mesh files in the order of their file numbers: glTF 2.0, OBJ, PLY, STL and RAW, which the command "
-                "reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
+                "Mesh files in the order of their file numbers: glTF 2.0, OBJ, OFF, PLY, STL and RAW, which the "
+                "command reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
                 "transforms are applied; animated meshes are taken in the pose that the file stores")
         .required();
     verb.option("-o,--output", arguments.output, "BLOB", "The blob to write; with --instances, the scene").required();

@@ -42,9 +42,9 @@ using Import = void(const std::string& path, const ImportOptions& options, Impor
 /// Throws CommandError (unsupported) for readers that do not keep the vertices of a file. In STL and RAW each triangle
 /// has three of its own, and assimp joins and sorts those of the other formats.
 void require_kept_vertices(Import* import, const std::string& path) {
-    if (import == import_obj || import == import_ply) return;
+    if (import == import_obj || import == import_ply || import == import_off) return;
     throw_file_error(ExitCode::unsupported, path, " is read without the order of its vertices, by which poses of a ",
-                     "deformable mesh match. Export it as OBJ, PLY or glTF.");
+                     "deformable mesh match. Export it as OBJ, PLY, OFF or glTF.");
 }
 
 /// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
@@ -61,6 +61,7 @@ Import* importer_of(const std::string& path) {
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
     const std::string ending = ending_of(path);
     if (ending == ".obj") return import_obj;
+    if (ending == ".off") return import_off;
     if (ending == ".ply") return import_ply;
     if (ending == ".raw") return import_raw;
     if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;

@@ -43,7 +43,7 @@ private:
 /// Formats with readers of their own are never left to assimp, which would find Wavefront OBJ in any file with the
 /// letter v.
 void remove_replaced_importers(Assimp::Importer& importer) {
-    for (const char* ending : {"obj", "ply", "stl", "gltf", "raw"}) {
+    for (const char* ending : {"obj", "ply", "stl", "off", "gltf", "raw"}) {
         while (Assimp::BaseImporter* replaced = importer.GetImporter(ending)) {
             importer.UnregisterLoader(replaced);
             delete replaced;

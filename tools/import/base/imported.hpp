@@ -122,6 +122,10 @@ std::string words_for_not_finite(Vec3 position);
 /// ImportOptions::keep_vertices all is one mesh, named if the file names one.
 void import_obj(const std::string& path, const ImportOptions& options, Imported& imported);
 
+/// OFF as text, with whatever else its vertices have (COFF, NOFF, STOFF): one mesh. A face's colour ends
+/// with its line.
+void import_off(const std::string& path, const ImportOptions& options, Imported& imported);
+
 /// PLY, as text and binary in both byte orders: the elements vertex, face and tristrips.
 void import_ply(const std::string& path, const ImportOptions& options, Imported& imported);
 

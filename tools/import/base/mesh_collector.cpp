@@ -26,6 +26,16 @@ ImportedFile new_record(const std::string& path, const char* format, const Impor
 
 }  // namespace
 
+std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVertices>& triangles) {
+    std::vector<bool> is_used(vertices);
+    for (const TriangleVertices& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            if (vertex < is_used.size()) is_used[vertex] = true;
+        }
+    }
+    return static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
+}
+
 MeshCollector::MeshCollector(const ImportOptions& options, ImportedFile& file, Imported& imported)
     : options_(options), file_(file), imported_(imported) {
     for (const ImportedFile& earlier : imported.files) first_material_ += earlier.materials;

@@ -12,6 +12,9 @@
 
 namespace espalier::tools {
 
+/// Returns how many of a mesh's vertices no triangle names: a file of triangles has them as points.
+std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVertices>& triangles);
+
 /// Appends the meshes of one file to those of the files before it.
 class MeshCollector {
 public:

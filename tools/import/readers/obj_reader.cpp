@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "import/base/occurrences.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/text_file.hpp"
 #include "import/base/mesh_collector.hpp"
@@ -41,19 +42,6 @@ struct Face {
     std::uint32_t material;
     std::uint32_t line;
     std::uint32_t corners;
-};
-
-/// How often something was found, and the line of the first.
-struct Occurrences {
-    std::uint64_t count = 0;
-    std::uint64_t first = 0;
-
-    void add(std::uint64_t line) {
-        if (count++ == 0) first = line;
-    }
-    [[nodiscard]] std::string place() const {
-        return text(", line ", first, count == 1 ? "" : text(" and ", count - 1, " more"), ": ");
-    }
 };
 
 class ObjReader {
@@ -293,18 +281,13 @@ private:
     }
 
     void warn() {
-        const auto warn_about = [this](const Occurrences& found, const char* kind, const std::string& message) {
-            if (found.count > 0) file_.warn(kind, found.place() + message);
-        };
-        warn_about(missing_vertices_, "missing_vertex", "a face names a vertex that the file does not have.");
-        warn_about(crossing_, "crossing_polygon",
-                   "the outline of a face crosses itself, and its triangles may cover more or less than meant. "
-                   "Triangulate it before export.");
-        warn_about(free_form_, "free_form", "a free-form curve or surface was left out. Export it as polygons.");
-        warn_about(weights_, "vertex_weight",
-                   "the fourth number of a vertex is not 1; it was ignored, and x, y, z were not divided by it.");
-        warn_about(unknown_, "unknown_statement",
-                   text("'", unknown_word_, "' is no statement of Wavefront OBJ; the line was left out."));
+        missing_vertices_.warn(file_, "missing_vertex", "a face names a vertex that the file does not have.");
+        crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
+        free_form_.warn(file_, "free_form", "a free-form curve or surface was left out. Export it as polygons.");
+        weights_.warn(file_, "vertex_weight",
+                      "the fourth number of a vertex is not 1; it was ignored, and x, y, z were not divided by it.");
+        unknown_.warn(file_, "unknown_statement",
+                      text("'", unknown_word_, "' is no statement of Wavefront OBJ; the line was left out."));
         warn_about_materials();
     }
 

@@ -191,18 +191,8 @@ private:
             warn("trailing_bytes", text("after the elements that the header states more follows, from ",
                                         values_.place(), " on; it was not read."));
         }
-        if (!keeps_vertices_) file_.record().points_and_lines += count_unused_vertices();
+        if (!keeps_vertices_) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
         file_.add("", std::move(positions_), std::move(triangles_), {});
-    }
-
-    [[nodiscard]] std::uint64_t count_unused_vertices() const {
-        std::vector<bool> is_used(positions_.size());
-        for (const TriangleVertices& triangle : triangles_) {
-            for (const std::uint32_t vertex : triangle) {
-                if (vertex < is_used.size()) is_used[vertex] = true;
-            }
-        }
-        return static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
     }
 
     const PlyHeader& header_;
