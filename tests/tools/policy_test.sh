@@ -17,7 +17,7 @@ refused() {
 write_box_obj 0 >box.obj
 "$espalier" bake box.obj -o box.espl -q
 # 12 triangles with area and 4 without: 25 percent.
-{ write_box_obj 0; printf 'f 1 1 2\nf 2 2 3\nf 3 3 4\nf 4 4 5\n'; } >quarter.obj
+{ write_box_obj 0; printf 'v 2 0 0\nv 3 0 0\nf 1 2 9\nf 1 2 10\nf 1 9 10\nf 2 9 10\n'; } >quarter.obj
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >points.obj
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
 
@@ -30,7 +30,7 @@ json '.error.file == "quarter.obj" and .error.triangle == 12'
 refused dropped "" quarter.obj --max-dropped 24.9%
 run 0 bake quarter.obj -o x.espl --max-dropped 25%
 run 0 bake quarter.obj -o x.espl --max-dropped 25
-{ write_box_obj 0; printf 'f 1 1 2\n'; } >thirteenth.obj
+{ write_box_obj 0; printf 'v 2 0 0\nf 1 2 9\n'; } >thirteenth.obj
 run 0 bake thirteenth.obj -o x.espl
 refused dropped "" thirteenth.obj --max-dropped 0
 { write_box_obj 0; write_box_obj 0 | grep '^f'; } >twice.obj

@@ -58,6 +58,7 @@ fails_after_warning() { # EXIT_CODE KIND ARGUMENTS...
 fails_after_warning 2 file_access bake unknown.obj missing.obj -o x.espl
 fails_after_warning 3 invalid_input bake unknown.obj corner.obj -o x.espl
 fails_after_warning 3 importer_crash bake unknown.obj deep.dae -o x.espl
+err_has "a mistake of the importer"
 fails_after_warning 5 unsupported bake unknown.obj -o x.espl --max-bytes 100
 fails_after_warning 5 unsupported bake unknown.obj -o x.espl --step 2^-60
 fails_after_warning 2 file_access bake unknown.obj -o /dev/full

@@ -50,7 +50,7 @@ absent broken.espl
 run 0 bake not_finite.obj -o x.espl --drop-bad-triangles --max-dropped 50%
 err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
 write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
-refuses 3 "out_of_range.ply, mesh 0, triangle 0" bake out_of_range.ply -o broken.espl
+refuses 3 "'out_of_range.ply', line 18: a face names vertex 300" bake out_of_range.ply -o broken.espl
 absent broken.espl
 reports "dropped 1 triangle with an index out of range" bake out_of_range.ply -o x.espl --drop-bad-triangles --json
 out_has '"triangles": 11'
@@ -72,6 +72,19 @@ run 0 query empty.espl closest-point 0 0 0
 prints "0 triangles" query empty.espl sphere 0 0 0 inf
 run 0 dump empty.espl
 reports "no triangles" render empty.espl -o empty.png --size 8x8
+
+claim "triangles with two corners in one point have no surface to lose"
+{ write_box_obj 0 && printf 'v 0 0 0\n' && yes 'f 1 1 2' | head -n 20 && yes 'f 1 9 2' | head -n 20; } >folded.obj
+finds '.triangles == 12 and .findings.zero_area.count == 40' bake folded.obj -o x.espl --max-dropped 0
+run 0 bake folded.obj -o x.espl --max-dropped 0 --max-bytes 10K
+{ cat folded.obj && echo 'v 2 0 0' && echo 'f 1 2 10'; } >flat.obj
+refuses 3 "dropped 1 of 13 triangles: 1 without area" bake flat.obj -o x.espl --max-dropped 0
+
+claim "a file that is no blob is called none however short it is and a pointer of Git LFS by its name"
+echo hello >hello.espl
+refuses 3 "not an Espalier blob" info hello.espl
+printf 'version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n' >pointer.espl
+for verb in info verify dump; do refuses 3 "git lfs pull" $verb pointer.espl; done
 
 claim "what is no mesh is invalid input with the importer's reason; what is not there cannot be read"
 echo "not a mesh" >junk.obj

@@ -178,8 +178,10 @@ BakeOptions bake_options(const BakeArguments& arguments) {
 Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes) {
     Poses poses;
     const std::size_t expected = positions_in_a_row(meshes).size();
+    ImportOptions of_poses = options;
+    of_poses.require_vertices = false;  // their faces do not count
     for (const std::string& path : arguments.poses) {
-        Imported pose = import_with_progress({&path, 1}, options, arguments.quiet);
+        Imported pose = import_with_progress({&path, 1}, of_poses, arguments.quiet);
         std::vector<Vec3> positions = positions_in_a_row(pose);
         require_as_many(meshes, expected, pose, positions.size());
         if (const std::optional<std::size_t> wrong = first_not_finite(positions))

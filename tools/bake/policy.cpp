@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include <baker/input/zero_area.hpp>
@@ -35,31 +36,50 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
     return range;
 }
 
-/// Triangles whose surface, if they had any, is missing from the blob.
-std::uint64_t dropped_triangles(const BakeReport& report) {
+/// Returns how many triangles of a reason had a surface to lose.
+std::uint64_t lost_triangles(const BakeReport& report, const DropReason& reason, std::uint64_t equal_corners) {
+    if (reason.words_for_loss == nullptr) return 0;
+    const std::uint64_t count = (report.findings.*reason.finding).count;
+    return reason.finding == &Findings::zero_area ? count - std::min(count, equal_corners) : count;
+}
+
+std::uint64_t lost_triangles(const BakeReport& report, std::uint64_t equal_corners) {
     std::uint64_t sum = 0;
-    for (const DropReason& reason : drop_reasons)
-        if (reason.words_for_loss != nullptr) sum += (report.findings.*reason.finding).count;
+    for (const DropReason& reason : drop_reasons) sum += lost_triangles(report, reason, equal_corners);
     return sum;
 }
 
+std::uint64_t triangles_with_surface(const BakeReport& report, std::uint64_t equal_corners) {
+    return report.source.triangles - std::min(report.source.triangles, equal_corners);
+}
+
+bool has_equal_corners(const ImportedMesh& mesh, const TriangleVertices& triangle) {
+    const auto are_equal = [&mesh](std::uint32_t a, std::uint32_t b) {
+        return a == b || mesh.positions[a] == mesh.positions[b];
+    };
+    const auto [a, b, c] = triangle;
+    return std::max({a, b, c}) < mesh.positions.size() && (are_equal(a, b) || are_equal(b, c) || are_equal(c, a));
+}
+
 void refuse_dropped(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
-    if (!drops_more_than(policy.max_dropped, report)) return;
+    const std::uint64_t equal_corners = count_equal_corners(imported);
+    if (!drops_more_than(policy.max_dropped, report, equal_corners)) return;
     std::string words;  // "3 without area (first: box.obj, mesh 0, triangle 5)" for each reason
     ErrorDetails details;
     for (const DropReason& reason : drop_reasons) {
         const Finding& found = report.findings.*reason.finding;
-        if (found.count == 0 || reason.words_for_loss == nullptr) continue;
+        const std::uint64_t lost = lost_triangles(report, reason, equal_corners);
+        if (lost == 0) continue;
         if (details.file.empty() && found.place) details = details_of(*found.place, imported);
-        words +=
-            text(words.empty() ? "" : ", ", found.count, ' ', reason.words_for_loss, " (first: ", found.first, ")");
+        words += text(words.empty() ? "" : ", ", lost, ' ', reason.words_for_loss, " (first: ", found.first, ")");
     }
     details.kind = "dropped";
     const bool is_empty = report.tree.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
-        text("dropped ", dropped_triangles(report), " of ", counted(report.source.triangles, "triangle"), ": ", words,
-             ". At most ", rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
+        text("dropped ", lost_triangles(report, equal_corners), " of ",
+             counted(triangles_with_surface(report, equal_corners), "triangle"), ": ", words, ". At most ",
+             rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
              report.findings.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
         std::move(details));
@@ -158,9 +178,22 @@ std::string names_of_inputs(const Imported& imported) {
     return names;
 }
 
-bool drops_more_than(double percent, const BakeReport& report) {
-    const double source = static_cast<double>(report.source.triangles);
-    return static_cast<double>(dropped_triangles(report)) * 100.0 > percent * source;
+std::uint64_t count_equal_corners(const Imported& imported) {
+    std::vector<std::uint64_t> of_mesh;
+    for (const ImportedMesh& mesh : imported.meshes) {
+        of_mesh.push_back(static_cast<std::uint64_t>(
+            std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                          [&mesh](const TriangleVertices& triangle) { return has_equal_corners(mesh, triangle); })));
+    }
+    if (imported.places.empty()) return std::accumulate(of_mesh.begin(), of_mesh.end(), std::uint64_t{0});
+    std::uint64_t sum = 0;
+    for (const ImportedPlace& place : imported.places) sum += of_mesh[place.mesh];
+    return sum;
+}
+
+bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equal_corners) {
+    return static_cast<double>(lost_triangles(report, equal_corners)) * 100.0 >
+           percent * static_cast<double>(triangles_with_surface(report, equal_corners));
 }
 
 void refuse_empty_files(const Imported& imported) {

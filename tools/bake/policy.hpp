@@ -54,8 +54,12 @@ BakePolicy bake_policy(const BakeArguments& arguments);
 void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
              std::span<const Warning> warnings);
 
-/// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob.
-bool drops_more_than(double percent, const BakeReport& report);
+/// Returns how many triangles, at all places, have two corners in one point: they have no surface to lose.
+std::uint64_t count_equal_corners(const Imported& imported);
+
+/// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob. Those with
+/// equal corners count neither as lost nor as the source's.
+bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equal_corners);
 
 /// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
 void refuse_empty_files(const Imported& imported);

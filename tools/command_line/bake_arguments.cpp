@@ -42,10 +42,11 @@ void add_deformation(Verb verb, BakeArguments& arguments) {
 }
 
 void add_files(Verb verb, BakeArguments& arguments) {
-    verb.option("inputs", arguments.inputs, "MESH",
-                "Mesh files in the order of their file numbers: glTF 2.0, OBJ, OFF, PLY, STL and RAW, which the "
-                "command reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
-                "transforms are applied; animated meshes are taken in the pose that the file stores")
+    verb.option(
+            "inputs", arguments.inputs, "MESH",
+            "Mesh files in the order of their file numbers: glTF 2.0, OBJ, OFF, PLY, STL and RAW, which the "
+            "command reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
+            "transforms are applied; animated meshes are taken in the pose that the file stores")
         .required();
     verb.option("-o,--output", arguments.output, "BLOB", "The blob to write; with --instances, the scene").required();
     const Choices<Instancing> instancing{
@@ -135,9 +136,11 @@ void add_bake(Verb verb, BakeArguments& arguments) {
     verb.flag("--drop-bad-triangles", arguments.drop_bad_triangles,
               "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
     add_deformation(verb, arguments);
-    verb.option("--max-dropped", arguments.max_dropped, "PERCENT",
-                "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "
-                "on the lattice, or by --drop-bad-triangles; duplicates do not count. Beyond it nothing is written")
+    verb.option(
+            "--max-dropped", arguments.max_dropped, "PERCENT",
+            "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "
+            "on the lattice, or by --drop-bad-triangles; duplicates and triangles with two corners in one point do not "
+            "count. Beyond it nothing is written")
         .with_default()
         .percentage()
         .between(0.0, 100.0);

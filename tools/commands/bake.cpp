@@ -134,6 +134,7 @@ ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings
     source.materials = arguments.materials;
     source.keep_places = arguments.instancing != Instancing::off;
     source.keep_vertices = arguments.deformable;
+    source.require_vertices = !arguments.drop_bad_triangles;
     BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 

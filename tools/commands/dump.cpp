@@ -23,8 +23,7 @@ ExitCode run_dump(const DumpArguments& arguments) {
     }
     if (file.is_a_scene) list_scene_header(shown, listing);
     else list_blob_header(shown, listing);
-    const CommandError refusal(exit_code_of(file.status()),
-                               refusal_text(arguments.blob, file.status()) + " Only its header was listed.",
+    const CommandError refusal(exit_code_of(file.status()), file.refusal() + " Only its header was listed.",
                                {.file = arguments.blob});
     return listing.finish(&refusal);
 }

@@ -68,7 +68,8 @@ ExitCode run_trade(const TradeArguments& arguments, std::vector<Warning>& warnin
     options.effort = arguments.effort;
     options.threads = arguments.threads;
     options.drop_bad_triangles = arguments.drop_bad_triangles;
-    const ImportOptions source = import_options(arguments.source, arguments.json, warnings);
+    ImportOptions source = import_options(arguments.source, arguments.json, warnings);
+    source.require_vertices = !arguments.drop_bad_triangles;
 
     std::vector<TradePoint> points;
     std::uint64_t triangles = 0;

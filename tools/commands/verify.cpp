@@ -249,7 +249,7 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
     const AssetFile file(arguments.blob);
     result.status = file.status();
     ExitCode code = exit_code_of(result.status);
-    if (result.status != OpenStatus::ok) result.failure = refusal_text(arguments.blob, result.status);
+    if (result.status != OpenStatus::ok) result.failure = file.refusal();
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
         const VerifyReport report = file.is_a_scene ? verify_scene(file.bytes) : verify(file.bytes);

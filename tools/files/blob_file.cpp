@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/git_lfs.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {
@@ -12,6 +13,10 @@ namespace {
 
 constexpr std::size_t largest_blob = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t chunk = std::size_t{1} << 20;
+
+std::string_view begin_of(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 }  // namespace
 
@@ -39,15 +44,6 @@ ExitCode exit_code_of(OpenStatus status) {
     return is_newer ? ExitCode::unsupported : ExitCode::invalid_input;
 }
 
-std::string refusal_text(const std::string& path, OpenStatus status) {
-    const char* advice = exit_code_of(status) == ExitCode::unsupported
-                             ? "Use a newer espalier, or bake it again with this one."
-                         : status == OpenStatus::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
-                                                            : "Bake it again, or fetch it again.";
-    return text("'", printable(path), "' is refused: ", describe(status), " (status ", static_cast<int>(status), "). ",
-                advice);
-}
-
 bool is_scene(std::span<const std::byte> bytes) {
     constexpr char magic[] = {'E', 'S', 'P', 'S'};
     return bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), magic, sizeof(magic)) == 0;
@@ -67,9 +63,27 @@ AssetFile::AssetFile(const std::string& file_path)
     else blob = open(bytes);
 }
 
+OpenStatus AssetFile::status() const {
+    if (is_a_scene) return scene().status();
+    constexpr std::string_view magic = "ESPL";
+    // A blob that was cut off within its header still begins as one.
+    const bool begins_as_one = begin_of(bytes).starts_with(magic.substr(0, bytes.size()));
+    return blob.status() == OpenStatus::too_short && !begins_as_one ? OpenStatus::not_a_blob : blob.status();
+}
+
+std::string AssetFile::refusal() const {
+    if (is_git_lfs_pointer(begin_of(bytes))) return words_for_git_lfs_pointer(path);
+    const char* advice = exit_code_of(status()) == ExitCode::unsupported
+                             ? "Use a newer espalier, or bake it again with this one."
+                         : status() == OpenStatus::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
+                                                              : "Bake it again, or fetch it again.";
+    return text("'", printable(path), "' is refused: ", describe(status()), " (status ", static_cast<int>(status()),
+                "). ", advice);
+}
+
 void AssetFile::require_open() const {
     if (status() == OpenStatus::ok) return;
-    throw CommandError(exit_code_of(status()), refusal_text(path, status()), {.file = path});
+    throw CommandError(exit_code_of(status()), refusal(), {.file = path});
 }
 
 AssetFile open_blob_file(const std::string& path) {

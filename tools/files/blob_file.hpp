@@ -20,9 +20,6 @@ std::vector<std::byte> read_file(const std::string& path);
 /// Which exit code a refused blob has: newer than this program, or broken.
 ExitCode exit_code_of(OpenStatus status);
 
-/// What was refused, why, and what to do.
-std::string refusal_text(const std::string& path, OpenStatus status);
-
 /// An opened scene, its meshes and its tiles. It refers to the bytes, which must outlive it: moved as one, never
 /// copied.
 struct SceneFile {
@@ -50,7 +47,9 @@ struct AssetFile {
     AssetFile& operator=(AssetFile&&) = default;
 
     [[nodiscard]] const BakedScene& scene() const { return parts.scene; }
-    [[nodiscard]] OpenStatus status() const { return is_a_scene ? scene().status() : blob.status(); }
+    [[nodiscard]] OpenStatus status() const;
+    /// Returns what was refused, why, and what to do.
+    [[nodiscard]] std::string refusal() const;
     /// Throws CommandError (invalid_input or unsupported) for a refusal.
     void require_open() const;
     /// Returns whether there is no triangle, or no instance.

@@ -66,7 +66,8 @@ public:
         : imported_(imported),
           rays_(make_sample_queries(imported, counted_rays).rays),
           options_(options),
-          goal_(goal) {}
+          goal_(goal),
+          equal_corners_(count_equal_corners(imported)) {}
 
     Picked run() {
         do {
@@ -109,7 +110,7 @@ private:
                 loss_ = "leaves no triangle";
                 return;
             }
-            if (drops_more_than(goal_.max_dropped, report)) {
+            if (drops_more_than(goal_.max_dropped, report, equal_corners_)) {
                 loss_ = "drops more triangles than --max-dropped allows";
                 return;
             }
@@ -157,6 +158,7 @@ private:
     std::vector<Ray> rays_;
     BakeOptions options_;
     const PickGoal& goal_;
+    std::uint64_t equal_corners_;
     std::vector<TradePoint> tried_;
     bool some_fit_ = false;
     std::string loss_;  // what a lattice coarser than the tried ones does

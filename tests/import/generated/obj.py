@@ -90,8 +90,11 @@ def obj(claims):
     claims.bakes("OBJ: --drop-bad-triangles drops faces whose vertices are missing, with a warning", "missing.obj",
                  SQUARE + "f 1 2 3\nf 1 2 5\nf 1 -5 3\nf 0 1 2\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--drop-bad-triangles", "--max-dropped", "100"])
 
-    claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 5\n", "vertex 4")
-    claims.refuses("OBJ: a vertex that is missing twice in a face is refused", "missing.obj", SQUARE + "f 1 2 9 9\n", "vertex 8")
+    for numbers, words, more in (("1 2 5", "vertex 5, and the file has 4", ""), ("1 2 9 9", "vertex 9", ""), ("0 1 2", "vertex 0", ""),
+                                 ("1 2 -9", "vertex -9", ""), ("1 2 -5", "vertex -5, counted back, and 4 vertices precede it", "v 9 9 9\n"),
+                                 ("1 2 99999999999", "vertex 99999999999", "")):
+        claims.refuses("OBJ: a missing vertex is refused with its line and its number as written", "missing.obj",
+                       SQUARE + f"f 1 2 3\nf {numbers}\n{more}", "line 6", words)
     claims.refuses("OBJ: a word that is no number is refused with its line", "word.obj", "v 0 0 0\nv 1,5 0 0\n", "line 2", "'1,5'")
     claims.refuses("OBJ: a word behind the coordinates is refused with its line", "word.obj", "v 0 0 0 1 junk\n" + SQUARE + "f 2 3 4\n", "line 1", "'junk'")
     claims.refuses("OBJ: a corner that is no number is refused with its line", "corner.obj", SQUARE + "f 1 2 x\n", "line 5", "'x'")

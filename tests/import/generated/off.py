@@ -54,6 +54,7 @@ def off(claims):
             ("another format with this ending", "o box\nv 0 0 0\n", ["no OFF"])):
         claims.refuses(f"OFF: {claim} is refused", "bad.off", content, *words)
     for number in ("9", "-1", "99999999999"):
-        claims.refuses("OFF: a missing vertex is refused", "missing.off", SQUARE.format(2) + f"3 0 1 2\n3 0 1 {number}\n", "triangle 1")
+        claims.refuses("OFF: a missing vertex is refused with its line and its number as written", "missing.off",
+                       SQUARE.format(2) + f"3 0 1 2\n3 0 1 {number}\n", "line 8", "face 1", f"vertex {number}")
         claims.bakes("OFF: a missing vertex is named with its face", "missing.off", SQUARE.format(2) + f"3 0 1 2\n3 0 1 {number}\n", 1,
                      SQUARE_BOUNDS, ["missing_vertex"], options=["--drop-bad-triangles", "--max-dropped", "50"])

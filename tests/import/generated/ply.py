@@ -90,6 +90,10 @@ def ply(claims):
     claims.bakes("PLY: --drop-bad-triangles drops faces whose vertices are missing, with a warning", "missing.ply",
                  text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--drop-bad-triangles", "--max-dropped", "100"])
 
+    for number in ("8", "-1"):
+        claims.refuses("PLY: a missing vertex is refused with its line and its number as written", "missing.ply",
+                       text.replace("4 0 1 3 2", f"3 0 1 {number}"), "line 19", f"vertex {number}, and the file has 8")
+
     box_bytes = ply_bytes("<", "f", "B", "i")
     claims.refuses("PLY: a file that is cut off is refused", "cut.ply", box_bytes[:-3], "ends before")
     claims.refuses("PLY: a text that is cut off is refused", "cut.ply", text[:-20], "line")

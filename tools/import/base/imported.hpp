@@ -37,6 +37,9 @@ struct ImportOptions {
     /// same positions. An OBJ file is one mesh then. Refuses formats whose order of vertices is not that of their
     /// files.
     bool keep_vertices = false;
+    /// Refuses a face that names a vertex which its file does not have. Without it, such a face is warned of and its
+    /// triangles stay, for the baker to drop.
+    bool require_vertices = false;
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
     /// Calls it, if it is not empty, with so much of all that is read.

@@ -4,34 +4,44 @@
 #include <cstdint>
 #include <string>
 
-#include "base/numbers.hpp"
-#include "mesh_collector.hpp"
+#include "base/exit_code.hpp"
+#include "imported.hpp"
 
 namespace espalier::tools {
 
-/// How many corners name such a vertex, and the first as the file writes it: a reader that counts from another number,
-/// or backwards, has replaced it by then.
+/// How many corners name such a vertex, and the first of them: where it is, and the number as the file writes it, which
+/// a reader that counts from 1 or backwards has replaced when the baker looks at it.
 class MissingVertices {
 public:
-    /// `place` returns the face's, "line 12: face 3".
-    template <class Place>
-    void add(std::int64_t number, const Place& place) {
-        if (count_++ > 0) return;
-        number_ = number;
-        place_ = place();
+    /// `describe` returns "line 12: a face names vertex -9, and the file has 4".
+    template <class Describe>
+    void add(const Describe& describe) {
+        if (count_++ == 0) first_ = describe();
     }
-    /// Appends a warning if there are any. The baker refuses or drops their triangles.
-    void report(UnitlessFile& file, std::uint64_t vertices) const {
+    /// Does nothing without one. Throws CommandError (invalid_input) when the options require all vertices, else
+    /// appends a warning: the baker drops the triangles.
+    void report(ImportedFile& file, const ImportOptions& options) const {
         if (count_ == 0) return;
-        file.warn("missing_vertex",
-                  text(", ", place_, " names vertex ", number_, ", and the file has ", counted(vertices, "vertex"),
-                       " from 0", count_ == 1 ? "." : text("; so do ", count_ - 1, " more corners.")));
+        if (options.require_vertices) {
+            throw CommandError(ExitCode::invalid_input,
+                               text('\'', printable(file.path), "', ", first_,
+                                    ". Correct it, or export the file again; --drop-bad-triangles leaves such "
+                                    "triangles out."),
+                               {.file = file.path, .kind = "missing_vertex"});
+        }
+        file.warn("missing_vertex", text(printable(file.path), ", ", first_,
+                                         count_ == 1 ? "." : text("; so do ", count_ - 1, " more corners.")));
     }
 
 private:
     std::uint64_t count_ = 0;
-    std::int64_t number_ = 0;
-    std::string place_;
+    std::string first_;
 };
+
+/// Returns "line 12: a face names vertex 9, and the file has 4 vertices, from 0".
+inline std::string words_for_missing(const std::string& place, std::int64_t number, std::uint64_t vertices,
+                                     unsigned first) {
+    return text(place, " names vertex ", number, ", and the file has ", counted(vertices, "vertex"), ", from ", first);
+}
 
 }  // namespace espalier::tools

@@ -13,7 +13,8 @@ void end_with_crash_words(int) { end_with(crash_words); }
 auto crash_handler_that_names(const std::string& path, const ImportOptions& options) {
     crash_words = last_words({ExitCode::invalid_input,
                               text("the importer crashed while it read '", printable(path),
-                                   "'. The file is likely broken; export it again, or in another format."),
+                                   "': a mistake of the importer, which the file may have caused by being broken. "
+                                   "Export it again, or in another format, such as glTF."),
                               {.file = path, .kind = "importer_crash"}},
                              options);
     return end_with_crash_words;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "import/base/missing_vertices.hpp"
 #include "import/base/occurrences.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/text_file.hpp"
@@ -162,6 +163,7 @@ private:
     /// from the last vertex; positive ones may name vertices that follow.
     std::uint32_t read_corners(Words& words, std::vector<std::uint32_t>& corners) {
         std::uint32_t count = 0;
+        numbers_.clear();
         for (std::string_view word = next_word(words); !word.empty(); word = next_word(words), ++count) {
             const auto number = parse_integer(word.substr(0, word.find('/')));
             if (!number) {
@@ -173,6 +175,7 @@ private:
                                             ? static_cast<std::int64_t>(positions_.size()) + *number
                                             : no_number;
             corners.push_back(static_cast<std::uint32_t>(std::min<std::int64_t>(vertex, no_number)));
+            numbers_.push_back(*number);
         }
         return count;
     }
@@ -185,9 +188,21 @@ private:
             ++file_.record().points_and_lines;
             return;
         }
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, numbers_[i]);
         if (mesh_ == no_number) mesh_ = mesh_number();
         faces_.push_back(
             {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_number)), count});
+    }
+
+    /// A number below 0 counts back from the vertices before the face, which may be fewer than the file's.
+    void add_missing(std::uint64_t line, std::int64_t number) {
+        missing_vertices_.add([&] {
+            const std::string place = text("line ", line, ": a face");
+            if (number >= 0) return words_for_missing(place, number, positions_.size(), 1);
+            return text(place, " names vertex ", number, ", counted back, and ", counted(positions_.size(), "vertex"),
+                        " precede it");
+        });
     }
 
     /// Of the current object and group, which gets the next number with its first face.
@@ -253,10 +268,9 @@ private:
 
     void add_face(const Face& face, std::span<const std::uint32_t> corners, ObjMesh& mesh) {
         local_corners_.clear();
-        bool is_whole = true;
         for (const std::uint32_t vertex : corners) {
             if (vertex >= positions_.size()) {
-                is_whole = false;
+                if (vertex != no_number) add_missing(face.line, std::int64_t{vertex} + 1);
                 local_corners_.push_back(vertex);  // no vertex of the mesh either
                 continue;
             }
@@ -267,7 +281,6 @@ private:
             }
             local_corners_.push_back(locals_[vertex]);
         }
-        if (!is_whole) missing_vertices_.add(face.line);
         if (!cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles)) crossing_.add(face.line);
         mesh.materials.resize(mesh.triangles.size(), face.material);
     }
@@ -281,7 +294,7 @@ private:
     }
 
     void warn() {
-        missing_vertices_.warn(file_, "missing_vertex", "a face names a vertex that the file does not have.");
+        missing_vertices_.report(file_.record(), options_);
         crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
         free_form_.warn(file_, "free_form", "a free-form curve or surface was left out. Export it as polygons.");
         weights_.warn(file_, "vertex_weight",
@@ -313,6 +326,7 @@ private:
     std::vector<Vec3> positions_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> corners_;  // of the faces, one after the other
+    std::vector<std::int64_t> numbers_;   // of the corners of a line, as written
     std::vector<std::uint32_t> loose_;    // of points and lines
     std::string object_;
     std::string group_;
@@ -325,7 +339,7 @@ private:
     std::vector<std::uint32_t> locals_;  // and its number there
     std::vector<std::uint32_t> local_corners_;
 
-    Occurrences missing_vertices_;
+    MissingVertices missing_vertices_;
     Occurrences crossing_;
     Occurrences free_form_;
     Occurrences weights_;

@@ -85,21 +85,21 @@ std::optional<OffKeyword> parse_keyword(std::string_view word) {
 
 class OffReader {
 public:
-    OffReader(std::string_view content, bool keeps_vertices, UnitlessFile& file)
-        : content_(content), words_(content), keeps_vertices_(keeps_vertices), file_(file) {}
+    OffReader(std::string_view content, const ImportOptions& options, UnitlessFile& file)
+        : content_(content), words_(content), options_(options), file_(file) {}
 
     void read() {
         read_header();
         read_vertices();
         for (std::uint64_t face = 0; face < face_count_; ++face) read_face(face);
-        missing_vertices_.report(file_, positions_.size());
+        missing_vertices_.report(file_.record(), options_);
         crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
         if (words_.has_more_on_line() || words_.next_line()) {
             file_.warn("trailing_bytes",
                        text(", line ", words_.line(), ": more follows the ", counted(face_count_, "face"),
                             " that the header states; it was not read."));
         }
-        if (!keeps_vertices_) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
+        if (!options_.keep_vertices) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
         file_.add("", std::move(positions_), std::move(triangles_), {});
     }
 
@@ -205,7 +205,9 @@ private:
         if (!vertex) refuse_word(word, "not the number of a vertex");
         if (*vertex >= 0 && static_cast<std::uint64_t>(*vertex) < positions_.size())
             return static_cast<std::uint32_t>(*vertex);
-        missing_vertices_.add(*vertex, [this, face] { return text("line ", words_.line(), ": face ", face); });
+        missing_vertices_.add([&] {
+            return words_for_missing(text("line ", words_.line(), ": face ", face), *vertex, positions_.size(), 0);
+        });
         return off_no_vertex;
     }
 
@@ -229,7 +231,7 @@ private:
 
     std::string_view content_;
     OffWords words_;
-    bool keeps_vertices_;  // unused ones are no points then
+    const ImportOptions& options_;
     UnitlessFile& file_;
     PolygonCutter cutter_;
     std::size_t more_numbers_ = 0;
@@ -247,7 +249,7 @@ private:
 void import_off(const std::string& path, const ImportOptions& options, Imported& imported) {
     UnitlessFile file(path, "OFF", options, imported);
     const std::string content = utf8_text(read_bytes(path));
-    OffReader(content, options.keep_vertices, file).read();
+    OffReader(content, options, file).read();
     file.finish();
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "import/base/missing_vertices.hpp"
 #include "import/base/polygon.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "ply.hpp"
@@ -18,8 +19,8 @@ constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 template <class Values>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Values values, bool keeps_vertices, UnitlessFile& file)
-        : header_(header), values_(values), keeps_vertices_(keeps_vertices), file_(file) {}
+    PlyReader(const PlyHeader& header, Values values, const ImportOptions& options, UnitlessFile& file)
+        : header_(header), values_(values), options_(options), file_(file) {}
 
     void read() {
         // Faces are cut into triangles by their vertices, which may follow them.
@@ -143,7 +144,8 @@ private:
         if (vertex >= 0 && static_cast<std::uint64_t>(vertex) < positions_.size()) {
             return static_cast<std::uint32_t>(vertex);
         }
-        if (missing_vertices_++ == 0) first_missing_ = values_.place();
+        missing_vertices_.add(
+            [&] { return words_for_missing(values_.place() + ": a face", vertex, positions_.size(), 0); });
         return vertex < 0 || vertex > no_vertex ? no_vertex : static_cast<std::uint32_t>(vertex);
     }
 
@@ -176,11 +178,7 @@ private:
     void warn(const char* kind, const std::string& message) { file_.warn(kind, ": " + message); }
 
     void finish() {
-        if (missing_vertices_ > 0) {
-            warn("missing_vertex",
-                 text(counted(missing_vertices_, "corner"), " name vertices that the file does not have, the first at ",
-                      first_missing_, '.'));
-        }
+        missing_vertices_.report(file_.record(), options_);
         if (crossing_ > 0) {
             warn("crossing_polygon", text(counted(crossing_, "face"),
                                           " with an outline that crosses itself, the first at ", first_crossing_,
@@ -191,28 +189,28 @@ private:
             warn("trailing_bytes", text("after the elements that the header states more follows, from ",
                                         values_.place(), " on; it was not read."));
         }
-        if (!keeps_vertices_) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
+        if (!options_.keep_vertices) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
         file_.add("", std::move(positions_), std::move(triangles_), {});
     }
 
     const PlyHeader& header_;
     Values values_;
-    bool keeps_vertices_;  // unused ones are no points then
+    const ImportOptions& options_;
     UnitlessFile& file_;
     PolygonCutter cutter_;
     std::vector<Vec3> positions_;
     std::vector<TriangleVertices> triangles_;
     std::vector<std::int64_t> list_;
     std::vector<std::uint32_t> corners_;
-    std::uint64_t missing_vertices_ = 0;
-    std::string first_missing_;
+    MissingVertices missing_vertices_;
     std::uint64_t crossing_ = 0;
     std::string first_crossing_;
 };
 
 template <class Values>
-void read_values(const PlyHeader& header, const std::string& content, bool keeps_vertices, UnitlessFile& file) {
-    PlyReader<Values>(header, Values(file.path(), header, content), keeps_vertices, file).read();
+void read_values(const PlyHeader& header, const std::string& content, const ImportOptions& options,
+                 UnitlessFile& file) {
+    PlyReader<Values>(header, Values(file.path(), header, content), options, file).read();
 }
 
 }  // namespace
@@ -222,9 +220,9 @@ void import_ply(const std::string& path, const ImportOptions& options, Imported&
     const std::string content = utf8_text(read_bytes(path));
     const PlyHeader header = read_ply_header(path, content);
     if (header.form == PlyForm::text) {
-        read_values<PlyText>(header, content, options.keep_vertices, file);
+        read_values<PlyText>(header, content, options, file);
     } else {
-        read_values<PlyBytes>(header, content, options.keep_vertices, file);
+        read_values<PlyBytes>(header, content, options, file);
     }
     file.finish();
 }
