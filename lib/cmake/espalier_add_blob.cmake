@@ -19,10 +19,11 @@ set(ESPALIER_HOST_OPTIONS "" CACHE STRING
 mark_as_advanced(ESPALIER_HOST_OPTIONS)
 set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 
-# Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes.
+# Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes. But MESH_FORMAT is --format, since FORMAT is that
+# of the array.
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS MATERIALS DEFORMABLE DROP_BAD_TRIANGLES STRICT ALLOW_EMPTY)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
-  BYTE_PRICE BUILDER DUPLICATE_BUDGET UNIT SCALE UP FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
+  BYTE_PRICE BUILDER DUPLICATE_BUDGET MESH_FORMAT UNIT SCALE UP FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
   REMAP REORDER INSTANCES)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_LISTS RANGE POSES) # of several values
 
@@ -132,6 +133,7 @@ function(espalier_add_blob target)
     if(DEFINED blob_${option} AND NOT (option IN_LIST bake_flags AND NOT blob_${option}))
       string(TOLOWER "--${option}" name)
       string(REPLACE "_" "-" name ${name})
+      string(REPLACE "--mesh-format" "--format" name ${name})
       list(APPEND bake_options ${name})
       if(NOT option IN_LIST bake_flags)
         list(APPEND bake_options ${blob_${option}})

@@ -21,7 +21,7 @@ version=$("$espalier" --version | sed 's/^espalier \([0-9.]*\).*/\1/')
 
 claim "every option of bake that shapes the blob is an option of the function, and the other way round"
 run 0 bake --help
-sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sort >of_bake
+sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sed 's/^FORMAT$/MESH_FORMAT/' | sort >of_bake
 sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\|LISTS\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
     grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES|LISTS)' | sort >of_function
 [ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"
@@ -77,7 +77,7 @@ write_main level
 write_head level C
 cat >>level/CMakeLists.txt <<'CMAKE'
 espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah LEAF_SIZE 2 MATERIALS IDS FLAT_ANGLE 7
-  BOUNDS obb,sphere UNIT cm SCALE 3 UP z DROP_BAD_TRIANGLES EFFORT best THREADS 1 BYTE_PRICE 0
+  BOUNDS obb,sphere MESH_FORMAT obj UNIT cm SCALE 3 UP z DROP_BAD_TRIANGLES EFFORT best THREADS 1 BYTE_PRICE 0
   OUTPUT blobs/all.espl REMAP all.remap REORDER models/all.ply)
 get_target_property(blob level ESPALIER_BLOB)
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/blob.txt" "${blob}")

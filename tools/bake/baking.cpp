@@ -57,6 +57,7 @@ ImportOptions import_options(const SourceArguments& arguments, bool json, std::v
         throw_error(ExitCode::usage, "--scale ", arguments.scale, ": a scale is a finite number above zero.");
     }
     options.scale = arguments.scale;
+    options.format = lower_case(arguments.format);
     if (!arguments.unit.empty()) {
         options.metres_per_unit = metres_in(arguments.unit);
         if (!options.metres_per_unit) {

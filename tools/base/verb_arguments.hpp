@@ -17,7 +17,8 @@ namespace espalier::tools {
 /// How the numbers in mesh files are understood. The same for bake and for verify --source.
 struct SourceArguments {
     double scale = 1.0;
-    std::string unit;  ///< empty: the one that the file states, else metres
+    std::string unit;    ///< empty: the one that the file states, else metres
+    std::string format;  ///< a name or an ending; empty: content and name of each file decide
     std::optional<Axis> up;
     bool strict = false;            ///< warnings are errors
     bool allow_empty = false;       ///< files without triangles are none

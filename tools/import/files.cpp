@@ -9,6 +9,7 @@
 
 #include "base/exit_code.hpp"
 #include "import/base/text_file.hpp"
+#include "import/format.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "platform/files.hpp"
 
@@ -39,33 +40,40 @@ void require_readable(const std::string& path) {
 
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
 
+Import* importer_of(MeshFormat format) {
+    constexpr Import* importers[] = {import_obj, import_off, import_ply,
+                                     import_stl, import_raw, import_with_assimp};  // glTF that is none was refused
+    return importers[static_cast<std::size_t>(format)];
+}
+
 /// Throws CommandError (unsupported) for readers that do not keep the vertices of a file. In STL and RAW each triangle
 /// has three of its own, and assimp joins and sorts those of the other formats.
-void require_kept_vertices(Import* import, const std::string& path) {
-    if (import == import_obj || import == import_ply || import == import_off) return;
+void require_kept_vertices(std::optional<MeshFormat> format, const std::string& path) {
+    if (format && *format != MeshFormat::stl && *format != MeshFormat::raw) return;
     throw_file_error(ExitCode::unsupported, path, " is read without the order of its vertices, by which poses of a ",
                      "deformable mesh match. Export it as OBJ, PLY, OFF or glTF.");
 }
 
-/// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
-Import* importer_of(const std::string& path) {
-    char begin[5] = {};
-    InputFile file(path_of(path));
-    file.read(std::as_writable_bytes(std::span(begin)));
-    if (file.error() != 0) fail_to_read(path, file.error());
-    const std::string_view content(begin, sizeof(begin));
-    if (content.starts_with("ESPL") || content.starts_with("ESPS")) {
-        throw_file_error(ExitCode::unsupported, path, " is a ", content[3] == 'L' ? "blob" : "scene",
-                         " already. Give the mesh that it was baked from.");
-    }
-    if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
+/// What --format names, else the format that the content declares, else the name's ending. Nothing: a format of assimp.
+std::optional<MeshFormat> format_of(const std::string& path, std::string_view begin, const ImportOptions& options) {
+    if (!options.format.empty()) return format_named(options.format);
+    const std::uint64_t size = InputFile(path_of(path)).size();
     const std::string ending = ending_of(path);
-    if (ending == ".obj") return import_obj;
-    if (ending == ".off") return import_off;
-    if (ending == ".ply") return import_ply;
-    if (ending == ".raw") return import_raw;
-    if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;
-    return import_with_assimp;
+    const auto of_content = format_of_content(begin, size);
+    const auto of_name = format_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
+    if (of_content || of_name) return of_content ? of_content : of_name;
+    return looks_like_obj(begin, size) ? std::optional(MeshFormat::obj) : std::nullopt;
+}
+
+void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
+    const std::string begin = read_begin(path, format_begin_bytes);
+    refuse_other_than_mesh(path, begin);
+    const std::optional<MeshFormat> format = format_of(path, begin, options);
+    // JSON is glTF by what is in it, and may be another format.
+    if ((options.format.empty() || format == MeshFormat::gltf) && import_gltf(path, options, imported)) return;
+    if (options.keep_vertices) require_kept_vertices(format, path);
+    Import* const import = format ? importer_of(*format) : import_with_assimp;
+    import(path, options, imported);
 }
 
 /// The error as one about this file, for scripts.
@@ -78,11 +86,7 @@ Import* importer_of(const std::string& path) {
 void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
     const LimitGuard guard(path, options);
     try {
-        if (!import_gltf(path, options, imported)) {
-            Import* const import = importer_of(path);
-            if (options.keep_vertices) require_kept_vertices(import, path);
-            import(path, options, imported);
-        }
+        import_file(path, options, imported);
     } catch (const CommandError& error) {
         if (guard.memory_ran_out()) guard.refuse_memory();
         rethrow_with_file(error, path);

@@ -24,7 +24,7 @@ def containers():
     for length in (5, 11, 19, 40, len(whole) - 1):
         with open("cut.glb", "wb") as file:
             file.write(whole[:length])
-        refused("cut.glb", 3, "cut.glb")
+        refused("cut.glb", 3, "cut.glb", f"{length} bytes")
     with open("broken.gltf", "w") as file:
         file.write('{"asset": {"version": "2.0"}, "nodes": [}')
     refused("broken.gltf", 3, "broken.gltf", "line 1")
@@ -49,6 +49,47 @@ def containers():
     refused("beside.gltf", 3, "short.bin", "shorter")
     solid_file().write("beside.gltf", ("short.bin", "https://example.org/case.bin"))
     refused("beside.gltf", 5, "https://example.org/case.bin", "Download")
+
+
+def tile(path, json_text=b"", kind=b"b3dm", version=1, more=0):
+    """The solid as a b3dm with that feature table, whose header states so many bytes more than it has."""
+    solid_file().write("in_tile.glb")
+    with open("in_tile.glb", "rb") as file:
+        glb = file.read()
+    tables = json_text + b" " * (bool(json_text) * (-(len(json_text) + 28) % 8)) + b'{"id":[0]}'.ljust(16)
+    body = tables + glb + b"\0" * (-(28 + len(tables) + len(glb)) % 8)
+    with open(path, "wb") as file:
+        file.write(struct.pack("<4s6I", kind, version, 28 + len(body) + more, len(tables) - 16, 0, 16, 0) + body)
+
+
+def tiles():
+    claim("the glTF in a b3dm is read whatever its ending, and its triangles are those of the file alone")
+    for name, features in (("case.b3dm", b'{"BATCH_LENGTH":1}'), ("case.bin", b""), ("case.b3dm", b'{"RTC_CENTER":[0,0,0]}')):
+        tile(name, features)
+        warned(bakes(name, solid()), "trailing_bytes", False)
+    claim("a tile around a centre is refused by its name with the way out, and so is that extension of glTF")
+    tile("centre.b3dm", b'{"RTC_CENTER":[4e6,0,-1]}')
+    refused("centre.b3dm", 5, "RTC_CENTER", "4e+06 0 -1", "0 0 0")
+    for required in (True, False):
+        for centre in ([0, 0, 0], [0, 1e6, 0]):
+            gltf = solid_file()
+            gltf.extension("CESIUM_RTC", required)
+            changed(gltf, "extensions", {"CESIUM_RTC": {"center": centre}})
+            if any(centre):
+                refused(gltf, 5, "CESIUM_RTC", "0 1e+06 0")
+            else:
+                bakes(gltf, solid())
+    claim("tiles of other kinds, versions and lengths are refused by name")
+    for kind in (b"i3dm", b"pnts", b"cmpt"):
+        tile("other.b3dm", kind=kind)
+        refused("other.b3dm", 5, kind.decode(), "b3dm")
+    for code, words, options in ((5, "b3dm 2", {"version": 2}), (3, "states", {"more": 8}), (3, "states", {"more": -100}),
+                                 (3, "feature table", {"json_text": b"{"}), (3, "RTC_CENTER", {"json_text": b'{"RTC_CENTER":[1]}'})):
+        tile("broken.b3dm", **options)
+        refused("broken.b3dm", code, words)
+    with open("broken.b3dm", "wb") as file:
+        file.write(b"b3dm\1\0\0\0")
+    refused("broken.b3dm", 3, "8 bytes", "28")
 
 
 def restarts():

@@ -70,14 +70,19 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     ImportedFile file;
     file.path = path;
-    OpenedFiles files{file.opened};
+    const bool is_stated = !options.format.empty();
+    const std::string ending = is_stated ? "." + options.format : ending_of(path);
+    OpenedFiles files{path, is_stated ? path + ending : path, file.opened};
     const std::vector<std::string>& missing = files.missing;
     importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes, like the next
     importer.SetIOHandler(list_opened_files(files).release());
-    const std::string ending = ending_of(path);
     const bool is_known_ending = !ending.empty() && importer.IsExtensionSupported(ending);
+    if (is_stated && !is_known_ending) {
+        throw_error(ExitCode::usage, "--format '", printable(options.format),
+                    "': it is none of obj, off, ply, stl, raw and gltf, nor the ending of a format that assimp reads.");
+    }
     // Requests triangles only: welding and dropping is the baker's work, which counts what it does.
-    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+    const aiScene* scene = importer.ReadFile(files.second_name, aiProcess_Triangulate);
     if (files.error != 0) fail_to_read(files.unreadable, files.error);
     if (scene == nullptr && !is_known_ending) {
         throw_file_error(ExitCode::unsupported, path, " cannot be imported: ",

@@ -46,12 +46,14 @@ class ListedFiles : public Assimp::DefaultIOSystem {
 public:
     explicit ListedFiles(OpenedFiles& files) : files_(files) {}
 
-    bool Exists(const char* path) const override {
+    bool Exists(const char* name) const override {
+        const char* const path = path_for(name);
         const bool exists = DefaultIOSystem::Exists(path) && !is_folder(path);
         if (!exists) list(path, files_.missing);
         return exists;
     }
-    Assimp::IOStream* Open(const char* path, const char*) override {
+    Assimp::IOStream* Open(const char* name, const char*) override {
+        const char* const path = path_for(name);
         // A folder can be opened where the system is one of POSIX.
         const bool is_there = !is_folder(path) && InputFile(path_of(path)).error() == 0;
         list(path, is_there ? files_.opened : files_.missing);
@@ -62,6 +64,7 @@ public:
     }
 
 private:
+    const char* path_for(const char* name) const { return files_.second_name == name ? files_.path.c_str() : name; }
     static bool is_folder(const char* path) {
         std::error_code error;
         return std::filesystem::is_directory(path_of(path), error);

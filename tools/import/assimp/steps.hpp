@@ -14,8 +14,11 @@ struct aiScene;
 
 namespace espalier::tools {
 
-/// The paths of files that assimp opened or looked for.
+/// The paths of files that assimp opened or looked for. It chooses an importer by the ending of a name: a file that is
+/// to be read in another format has a second name with that ending.
 struct OpenedFiles {
+    std::string path;
+    std::string second_name;
     std::vector<std::string>& opened;
     std::vector<std::string> missing = {};  ///< those that are not there, or are folders
     std::string unreadable = {};            ///< the first one of which reading failed

@@ -24,6 +24,9 @@ struct ImportLimits {
 };
 
 struct ImportOptions {
+    /// The format of the files, or the ending that files of it have, in lower case and without a dot. Empty: content
+    /// and name decide.
+    std::string format;
     /// One unit of the files in metres. Without it: the unit that a file states, else a metre.
     std::optional<double> metres_per_unit;
     double scale = 1.0;
@@ -140,7 +143,8 @@ void import_stl(const std::string& path, const ImportOptions& options, Imported&
 /// nothing. Throws CommandError (invalid_input) for other lines, with their number.
 void import_raw(const std::string& path, const ImportOptions& options, Imported& imported);
 
-/// glTF 2.0, .gltf and .glb, of which docs/baking.md lists what is read. Returns false for a file that is no glTF.
+/// glTF 2.0, .gltf and .glb, and b3dm, which contains it; docs/baking.md lists what is read. Returns false for a file
+/// that is neither by its content, its ending and the options.
 bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported);
 
 /// Files of the formats that assimp reads.

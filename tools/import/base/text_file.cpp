@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <limits>
+#include <span>
 
 #include "base/exit_code.hpp"
 #include "platform/files.hpp"
@@ -81,6 +82,14 @@ float beyond_double(std::string_view decimal) {
 }  // namespace
 
 std::string ending_of(const std::string& path) { return lower_case(text_of(path_of(path).extension())); }
+
+std::string read_begin(const std::string& path, std::size_t most) {
+    std::string begin(most, '\0');
+    InputFile file(path_of(path));
+    begin.resize(file.read(std::as_writable_bytes(std::span(begin))));
+    if (file.error() != 0) fail_to_read(path, file.error());
+    return begin;
+}
 
 std::string read_bytes(const std::string& path) {
     std::string bytes;

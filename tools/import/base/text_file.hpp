@@ -29,6 +29,9 @@ Number little_endian(const char* bytes) {
 /// Returns the ending of a file's name with its dot, in lower case; empty without one.
 std::string ending_of(const std::string& path);
 
+/// Returns the first bytes of a file, at most so many. Throws CommandError (file_access) when it cannot be read.
+std::string read_begin(const std::string& path, std::size_t most);
+
 /// Returns all bytes of a file. Throws CommandError (file_access) when it cannot be read.
 std::string read_bytes(const std::string& path);
 

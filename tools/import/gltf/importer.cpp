@@ -8,7 +8,9 @@
 #include "base/numbers.hpp"
 #include "import/base/mesh_collector.hpp"
 #include "import/gltf/data/accessors.hpp"
+#include "import/base/text_file.hpp"
 #include "import/gltf/data/container.hpp"
+#include "import/gltf/data/tile.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "nodes.hpp"
 
@@ -16,8 +18,9 @@ namespace espalier::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> read_here = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-                                                       "KHR_draco_mesh_compression", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 5> read_here = {"CESIUM_RTC", "EXT_mesh_gpu_instancing",
+                                                       "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+                                                       "KHR_mesh_quantization"};
 
 /// Materials, pictures, lights, animations and data about the file. A name that ends with '_' stands for all that
 /// start so.
@@ -48,6 +51,11 @@ void require_known_gltf_extensions(const GltfObject& root) {
     }
 }
 
+bool is_named_gltf(const std::string& path, const ImportOptions& options) {
+    const std::string name = options.format.empty() ? ending_of(path) : "." + options.format;
+    return name == ".gltf" || name == ".glb" || name == ".b3dm";
+}
+
 /// Counts what a warning is about, with the first mesh as its example.
 struct Found {
     std::uint64_t count = 0;
@@ -71,6 +79,7 @@ public:
           root_(data_.root()),
           meshes_(options, file, imported) {
         require_known_gltf_extensions(root_);
+        if (const auto relative = root_.extension("CESIUM_RTC")) require_no_centre(*relative, "center");
         file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
         file_.metres_per_unit = options.metres_per_unit.value_or(1.0);
         if (container.trailing_bytes > 0) {
@@ -295,7 +304,7 @@ private:
 
 bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) {
     const CrashGuard guard(path, options);
-    const std::optional<GltfContainer> container = read_gltf_container(path);
+    const std::optional<GltfContainer> container = read_gltf_container(path, is_named_gltf(path, options));
     if (!container) return false;
     ImportedFile file;
     file.path = path;

@@ -6,6 +6,7 @@
 
 #include "base/exit_code.hpp"
 #include "json.hpp"
+#include "tile.hpp"
 #include "platform/files.hpp"
 
 namespace espalier::tools {
@@ -28,10 +29,11 @@ constexpr std::size_t longest_quotation = 160;
                 ", and 2.0 is read. Convert it to glTF 2.0.");
 }
 
-enum class Content { binary, json, other };
+enum class Content { binary, tile, json, other };
 
 Content content_of(std::string_view start) {
     if (start.starts_with("glTF")) return Content::binary;
+    if (is_tile(start)) return Content::tile;
     if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
     const std::size_t first = start.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && start[first] == '{' ? Content::json : Content::other;
@@ -109,9 +111,7 @@ std::string without_number(std::string reason) {
 
 }  // namespace
 
-std::optional<GltfContainer> read_gltf_container(const std::string& path) {
-    const std::string ending = lower_case(text_of(path_of(path).extension()));
-    const bool named_so = ending == ".gltf" || ending == ".glb";
+std::optional<GltfContainer> read_gltf_container(const std::string& path, bool named_so) {
     const Content content = content_of(start_of(path));
     if (content == Content::other) {
         if (!named_so) return std::nullopt;
@@ -122,15 +122,19 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     if (const int error = read_whole_file(path_of(path), container.file); error != 0) fail_to_read(path, error);
     std::span<const std::byte> json = container.file;
     container.format = "glTF 2.0";
-    if (content == Content::binary) {
-        if (json.size() < glb_header_bytes) fail(path, "it is cut off; copy or export it again.");
+    if (content == Content::binary || content == Content::tile) {
+        if (content == Content::tile) json = glb_of_tile(path, json);
+        if (json.size() < glb_header_bytes) {
+            fail(path, text("it has ", json.size(), " bytes, and the header of binary glTF alone has ",
+                            glb_header_bytes, ". Copy or export it again."));
+        }
         const std::uint32_t version = word_at(json, 4);
         if (version != 2) refuse_version(path, version == 1 ? "1.0" : text(version));
-        const Chunks chunks = chunks_of(path, container.file);
+        const Chunks chunks = chunks_of(path, json);
         json = chunks.json;
         container.binary = chunks.binary;
         container.trailing_bytes = chunks.trailing_bytes;
-        container.format = "glTF 2.0 binary";
+        container.format = content == Content::tile ? "glTF 2.0 in b3dm" : "glTF 2.0 binary";
     }
     ParsedJson parsed = parse_json(characters(json));
     if (parsed.value == nullptr) {
