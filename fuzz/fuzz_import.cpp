@@ -12,6 +12,7 @@
 #include <fstream>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
@@ -22,12 +23,15 @@
 #include "judge.hpp"
 #include "shared_coverage.hpp"
 #include "target.hpp"
+#include "zip_of_one.hpp"
 
 using namespace espalier;
 
 namespace {
 
 constexpr std::array formats = {"obj", "ply", "stl", "off", "gltf", "glb", "dae", "fbx"};
+/// From this first byte on it is 3MF: at even ones the package, at odd ones the model, which is packed here.
+constexpr std::uint8_t first_of_3mf = 240;
 constexpr unsigned seconds = 20;
 
 BakeOptions options_from(std::uint8_t choices) {
@@ -97,11 +101,13 @@ int run_apart(const std::string& path, const BakeOptions& options) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 2 || size > 65536) return 0;
+    const bool is_3mf = data[0] >= first_of_3mf;
     const std::filesystem::path path =
-        std::filesystem::temp_directory_path() /
-        ("espalier_fuzz_import_" + std::to_string(getpid()) + "." + formats[data[0] % formats.size()]);
+        std::filesystem::temp_directory_path() / ("espalier_fuzz_import_" + std::to_string(getpid()) + "." +
+                                                  (is_3mf ? "3mf" : formats[data[0] % formats.size()]));
+    const std::string_view content(reinterpret_cast<const char*>(data) + 2, size - 2);
     std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(data) + 2, static_cast<std::streamsize>(size - 2));
+        << (is_3mf && data[0] % 2 != 0 ? fuzz::zip_of_one("3D/3dmodel.model", content) : std::string(content));
     const int status = run_apart(path.string(), options_from(data[1]));
     std::filesystem::remove(path);
     using fuzz::ImportEnd;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of OBJ, OFF, PLY and STL, of formats that assimp reads, and of files with a wrong name, on small files that are written here.
+"""Tests of OBJ, OFF, PLY, STL and 3MF, of formats that assimp reads, and of files with a wrong name, on small files that are written here.
 
 Usage: generated_test.py PATH_TO_ESPALIER
 """
@@ -15,6 +15,7 @@ from generated.obj import obj
 from generated.off import off
 from generated.ply import ply
 from generated.stl import stl
+from generated.three_mf import three_mf
 
 BYTES = 4 << 30  # of memory, so that a claim of a file is not taken at its word
 
@@ -23,7 +24,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, off, ply, stl, names, assimp):
+        for family in (obj, off, ply, stl, three_mf, names, assimp):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

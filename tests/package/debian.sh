@@ -21,7 +21,7 @@ development=$(echo "$folder"/packages/libespalier-dev_*.deb)
 command=$(echo "$folder"/packages/espalier_*.deb)
 
 [[ -z $(dpkg-deb -f "$development" Depends) ]] || fail "the libraries depend on $(dpkg-deb -f "$development" Depends)"
-for library in libassimp libdraco libmeshoptimizer libpng libstdc++ libc6; do
+for library in libassimp libdraco libexpat libmeshoptimizer libpng zlib libstdc++ libc6; do
     [[ $(dpkg-deb -f "$command" Depends) == *$library* ]] || fail "the command does not depend on $library"
 done
 

@@ -75,8 +75,9 @@ TOOLS = {  # from what all of the command uses to the command line
     "import/readers": "base platform import/base",
     "import/gltf/data": "base platform",
     "import/gltf": "base import/base import/guards import/gltf/data",
+    "import/3mf": "base import/base",
     "import/assimp": "base platform import/base import/guards",
-    "import": "base platform import/base import/guards import/readers import/gltf import/assimp",
+    "import": "base platform import/base import/guards import/readers import/gltf import/3mf import/assimp",
     "report": "base platform",
     "files": "base platform report",
     "layout": "base report",
@@ -240,7 +241,7 @@ def includes():
     of_load = ROOT / "bench/load/meshopt_file.cpp"  # compares with meshoptimizer's codec itself
     for folder in ("lib", "tests", "fuzz", "bench"):
         check("only tools/ may include an importer's library", [file for file in sources(folder) if file != of_load],
-              forbidden="<(assimp/|draco/|meshoptimizer)")
+              forbidden="<(assimp/|draco/|expat|meshoptimizer)")
     for folder in ("lib", "tools", "fuzz", "bench"):
         check("only tests/ may include Eigen or GMP", sources(folder), forbidden="<(Eigen/|gmp)")
     # Headers that take seconds to compile stand behind narrow ones of the command.

@@ -5,7 +5,8 @@
 namespace espalier::tools {
 
 void import_with_assimp(const std::string& path, const ImportOptions&, Imported&) {
-    throw_file_error(ExitCode::unsupported, path, " cannot be imported: it is no OBJ, OFF, PLY, STL, RAW or glTF, and this ",
+    throw_file_error(ExitCode::unsupported, path,
+                     " cannot be imported: it is no 3MF, OBJ, OFF, PLY, STL, RAW or glTF, and this ",
                      "build reads no other format, because it has no assimp. Convert it, for example to glTF, ",
                      "or use a build with assimp.");
 }

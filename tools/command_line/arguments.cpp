@@ -18,10 +18,10 @@ void add_threads(Verb verb, unsigned& threads, const std::string& description) {
 void add_source(Verb verb, SourceArguments& source, const char* strict, const char* allow_empty) {
     verb.option("--unit", source.unit, "UNIT",
                 "What one unit of the files is: m, cm, mm, in, ft, km or um. The blob is in metres. Without it, the "
-                "unit that a file states (FBX, glTF, Collada, IFC), else a metre");
+                "unit that a file states (3MF, AMF, FBX, glTF, Collada, IFC), else a metre");
     verb.option(
         "--format", source.format, "NAME",
-        "Read the files in this format, whatever their names and contents are: obj, off, ply, stl, raw, gltf, or "
+        "Read the files in this format, whatever their names and contents are: obj, off, ply, stl, raw, gltf, 3mf, or "
         "the ending of a format that assimp reads, such as fbx. Without it, the content decides where it is "
         "enough, else the ending");
     verb.option("--scale", source.scale, "FACTOR", "Factor on all coordinates, on top of the unit");

@@ -44,7 +44,7 @@ void add_deformation(Verb verb, BakeArguments& arguments) {
 void add_files(Verb verb, BakeArguments& arguments) {
     verb.option(
             "inputs", arguments.inputs, "MESH",
-            "Mesh files in the order of their file numbers: glTF 2.0, OBJ, OFF, PLY, STL and RAW, which the "
+            "Mesh files in the order of their file numbers: glTF 2.0, 3MF, OBJ, OFF, PLY, STL and RAW, which the "
             "command reads itself, and, in a build with assimp, its other formats, such as FBX, Collada and 3DS. Node "
             "transforms are applied; animated meshes are taken in the pose that the file stores")
         .required();

@@ -41,8 +41,8 @@ void require_readable(const std::string& path) {
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
 
 Import* importer_of(MeshFormat format) {
-    constexpr Import* importers[] = {import_obj, import_off, import_ply,
-                                     import_stl, import_raw, import_with_assimp};  // glTF that is none was refused
+    constexpr Import* importers[] = {import_obj, import_off,         import_ply, import_stl,
+                                     import_raw, import_with_assimp, import_3mf};  // glTF that is none was refused
     return importers[static_cast<std::size_t>(format)];
 }
 

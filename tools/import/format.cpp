@@ -13,8 +13,9 @@ namespace espalier::tools {
 namespace {
 
 constexpr std::pair<std::string_view, MeshFormat> format_names[] = {
-    {"obj", MeshFormat::obj}, {"off", MeshFormat::off},   {"ply", MeshFormat::ply},  {"stl", MeshFormat::stl},
-    {"raw", MeshFormat::raw}, {"gltf", MeshFormat::gltf}, {"glb", MeshFormat::gltf}, {"b3dm", MeshFormat::gltf}};
+    {"obj", MeshFormat::obj},  {"off", MeshFormat::off},   {"ply", MeshFormat::ply},
+    {"stl", MeshFormat::stl},  {"raw", MeshFormat::raw},   {"gltf", MeshFormat::gltf},
+    {"glb", MeshFormat::gltf}, {"b3dm", MeshFormat::gltf}, {"3mf", MeshFormat::three_mf}};
 
 /// The statements that files of OBJ begin with.
 constexpr std::string_view obj_words[] = {"v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p", "usemtl", "mtllib"};
@@ -76,6 +77,13 @@ std::string_view first_zipped(std::string_view begin) {
     return begin.substr(header_bytes, little_endian<std::uint16_t>(begin.data() + 26));
 }
 
+/// Programs write the parts of a package in any order. Other packages have some of the names too, and then no model.
+bool is_package(std::string_view begin) {
+    const std::string_view name = first_zipped(begin);
+    return name == "[Content_Types].xml" || name.starts_with("_rels/") || name.starts_with("3D/") ||
+           name.starts_with("Metadata/");
+}
+
 }  // namespace
 
 std::optional<MeshFormat> format_named(std::string_view name) {
@@ -88,6 +96,7 @@ std::optional<MeshFormat> format_named(std::string_view name) {
 std::optional<MeshFormat> format_of_content(std::string_view begin, std::uint64_t size) {
     if (begin.starts_with("ply\n") || begin.starts_with("ply\r")) return MeshFormat::ply;
     if (begin.starts_with("glTF") || begin.starts_with("b3dm")) return MeshFormat::gltf;
+    if (is_package(begin)) return MeshFormat::three_mf;
     if (is_binary_stl(begin, size)) return MeshFormat::stl;
     const std::string text = utf8_text(std::string(begin));
     if (text.find('\0') != std::string::npos) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace espalier::tools {
 
 /// Those that the command reads itself.
-enum class MeshFormat : std::uint8_t { obj, off, ply, stl, raw, gltf };
+enum class MeshFormat : std::uint8_t { obj, off, ply, stl, raw, gltf, three_mf };
 
 /// How many bytes of a file the functions below need.
 inline constexpr std::size_t format_begin_bytes = 1 << 16;
@@ -18,7 +18,7 @@ inline constexpr std::size_t format_begin_bytes = 1 << 16;
 std::optional<MeshFormat> format_named(std::string_view name);
 
 /// Returns the format that a file of `size` bytes declares with its first bytes, whatever its name is: PLY, OFF, binary
-/// glTF, b3dm, STL. RAW has no mark, and JSON and OBJ are common to many formats.
+/// glTF, b3dm, STL, 3MF. RAW has no mark, and JSON and OBJ are common to many formats.
 std::optional<MeshFormat> format_of_content(std::string_view begin, std::uint64_t size);
 
 /// Tests whether the first lines are Wavefront OBJ and nothing else: what a file without a name of its own must show.

@@ -1,7 +1,5 @@
 """Formats that assimp reads, and RAW, which it read wrong."""
-import io
 import struct
-import zipfile
 
 from .claims import SQUARE_BOUNDS
 
@@ -73,21 +71,6 @@ def fbx(second, up=1):
             "".join(f'\tC: "OO",{i + 1},0\n\tC: "OO",{i},{i + 1}\n' for i in (100, 200)) + "}\n")
 
 
-def three_mf():
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w") as archive:
-        archive.writestr("[Content_Types].xml", '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
-                         '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
-                         '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>')
-        archive.writestr("_rels/.rels", '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
-                         '<Relationship Target="/3D/3dmodel.model" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>')
-        archive.writestr("3D/3dmodel.model", '<?xml version="1.0"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
-                         '<resources><object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="2" y="0" z="0"/>'
-                         '<vertex x="2" y="2" z="0"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object></resources>'
-                         '<build><item objectid="1"/></build></model>')
-    return content.getvalue()
-
-
 def assimp(claims):
     """Formats that assimp reads, and RAW, which it read wrong."""
     def square(claim, name, content, warnings=(), triangles=2, **options):
@@ -147,8 +130,6 @@ def assimp(claims):
 
     for unit, metres in (("", 0.001), (' unit="inch"', 0.0254), (' version="1.1" unit="meter"', 1)):
         warns(f"AMF: the unit of <amf{unit}> is read", "unit.amf", AMF.format(unit), [], metres=metres)
-    for options, metres, warnings in (((), 0.001, ["unit_not_read"]), (("--unit", "in"), 0.0254, [])):
-        warns("3MF: a unit that is not read is warned of", "unit.3mf", three_mf(), warnings, *options, metres=metres)
     for options, warnings in (((), ["up_axis_kept"]), (("--up", "z"), [])):
         warns("FBX: an up axis that was kept is warned of", "up.fbx", fbx("9,0,0,8,0,0,8,2,0", 2), warnings, *options)
     square("names: an ending without an importer is warned of if the content has one", "square.model", AC.format(2), ["unknown_ending"])

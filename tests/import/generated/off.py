@@ -43,6 +43,7 @@ def off(claims):
             ("a file that ends within a face", SQUARE.format(1) + "4 0 1 2\n", ["within face 0"]),
             ("fewer faces than stated", SQUARE.format(3) + "3 0 1 2\n", ["after 1 face of the 3"]),
             ("two faces on a line", SQUARE.format(2) + "3 0 1 2 3 0 2 3\n", ["line 7", "line of its own"]),
+            ("two polygons on a line", SQUARE.format(2) + "4 0 1 2 3 4 0 1 2 3\n", ["line 7", "5 numbers follow"]),
             ("fewer vertices than stated", "OFF\n4 0 0\n0 0 0\n1 1 # no more\n", ["line 4", "vertex 1"]),
             ("more vertices than bytes", "OFF\n200000000 1 0\n0 0 0\n", ["line 2", "200000000 vertices"]),
             ("more faces than bytes", SQUARE.format(200000000) + "3 0 1 2\n", ["200000000 faces"]),

@@ -1,7 +1,7 @@
 # Which Debian packages there are to install, and how.
 
 build_packages=(g++ cmake ninja-build)
-tool_packages=(libassimp-dev libcli11-dev libdraco-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev)
+tool_packages=(libassimp-dev libcli11-dev libdraco-dev libexpat1-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev zlib1g-dev)
 test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev libgmp-dev python3)
 # Tests run these or compile with them; configuring and building do not need them.
 late_test_packages=(jq python3-jsonschema assimp-testmodels gltfpack qemu-user g++-i686-linux-gnu g++-s390x-linux-gnu)

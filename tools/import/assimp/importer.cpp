@@ -43,7 +43,7 @@ private:
 /// Formats with readers of their own are never left to assimp, which would find Wavefront OBJ in any file with the
 /// letter v.
 void remove_replaced_importers(Assimp::Importer& importer) {
-    for (const char* ending : {"obj", "ply", "stl", "off", "gltf", "raw"}) {
+    for (const char* ending : {"obj", "ply", "stl", "off", "gltf", "raw", "3mf"}) {
         while (Assimp::BaseImporter* replaced = importer.GetImporter(ending)) {
             importer.UnregisterLoader(replaced);
             delete replaced;
@@ -78,8 +78,9 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     importer.SetIOHandler(list_opened_files(files).release());
     const bool is_known_ending = !ending.empty() && importer.IsExtensionSupported(ending);
     if (is_stated && !is_known_ending) {
-        throw_error(ExitCode::usage, "--format '", printable(options.format),
-                    "': it is none of obj, off, ply, stl, raw and gltf, nor the ending of a format that assimp reads.");
+        throw_error(
+            ExitCode::usage, "--format '", printable(options.format),
+            "': it is none of obj, off, ply, stl, raw, gltf and 3mf, nor the ending of a format that assimp reads.");
     }
     // Requests triangles only: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(files.second_name, aiProcess_Triangulate);

@@ -46,8 +46,8 @@ constexpr std::string_view geometry_words =
 constexpr std::string_view harmless_words =
     "no material assigned|face material list|material index overflow|mapping type|source surface|tvertex|uv-face|"
     "uv channel|color channel|vertex color|vertex data channel|vertex normal|vmap/vmad|bone index overflow|"
-    "material specified|chunk: chan|chunk: obrq|chunk: phan|chunk: rsob|chunk: shbx|span chunk|thumbnail|"
-    "content_types|file of unknown type: 3d/3dmodel.model|ifcpolyline|md5anim|md5camera|newer format version|"
+    "material specified|chunk: chan|chunk: obrq|chunk: phan|chunk: rsob|chunk: shbx|span chunk|"
+    "ifcpolyline|md5anim|md5camera|newer format version|"
     "property table";
 
 /// Tests whether a line has one of the words, between which stands '|'.

@@ -165,12 +165,6 @@ private:
             const bool applied = std::abs(root_scale - centimetres) < 1e-4 * centimetres;
             file_.metres_per_unit = applied ? 0.01 : centimetres / 100.0;
             file_.unit_origin = text("FBX unit scale factor ", centimetres);
-        } else if (file_.format.find("3mf") != std::string::npos) {
-            file_.metres_per_unit = 0.001;
-            file_.unit_origin = "3MF, whose default is the millimetre";
-            warn("unit_not_read",
-                 "it was taken as millimetres, the default of 3MF; another unit that it states is not read. Give its "
-                 "unit with --unit.");
         } else if (file_.format.find("AMF") != std::string::npos) {
             find_amf_unit();
         } else if (file_.format.find("Collada") != std::string::npos || file_.format.find("IFC") != std::string::npos) {

@@ -147,6 +147,9 @@ void import_raw(const std::string& path, const ImportOptions& options, Imported&
 /// that is neither by its content, its ending and the options.
 bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported);
 
+/// 3MF: each object with triangles is a mesh at each place where the build has it, in the unit that the file states.
+void import_3mf(const std::string& path, const ImportOptions& options, Imported& imported);
+
 /// Files of the formats that assimp reads.
 void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported);
 

@@ -34,8 +34,8 @@ class Espalier(ConanFile):
 
     def requirements(self):
         if self.options.tools:
-            for package in ("assimp/5.4.3", "cli11/2.4.2", "draco/1.5.6", "libpng/1.6.43", "meshoptimizer/0.20",
-                            "nlohmann_json/3.11.3"):
+            for package in ("assimp/5.4.3", "cli11/2.4.2", "draco/1.5.6", "expat/2.6.3", "libpng/1.6.43",
+                            "meshoptimizer/0.20", "nlohmann_json/3.11.3", "zlib/1.3.1"):
                 self.requires(package)
 
     def layout(self):
