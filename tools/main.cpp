@@ -21,8 +21,8 @@ namespace {
 void add_refit(Verb verb, RefitArguments& arguments) {
     verb.option("blob", arguments.blob, "BLOB", "A blob of bake --deformable").required();
     verb.option("pose", arguments.pose, "POSE",
-                "A mesh file with all vertices of the baked mesh, in the same order: OBJ, PLY or glTF. Its faces "
-                "do not count; give --unit, --scale and --up as for bake")
+                "A mesh file with all vertices of the baked mesh, in the same order: OBJ, OFF, PLY, 3MF or glTF. Its "
+                "faces do not count; give --unit, --scale and --up as for bake")
         .required();
     verb.option("-o,--output", arguments.output, "BLOB", "The blob to write, in this pose").required();
     add_source(verb, arguments.source, strict_of_a_bake, nullptr);  // a pose needs no triangles

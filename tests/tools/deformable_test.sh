@@ -73,7 +73,7 @@ write_box_collada "" 1 Y_UP >box.dae
 printf '0 0 0 1 0 0 0 1 0\n' >triangle.raw
 for mesh in box.stl triangle.raw box.dae; do
     refuses 5 "'$mesh' is read without the order of its vertices" bake $mesh -o refused.espl --deformable --json
-    err_has "Export it as OBJ, PLY, OFF or glTF."
+    err_has "Export it as OBJ, OFF, PLY, 3MF or glTF."
     json ".error.file == \"$mesh\""
     refuses 5 "'$mesh'" bake box.obj -o refused.espl --deformable --poses $mesh
     refuses 5 "'$mesh'" refit cloth.espl $mesh -o refused.espl

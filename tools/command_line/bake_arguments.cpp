@@ -28,7 +28,7 @@ void add_deformation(Verb verb, BakeArguments& arguments) {
     const Option deformable = verb.flag(
         "--deformable", arguments.deformable,
         "Bake a blob whose vertices may move, by refit. Profile fast, and all vertices in the order of their file: "
-        "OBJ, OFF, PLY and glTF");
+        "OBJ, OFF, PLY, 3MF and glTF");
     verb.option("--range", arguments.range, "X0 Y0 Z0 X1 Y1 Z1",
                 "The box that no vertex of any pose leaves, by two corners, as lengths in the blob's units and "
                 "axes. It grows to hold the mesh and --poses. Without it, the box around these, wider by a tenth "

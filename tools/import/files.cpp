@@ -51,7 +51,7 @@ Import* importer_of(MeshFormat format) {
 void require_kept_vertices(std::optional<MeshFormat> format, const std::string& path) {
     if (format && *format != MeshFormat::stl && *format != MeshFormat::raw) return;
     throw_file_error(ExitCode::unsupported, path, " is read without the order of its vertices, by which poses of a ",
-                     "deformable mesh match. Export it as OBJ, PLY, OFF or glTF.");
+                     "deformable mesh match. Export it as OBJ, OFF, PLY, 3MF or glTF.");
 }
 
 /// What --format names, else the format that the content declares, else the name's ending. Nothing: a format of assimp.
