@@ -12,6 +12,7 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/traversal/find.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
+#include <runtime/proximity/pair_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/overlap/volume_queries.inl>
 #include <runtime/pairs/search_pairs.inl>

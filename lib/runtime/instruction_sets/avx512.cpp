@@ -10,6 +10,7 @@ namespace espalier::detail::avx2 {
 #include <runtime/rays/slab_test_avx2.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
+#include <runtime/proximity/pair_nodes.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET
 
@@ -17,6 +18,7 @@ ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
 using avx2::distance_test;
 using avx2::overlap_test;
+using avx2::pair_test;
 using avx2::prepare;
 using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argument
 #include <runtime/traversal/traverse.inl>

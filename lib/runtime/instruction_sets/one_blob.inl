@@ -9,6 +9,7 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/traversal/find.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
+#include <runtime/proximity/pair_nodes.inl>
 #endif
 
 #include <runtime/rays/plain_slab_test.inl>
@@ -16,6 +17,7 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/rays/closest.inl>
 #include <runtime/rays/in_order.inl>
 #include <runtime/proximity/point_queries.inl>
+#include <runtime/proximity/pair_queries.inl>
 #include <runtime/sweeps/time_bounds.inl>
 #include <runtime/sweeps/swept_box.inl>
 #include <runtime/sweeps/beside_way.inl>

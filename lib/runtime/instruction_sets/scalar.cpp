@@ -13,6 +13,7 @@ using scalar_walk::find_nearest_first_in;
 #include <runtime/traversal/query.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
+#include <runtime/proximity/pair_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/pairs/search_pairs.inl>
 #include <runtime/scenes/instance_walk.inl>

@@ -51,7 +51,7 @@ int sign_of_sum(const Int128& a, const Int128& b, const Int128& c, const Int128&
 }
 
 /// Returns whether |off| <= radius * |per| * 2^exponent: each decision about the round surface has this form.
-bool is_within_radius(const Rounded<Cone>& cone, const WideVector& off, const WideVector& per, int exponent) {
+bool is_within_radius_of_cone(const Rounded<Cone>& cone, const WideVector& off, const WideVector& per, int exponent) {
     const auto& [mantissa, radius_exponent] = cone.radius;
     return compare_scaled(squared_length(off), squared_length(per * mantissa), 2 * (radius_exponent + exponent)) <= 0;
 }
@@ -67,7 +67,8 @@ Corner corner_of(const Rounded<Cone>& cone, const LatticeTriangle& triangle, int
 
 bool is_inside(const Rounded<Cone>& cone, const Corner& corner) {
     if (corner.along < 0 || sign(corner.above_base) > 0) return false;
-    return is_within_radius(cone, wide_cross(cone.axis, corner.across), {corner.along, 0, 0}, -cone.axis_exponent);
+    return is_within_radius_of_cone(cone, wide_cross(cone.axis, corner.across), {corner.along, 0, 0},
+                                    -cone.axis_exponent);
 }
 
 /// Returns whether the side from p to q, whose ends are outside, touches the cone.
@@ -82,13 +83,14 @@ bool side_meets(const Rounded<Cone>& cone, const Corner& p, const Corner& q) {
     // Of all directions to the side one is closest to the axis: p * of_p + q * of_q.
     const Int128 of_p = dot<Int128>(q.across, normal), of_q = -dot<Int128>(p.across, normal);
     if (sign(of_p) > 0 && sign(of_q) > 0 && sign_of_sum(of_p, p.above_base, of_q, q.above_base) <= 0 &&
-        is_within_radius(cone, scaled(cone.axis, dot<Int128>(cone.axis, normal)), turned, -cone.axis_exponent))
+        is_within_radius_of_cone(cone, scaled(cone.axis, dot<Int128>(cone.axis, normal)), turned, -cone.axis_exponent))
         return true;
     if (sign(p.above_base) * sign(q.above_base) >= 0) return false;
     // Where the side crosses the plane of the base, as seen from its middle.
     const WideVector tilt = wide_cross(cone.axis, q.across - p.across);
     const int shift = cone.axis_exponent + axis_bits;
-    return is_within_radius(cone, (turned << axis_bits) - (tilt << shift), {q.along - p.along, 0, 0}, axis_bits);
+    return is_within_radius_of_cone(cone, (turned << axis_bits) - (tilt << shift), {q.along - p.along, 0, 0},
+                                    axis_bits);
 }
 
 /// The plane of a triangle, seen from the apex.
@@ -126,7 +128,7 @@ bool base_meets(const Rounded<Cone>& cone, const Corner* corner, const TriangleP
     }
     if (side >= 0) return false;
     const Int128 off = (plane.along << (cone.axis_exponent + axis_bits)) - (plane.offset << axis_bits);
-    return is_within_radius(cone, scaled(cone.axis, off), line, axis_bits);
+    return is_within_radius_of_cone(cone, scaled(cone.axis, off), line, axis_bits);
 }
 
 }  // namespace

@@ -7,19 +7,6 @@
 
 namespace espalier::detail {
 
-/// A rounded segment, or a box by its diagonal from the lowest to the highest corner. In lattice steps.
-struct DistantShape {
-    RoundedSegment segment;
-    bool is_box;
-    float radius;  ///< 0 or at least 2^-100, may be infinite
-
-    /// The squared distance from a box, at most 16 roundings above the exact one; above the limit any number above it.
-    float (*squared_bound)(const DistantShape& shape, const float* low, const float* high, float limit);
-    SegmentDistance (*distance_to)(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
-    bool (*is_within_radius)(const UnitSegment& segment, const LatticeTriangle& triangle,
-                             const SegmentDistance& distance, float radius) noexcept;
-};
-
 struct FoundPair : Found {
     SegmentDistance distance;
     LatticeTriangle triangle;
@@ -28,13 +15,35 @@ struct FoundPair : Found {
     [[nodiscard]] float limit(float before) const { return minimum(key() * distance_slack, before); }
 };
 
+/// A rounded segment, or a box by its diagonal from the lowest to the highest corner. In lattice steps.
+struct DistantShape {
+    RoundedSegment segment;
+    bool is_box;
+    float radius;     ///< 0 or at least 2^-100, may be infinite
+    float lowest[3];  ///< of the box around it
+    float highest[3];
+    float across[3][3];  ///< unit vectors across a segment and each axis; zeros where they are parallel, and of a box
+
+    SegmentDistance (*distance_to)(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
+    bool (*is_within_radius)(const UnitSegment& segment, const LatticeTriangle& triangle,
+                             const SegmentDistance& distance, float radius) noexcept;
+
+    /// Hands a triangle to the answer, exactly where it is within the radius and not ruled out. The index is found.
+    Visit decide(const LatticeTriangle& triangle, FoundPair& found, Answer& answer) const {
+        if (answer.rules_out(0.0f, found.index)) return Visit::next;  // none is nearer
+        found.distance = distance_to(segment, triangle);
+        if (answer.rules_out(found.distance.squared, found.index) ||
+            !is_within_radius(segment, triangle, found.distance, radius))
+            return Visit::next;
+        found.triangle = triangle;
+        return answer.take(found);
+    }
+};
+
 /// The triangles within the radius as FoundPair, the nearest first.
 void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer);
 
-/// With a unit vector across the segment and each axis.
-struct DistantSegment : DistantShape {
-    float across[3][3];  ///< zeros where the segment is parallel to the axis
-};
+struct DistantSegment : DistantShape {};
 struct DistantBox : DistantShape {};
 
 /// Sets what follows from the rounded segment or diagonal, and from the kind of shape.

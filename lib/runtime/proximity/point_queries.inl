@@ -9,13 +9,13 @@
 #include <runtime/proximity/overlap_candidates.inl>
 #include <runtime/proximity/point_bounds.inl>
 
-/// Calls `on_group(first slot, corners)` for a leaf's triangles.
+/// Calls `on_group(first slot, corners)` for a leaf's triangles, seen from a point.
 template <unsigned groups, class Leaf, class OnGroup>
-ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const RoundedPoint& point, OnGroup on_group) {
+ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const float* steps, OnGroup on_group) {
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
         const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
-        const Floats from = splat(point.steps[k]);
+        const Floats from = splat(steps[k]);
         for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
             coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
         }
@@ -36,7 +36,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candida
                                                                                        const RoundedPoint& point) {
     using Slots = typename Leaf::Slots;
     OverlapCandidates<Slots> candidates;
-    for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
+    for_each_group_of<groups>(leaf, point.steps, [&](unsigned first, const CornersFromPoint& t) {
         const BoxesFromPoint boxes(t);
         candidates.near |= Slots{at_most(squared_distance(boxes.low, boxes.high), splat(point.limit))} << first;
         const Floats nearest_corner = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));
@@ -70,6 +70,17 @@ struct SphereShape {
     }
 };
 
+/// Bounds on the squared distances of triangles from the point that they are seen from.
+struct PointBounds {
+    static Floats quick(const BoxesFromPoint& boxes) { return squared_distance(boxes.low, boxes.high); }
+    /// `nearest` is about what their sides give.
+    static Floats tight(const CornersFromPoint& t, const BoxesFromPoint& boxes, Floats& nearest) {
+        if constexpr (lanes > 1) return lower_bound(t, boxes.reach(), nearest);
+        nearest = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));  // a bound costs as much as a decision
+        return splat(0.0f);
+    }
+};
+
 /// What lanes tell of the triangles of a leaf that may be within a limit: a lower bound of each squared distance, and
 /// about what their sides give.
 template <class Leaf>
@@ -79,19 +90,17 @@ struct LeafDistances {
     float to_sides[room];
 
     /// Which triangles these are; the others' places stay as they are.
-    template <unsigned groups>
-    ESPALIER_NOINLINE typename Leaf::Slots fill(const Leaf& leaf, const RoundedPoint& point, float limit) {
+    template <unsigned groups, class Bounds>
+    ESPALIER_NOINLINE typename Leaf::Slots fill(const Leaf& leaf, const float* from, const Bounds& bounds,
+                                                float limit) {
         typename Leaf::Slots near = 0;
-        for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
+        for_each_group_of<groups>(leaf, from, [&](unsigned first, const CornersFromPoint& t) {
             const BoxesFromPoint boxes(t);
-            const Floats to_box = squared_distance(boxes.low, boxes.high);
+            const Floats to_box = bounds.quick(boxes);
             // mutant(never) work: tests triangles whose boxes are too far, with the same result
             if (at_most(to_box, splat(limit)) == 0) return;
-            Floats bound = to_box;
             Floats squared_to_sides;
-            if constexpr (lanes == 1)  // a bound costs as much as a decision
-                squared_to_sides = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));
-            else bound = larger(lower_bound(t, boxes.reach(), squared_to_sides), to_box);
+            const Floats bound = larger(bounds.tight(t, boxes, squared_to_sides), to_box);
             store(lower + first, bound);
             store(to_sides + first, squared_to_sides);
             near |= typename Leaf::Slots{at_most(bound, splat(limit))} << first;
@@ -102,12 +111,13 @@ struct LeafDistances {
 
 /// Calls `decide(slot)` for the triangles of a leaf that may be within the answer's limit, which the calls may lower;
 /// the one with the nearest side comes first, since it lowers it most.
-template <class Leaf, class Decide>
-ESPALIER_ALWAYS_INLINE inline Visit decide_nearest_first(const Leaf& leaf, const RoundedPoint& point,
+template <class Leaf, class Bounds, class Decide>
+ESPALIER_ALWAYS_INLINE inline Visit decide_nearest_first(const Leaf& leaf, const float* from, const Bounds& bounds,
                                                          const Answer& answer, Decide decide) {
     LeafDistances<Leaf> distances;
-    auto near = with_table_groups<Leaf::max_vertices>(
-        leaf.vertex_count, [&](auto groups) { return distances.template fill<groups>(leaf, point, answer.limit); });
+    auto near = with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
+        return distances.template fill<groups>(leaf, from, bounds, answer.limit);
+    });
     if (near == 0) return Visit::next;
     auto first = static_cast<unsigned>(std::countr_zero(near));
     // mutant(- -> right side dropped 1) equivalent: compares the first with itself too
@@ -153,7 +163,7 @@ struct PointShape {
     /// Called, not inlined: its variables take no stack of the walk's.
     template <class Leaf>
     ESPALIER_NOINLINE Visit scan(const Leaf& leaf, Answer& answer) const {
-        return decide_nearest_first(leaf, point, answer,
+        return decide_nearest_first(leaf, point.steps, PointBounds{}, answer,
                                     [&](unsigned slot) { return offer(leaf, slot, leaf.triangle(slot), answer); });
     }
     template <class Leaf>
