@@ -17,8 +17,9 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "base/exit_code.hpp"
-#include "import/files.hpp"
+#include <import/base/error.hpp>
+#include <import/files.hpp>
+
 #include "importer_crash.hpp"
 #include "judge.hpp"
 #include "shared_coverage.hpp"
@@ -50,7 +51,7 @@ BakeOptions options_from(std::uint8_t choices) {
 
 void read_and_bake(const std::string& path, const BakeOptions& options) {
     try {
-        const tools::Imported imported = tools::import_files(std::span(&path, 1), {});
+        const importer::Imported imported = importer::import_files(std::span(&path, 1), {});
         const auto views = imported.views();
         const auto baked = bake(views, options);
         if (!baked) {
@@ -61,13 +62,14 @@ void read_and_bake(const std::string& path, const BakeOptions& options) {
         const Blob blob = open(baked.bytes);
         if (!blob) fuzz::fail("open", describe(blob.status()));
         if (const auto report = verify(baked.bytes); !report) fuzz::fail("verify", report.message);
-    } catch (const tools::CommandError& error) {
+    } catch (const importer::ImportError& error) {
         if (std::string(error.what()).empty()) fuzz::fail("refused", "without a reason");
         // The file is there, but a glTF file may name another one that is not.
-        using tools::ExitCode;
-        const ExitCode code = error.code();
-        if (code != ExitCode::invalid_input && code != ExitCode::unsupported && code != ExitCode::file_access)
-            fuzz::fail("exit status", error.what());
+        using importer::ImportStatus;
+        const ImportStatus status = error.status();
+        if (status != ImportStatus::invalid_input && status != ImportStatus::unsupported &&
+            status != ImportStatus::file_access)
+            fuzz::fail("status", error.what());
     } catch (const std::bad_alloc&) {
         return;  // the command says that memory ran out
     } catch (const std::exception& error) {

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstring>
 
-#include "import/guards/limit_guard.hpp"
+#include <import/guards/limit_guard.hpp>
 
 namespace {
 
@@ -60,12 +60,12 @@ void expect_importer_crashes(unsigned seconds) {
 }  // namespace espalier::fuzz
 
 // In place of the command's guard, which takes every crash while a file is read for one of assimp.
-namespace espalier::tools {
+namespace espalier::importer {
 
 CrashGuard::CrashGuard(const std::string&, const ImportOptions&)
     : signals_(handle_crashes(on_crash, std::size_t{1} << 18)) {}
 
-}  // namespace espalier::tools
+}  // namespace espalier::importer
 
 // The address sanitizer asks and tells these.
 extern "C" void __asan_on_error() { end_if_within_importer(espalier::fuzz::ImportEnd::crashed); }

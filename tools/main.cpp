@@ -8,10 +8,11 @@
 #include <espalier/espalier.hpp>
 #include <espalier/format.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+#include <import/platform/process.hpp>
+
 #include "command_line/arguments.hpp"
 #include "commands/commands.hpp"
-#include "platform/process.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

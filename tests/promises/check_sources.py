@@ -64,32 +64,35 @@ BAKER = {  # in the order of its stages
     "scenes": "base build optimise collapse sections encode verify",
     "c": "base",
 }
-TOOLS = {  # from what all of the command uses to the command line
-    "base": "",
-    "demo": "",
+IMPORT = {  # from the system to the choice of a reader
     "platform": "",
     "platform/posix": "platform",
     "platform/windows": "platform",
-    "import/base": "base platform",
-    "import/guards": "base platform import/base",
-    "import/readers": "base platform import/base",
-    "import/gltf/data": "base platform",
-    "import/gltf": "base import/base import/guards import/gltf/data",
-    "import/3mf": "base import/base",
-    "import/assimp": "base platform import/base import/guards",
-    "import": "base platform import/base import/guards import/readers import/gltf import/3mf import/assimp",
-    "report": "base platform",
-    "files": "base platform report",
+    "base": "platform",
+    "guards": "base platform",
+    "readers": "base platform",
+    "gltf/data": "base platform",
+    "gltf": "base guards gltf/data",
+    "3mf": "base",
+    "assimp": "base platform guards",
+    "absent": "base gltf/data",
+    ".": "base platform guards readers gltf 3mf assimp",
+}
+TOOLS = {  # from what all of the command uses to the command line
+    "base": "",
+    "demo": "",
+    "report": "base",
+    "files": "base report",
     "layout": "base report",
-    "bake": "base import/base import/guards import report files layout",
-    "trade": "base import/base report bake",
-    "scenes": "base import/base report layout bake",
+    "bake": "base report files layout",
+    "trade": "base report bake",
+    "scenes": "base report layout bake",
     "query": "base report files",
     "render": "base files",
-    "absent": "base import/base import/gltf/data render",
-    "commands": "base platform import/base import report files layout bake trade scenes query render",
-    "command_line": "base platform report query commands",
-    ".": "base platform report commands command_line",
+    "absent": "base render",
+    "commands": "base report files layout bake trade scenes query render",
+    "command_line": "base report query commands",
+    ".": "base report commands command_line",
 }
 SUPPORT = ("support support/base support/meshes support/machine support/format support/blobs support/queries "
            "support/loops support/answers support/exercise")
@@ -177,7 +180,7 @@ def check(what, chosen, allowed=".*", forbidden=None):
 def folder_of(name, file, top):
     """The folder of an included file in `top`. Files of lib name it by its path there, others as compilers find it."""
     if top.startswith("lib/"):
-        inside = re.fullmatch(rf"<{top[4:]}/(?:([a-z_/]+)/)?[a-z_0-9]+\.(hpp|inl)>", name)
+        inside = re.fullmatch(rf"<{top[4:]}/(?:([a-z_0-9/]+)/)?[a-z_0-9]+\.(hpp|inl)>", name)
         return (inside[1] or ".") if inside else None
     for base in (file.parent, ROOT / top):
         if name[0] == '"' and (base / name[1:-1]).is_file():
@@ -231,6 +234,8 @@ def includes():
     check("a file of the baker's root includes public and standard headers and the baker's own only",
           files("lib/baker", "*.?pp"),
           rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\.hpp>|{STANDARD}")
+    check_layers("lib/import", IMPORT, rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|<[a-wyz][a-z_0-9/]*\.h>|<assimp/.*>"
+                 rf"|<nlohmann/json(_fwd)?\.hpp>|{STANDARD}")
     # It testifies to what the rest of the baker writes and the runtime reads.
     witness = files("lib/baker/verify", "decode_*.?pp", "check_tree.?pp", "field_reader.hpp")
     check("the baker's own reader includes the format and its own files only", witness,
@@ -239,18 +244,23 @@ def includes():
     if len(witness) < 6:
         problems.append(f"only {len(witness)} files of the baker's own reader found")
     of_load = ROOT / "bench/load/meshopt_file.cpp"  # compares with meshoptimizer's codec itself
-    for folder in ("lib", "tests", "fuzz", "bench"):
-        check("only tools/ may include an importer's library", [file for file in sources(folder) if file != of_load],
-              forbidden="<(assimp/|draco/|expat|meshoptimizer)")
+    importers = sources("lib/import")
+    others = [file for folder in ("lib", "tools", "tests", "fuzz", "bench") for file in sources(folder)
+              if file not in importers and file != of_load]
+    check("only lib/import may include an importer's library", others, forbidden="<(assimp/|draco/|expat|meshoptimizer)")
+    check("the libraries beside lib/import do not need it", [file for file in others if shown(file).startswith("lib/")],
+          forbidden="<import/")
     for folder in ("lib", "tools", "fuzz", "bench"):
         check("only tests/ may include Eigen or GMP", sources(folder), forbidden="<(Eigen/|gmp)")
     # Headers that take seconds to compile stand behind narrow ones of the command.
-    heavy = [ROOT / "tools" / name for name in ("command_line/verb.cpp", "command_line/usage_error.cpp",
-                                                "report/json.cpp", "import/gltf/data/json.cpp")]
+    heavy = [ROOT / name for name in ("tools/command_line/verb.cpp", "tools/command_line/usage_error.cpp",
+                                      "tools/report/json.cpp", "lib/import/gltf/data/json.cpp")]
     check("only verb.cpp, usage_error.cpp and the two json.cpp may include CLI11 or JSON",
-          [file for file in sources("tools") if file not in heavy], forbidden=r"<(CLI/|nlohmann/json\.hpp)")
+          [file for file in importers + sources("tools") if file not in heavy], forbidden=r"<(CLI/|nlohmann/json\.hpp)")
     check("the oracle must not know the code that it judges",
           files("tests/oracle", "big_integer.*", "rational.*", "exact_geometry.*"), forbidden="<(espalier|runtime)/")
+    check("the command includes of the importers what its files share, their guards and files.hpp", sources("tools"),
+          forbidden=r"<import/(?!(base|platform|guards)/[a-z_]+\.hpp>|files\.hpp>)")
     check_layers("tools", TOOLS, "<.*>")
     check_layers("tests", TESTS, '<.*>|"semihosting\\.hpp"')  # the last is of docs/examples/firmware
     if len(runtime) < 150:

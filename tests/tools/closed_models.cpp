@@ -27,9 +27,9 @@ constexpr std::size_t most_triangles = 60'000;
 constexpr std::uintmax_t largest_file = 8'000'000;
 
 /// Nothing when a triangle names a vertex that its mesh does not have.
-Mesh joined_meshes(const tools::Imported& imported) {
+Mesh joined_meshes(const importer::Imported& imported) {
     Mesh all;
-    for (const tools::ImportedMesh& mesh : imported.meshes) {
+    for (const importer::ImportedMesh& mesh : imported.meshes) {
         const auto first = static_cast<std::uint32_t>(all.positions.size());
         for (const TriangleVertices& triangle : mesh.triangles)
             for (const std::uint32_t vertex : triangle)
@@ -85,7 +85,7 @@ int main(int argument_count, char** arguments) {
     for (const std::string& file : files_in(arguments[1])) {
         Mesh mesh;
         try {
-            mesh = joined_meshes(tools::import_files({&file, 1}, {}));
+            mesh = joined_meshes(importer::import_files({&file, 1}, {}));
         } catch (const std::exception&) {
             continue;  // no mesh, or a broken one
         }

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <baker/bake_with.hpp>
+#include <import/files.hpp>
+#include <import/guards/limit_guard.hpp>
 
 #include "base/choices.hpp"
-#include "import/files.hpp"
-#include "import/guards/limit_guard.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -19,7 +19,12 @@ namespace {
 constexpr std::uint64_t least_import_memory = 1 << 20;
 
 std::uint64_t import_memory(const std::string& input) {
-    if (input.empty()) return default_import_memory();
+    if (input.empty()) {
+        if (const std::optional<std::uint64_t> bytes = default_import_memory()) return *bytes;
+        throw_error(ExitCode::unsupported,
+                    "--import-memory: the system does not report how much memory the machine has, of which half is the "
+                    "limit without this option. Give an amount such as 4G, or none.");
+    }
     if (input == "none") return 0;
     const std::uint64_t bytes = parse_byte_size(input, "--import-memory");
     if (bytes >= least_import_memory) return bytes;
@@ -32,6 +37,16 @@ ExitCode exit_code_of_bake(BakeStatus status) {
     constexpr ExitCode codes[] = {ExitCode::ok,          ExitCode::usage,       ExitCode::invalid_input,
                                   ExitCode::unsupported, ExitCode::unsupported, ExitCode::internal};
     return codes[static_cast<std::size_t>(status)];
+}
+
+CommandError command_error(const ImportError& error) {
+    constexpr ExitCode codes[] = {ExitCode::ok,          ExitCode::usage,
+                                  ExitCode::file_access, ExitCode::invalid_input,
+                                  ExitCode::unsupported, ExitCode::internal};
+    const ImportErrorDetails& details = error.details();
+    return {codes[static_cast<std::size_t>(error.status())],
+            error.what(),
+            {.file = details.file, .mesh = details.mesh, .triangle = details.triangle, .kind = details.kind}};
 }
 
 BakeResult sound_or_throw(BakeResult result, const Imported& imported, const BakeOptions& options) {
@@ -70,10 +85,20 @@ ImportOptions import_options(const SourceArguments& arguments, bool json, std::v
     options.limits.seconds = arguments.import_seconds;
     if (arguments.verbose) options.log = [](const std::string& line) { std::cerr << "importer: " << line << '\n'; };
     options.warn = [&warnings](const Warning& warning) { give({&warning, 1}, warnings); };
-    if (json) {
-        options.failure_document = [&warnings](const CommandError& error) { return failure_document(error, warnings); };
-    }
+    options.last_words = [json, &warnings](const ImportError& failure) {
+        const CommandError error = command_error(failure);
+        return LastWords{static_cast<int>(error.code()), text("espalier: ", error.what(), '\n'),
+                         json ? failure_document(error, warnings) : std::string()};
+    };
     return options;
+}
+
+Imported import_or_throw(std::span<const std::string> paths, const ImportOptions& options) {
+    try {
+        return import_files(paths, options);
+    } catch (const ImportError& error) {
+        throw command_error(error);
+    }
 }
 
 Imported import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet) {
@@ -83,7 +108,7 @@ Imported import_with_progress(std::span<const std::string> paths, ImportOptions 
         progress.hide();
         warn(warning);
     };
-    return import_files(paths, options);
+    return import_or_throw(paths, options);
 }
 
 ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {

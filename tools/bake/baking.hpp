@@ -10,9 +10,10 @@
 #include <espalier/blob.hpp>
 #include <espalier/types.hpp>
 
+#include <import/base/imported.hpp>
+
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
-#include "import/base/imported.hpp"
 
 namespace espalier::tools {
 
@@ -32,8 +33,8 @@ struct Poses {
     std::vector<std::vector<Vec3>> positions;
 };
 
-/// Imports poses of `meshes`, with the options that these were imported with. Throws CommandError as import_files does,
-/// and (invalid_input) unless each pose has as many positions as the meshes, all of them finite.
+/// Imports poses of `meshes`, with the options that these were imported with. Throws CommandError as import_or_throw
+/// does, and (invalid_input) unless each pose has as many positions as the meshes, all of them finite.
 Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes);
 
 /// Returns options with which the warnings of the import are printed and added to `warnings`, which must live as long.
@@ -41,7 +42,11 @@ Poses import_poses(const BakeArguments& arguments, const ImportOptions& options,
 /// is not positive or a unit that does not exist.
 ImportOptions import_options(const SourceArguments& arguments, bool json, std::vector<Warning>& warnings);
 
-/// Imports the files and shows how much of it is done, unless `quiet`. Throws as import_files.
+/// Imports the files. Throws CommandError: (usage) for a format that does not exist, (file_access) when a file cannot
+/// be read, (invalid_input) when it is broken or no known format, (unsupported) beyond the format's limits.
+Imported import_or_throw(std::span<const std::string> paths, const ImportOptions& options);
+
+/// Imports the files and shows how much of it is done, unless `quiet`. Throws as import_or_throw.
 Imported import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet);
 
 /// Throws CommandError with the baker's reason and the exit code that it stands for, and (internal) when the reader

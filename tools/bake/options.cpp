@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/choices.hpp"
+#include "base/positions.hpp"
 #include "files/blob_file.hpp"
 #include "policy.hpp"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <baker/input/zero_area.hpp>
+#include <import/base/numbers.hpp>
 
 #include "baking.hpp"
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 
 namespace espalier::tools {
 

@@ -10,9 +10,10 @@
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
 
+#include <import/base/imported.hpp>
+
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
-#include "import/base/imported.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 

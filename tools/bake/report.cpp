@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "layout/places.hpp"
 
 namespace espalier::tools {

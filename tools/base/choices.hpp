@@ -11,8 +11,9 @@
 
 #include <espalier/bake.hpp>
 
+#include <import/base/numbers.hpp>
+
 #include "exit_code.hpp"
-#include "numbers.hpp"
 
 namespace espalier::tools {
 

@@ -9,17 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "numbers.hpp"
+#include <import/base/error.hpp>
+#include <import/base/numbers.hpp>
 
 namespace espalier::tools {
 
-struct Warning {
-    std::string kind;       ///< one lower-case word or several joined by '_'; part of the command's interface
-    std::string message;    ///< whole sentences: what was found, where, and what to do
-    std::string file = {};  ///< empty for a warning about the whole bake
-    std::optional<std::uint32_t> mesh = {};
-    std::optional<std::uint64_t> triangle = {};
-};
+using namespace importer;  // whose numbers, placements and meshes the command speaks of throughout
+
+/// Those of a bake have the parts of those of its files. Kinds are part of the command's interface.
+using Warning = ImportWarning;
 
 enum class ExitCode : int {
     ok = 0,

@@ -10,7 +10,9 @@
 #include <espalier/bake.hpp>
 #include <espalier/ray.hpp>
 
-#include "placement.hpp"
+#include <import/base/placement.hpp>
+
+#include "exit_code.hpp"
 
 namespace espalier::tools {
 

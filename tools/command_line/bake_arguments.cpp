@@ -1,6 +1,7 @@
 // What bake takes.
 #include "arguments.hpp"
-#include "base/numbers.hpp"
+
+#include <import/base/numbers.hpp>
 
 namespace espalier::tools {
 

@@ -2,8 +2,9 @@
 #include <limits>
 #include <memory>
 
+#include <import/base/numbers.hpp>
+
 #include "arguments.hpp"
-#include "base/numbers.hpp"
 #include "query/kinds.hpp"
 
 namespace espalier::tools {

@@ -10,8 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/numbers.hpp"
-#include "platform/files.hpp"
+#include <import/base/numbers.hpp>
+#include <import/platform/files.hpp>
 
 namespace espalier::tools {
 

@@ -8,7 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

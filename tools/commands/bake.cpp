@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include <import/base/numbers.hpp>
+
 #include "bake/baking.hpp"
 #include "bake/policy.hpp"
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/outputs.hpp"
 #include "files/blob_file.hpp"

@@ -8,11 +8,12 @@
 
 #include <espalier/scene.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+#include <import/platform/files.hpp>
+
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/outputs.hpp"
-#include "platform/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 

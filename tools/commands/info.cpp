@@ -6,9 +6,10 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
+
+#include <import/base/numbers.hpp>
 #include <runtime/blob/deformable_blob.hpp>
 
-#include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "layout/places.hpp"

@@ -5,13 +5,14 @@
 
 #include <espalier/deformation.hpp>
 
+#include <import/base/numbers.hpp>
+
+#include "base/positions.hpp"
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
-#include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/outputs.hpp"
-#include "import/base/imported.hpp"
 #include "layout/places.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"

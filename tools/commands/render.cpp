@@ -7,7 +7,8 @@
 #include <espalier/espalier.hpp>
 #include <espalier/statistics.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/outputs.hpp"

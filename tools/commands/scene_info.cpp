@@ -8,7 +8,8 @@
 
 #include <espalier/scene.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "files/blob_file.hpp"
 #include "layout/places.hpp"
 #include "layout/tree_quality.hpp"

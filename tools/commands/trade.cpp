@@ -3,15 +3,15 @@
 #include <iostream>
 #include <span>
 
+#include <import/base/numbers.hpp>
+#include <import/platform/files.hpp>
 #include <runtime/lanes/select.hpp>
 
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/outputs.hpp"
-#include "platform/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 #include "trade/point.hpp"

@@ -11,15 +11,16 @@
 
 #include <espalier/espalier.hpp>
 
+#include <import/base/numbers.hpp>
+#include <import/base/placement.hpp>
+#include <import/files.hpp>
+
 #include <espalier/bake.hpp>
 
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
-#include "base/numbers.hpp"
-#include "base/placement.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "import/files.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 
@@ -257,7 +258,7 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
         options.keep_places = file.is_a_scene;
-        const Imported source = import_files(arguments.sources, options);
+        const Imported source = import_or_throw(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
         if (arguments.source.strict) refuse_warnings(warnings, source);
         result.source = file.is_a_scene ? check_source(file.scene(), file.is_empty(), source)

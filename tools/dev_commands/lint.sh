@@ -16,9 +16,9 @@ lint() {
     # Those that include all files of a folder, since headers take most of the time of each.
     compiled=$(sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build/compile_commands.json" | grep -E "^$PWD/($build/)?(lib|tools)/" | sort -u)
     tidy -p "$build" <<<"$compiled" || fail "clang-tidy found something"
-    # What this build has in none of them. Some files of lib/wasm and tools/platform are for other machines.
+    # What this build has in none of them. Some files of lib/wasm and lib/import/platform are for other machines.
     python=$(python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')
-    git ls-files 'lib/*.cpp' 'tools/*.cpp' ':!lib/wasm' ':!tools/platform/windows' | sed "s#^#$PWD/#" |
+    git ls-files 'lib/*.cpp' 'tools/*.cpp' ':!lib/wasm' ':!lib/import/platform/windows' | sed "s#^#$PWD/#" |
         grep -vxF -f <(echo "$compiled"; echo "$compiled" | grep '/Unity/' | xargs sed -nE 's/^#include "(.*)"$/\1/p') |
         tidy -- -std=c++20 -Ilib -Ilib/python/src -Itools -isystem "$python" || fail "clang-tidy found something"
     echo "nothing found"

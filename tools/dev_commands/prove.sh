@@ -15,7 +15,7 @@ drawn_parts=(instruction_sets small_code firmware)
 # part_sources PART: a pattern of the files whose change can break it
 part_sources() {
     local build='CMakeLists.txt|CMakePresets.json|tools/dev$|tools/dev_commands/(shared/|prove.sh)|lib/(CMakeLists.txt|cmake)'
-    local libraries="^($build|lib/(runtime|baker|espalier))" command='|^tools/([^d]|demo/)|^tests/import'
+    local libraries="^($build|lib/(runtime|baker|espalier))" command='|^(tools/([^d]|demo/)|lib/import/)|^tests/import'
     local labels='|^tests/(CMakeLists.txt|discover_tests.cmake)'
     local tests="$labels|^tests/(main.cpp|scales.txt|support|oracle)|^docs/examples/game"
     local platform='|^tests/(platform|format_versions)'

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <limits>
 
-#include "base/git_lfs.hpp"
-#include "platform/files.hpp"
+#include <import/base/git_lfs.hpp>
+#include <import/platform/files.hpp>
 
 namespace espalier::tools {
 

@@ -6,8 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include <import/platform/files.hpp>
+
 #include "base/exit_code.hpp"
-#include "platform/files.hpp"
 
 namespace espalier::tools {
 

@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "platform/process.hpp"
+#include <import/platform/process.hpp>
+
+#include "base/exit_code.hpp"
 
 namespace espalier::tools {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <espalier/format.hpp>
-#include <runtime/blob/id_steps.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+#include <runtime/blob/id_steps.hpp>
 
 namespace espalier::tools {
 

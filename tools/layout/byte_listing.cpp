@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {

@@ -2,7 +2,7 @@
 
 #include <espalier/format.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
 
 namespace espalier::tools {
 

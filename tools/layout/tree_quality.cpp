@@ -11,7 +11,9 @@
 #include <espalier/format.hpp>
 #include <espalier/walk.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
+#include "base/exit_code.hpp"
 
 namespace espalier::tools {
 

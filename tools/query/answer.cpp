@@ -2,8 +2,9 @@
 
 #include <iostream>
 
+#include <import/base/numbers.hpp>
+
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 #include "kinds.hpp"
 #include "report/diagnostics.hpp"
 

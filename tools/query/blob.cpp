@@ -1,8 +1,9 @@
 // What a blob holds: its bounds, triangles and nodes, and how its surface bends.
 #include <cmath>
 
+#include <import/base/numbers.hpp>
+
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {

@@ -6,8 +6,9 @@
 #include <limits>
 #include <system_error>
 
+#include <import/base/numbers.hpp>
+
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 
 namespace espalier::tools {
 

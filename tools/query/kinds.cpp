@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
 
 namespace espalier::tools {
 

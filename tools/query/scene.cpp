@@ -13,7 +13,8 @@
 #include <espalier/scenes/moving_scene.hpp>
 #include <espalier/scenes/pairs.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
 #include "kinds.hpp"
 
 namespace espalier::tools {

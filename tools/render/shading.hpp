@@ -12,7 +12,8 @@
 #include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
 
-#include "base/placement.hpp"
+#include <import/base/placement.hpp>
+
 #include "files/blob_file.hpp"
 
 namespace espalier::tools {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "platform/process.hpp"
+#include <import/platform/process.hpp>
 
 namespace espalier::tools {
 

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
+#include "base/exit_code.hpp"
 
 namespace espalier::tools {
 

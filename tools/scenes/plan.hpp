@@ -8,8 +8,9 @@
 
 #include <espalier/blob.hpp>
 
+#include <import/base/imported.hpp>
+
 #include "base/verb_arguments.hpp"
-#include "import/base/imported.hpp"
 #include "variants.hpp"
 
 namespace espalier::tools {

@@ -4,8 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include <import/base/numbers.hpp>
+
 #include "bake/policy.hpp"
-#include "base/numbers.hpp"
 #include "layout/places.hpp"
 
 namespace espalier::tools {

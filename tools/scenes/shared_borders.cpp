@@ -6,8 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "base/numbers.hpp"
-#include "base/placement.hpp"
+#include <import/base/numbers.hpp>
+#include <import/base/placement.hpp>
+
 #include "variants.hpp"
 
 namespace espalier::tools {

@@ -9,8 +9,10 @@
 
 #include <espalier/transform.hpp>
 
-#include "base/placement.hpp"
-#include "import/base/imported.hpp"
+#include <import/base/imported.hpp>
+#include <import/base/placement.hpp>
+
+#include "base/exit_code.hpp"
 
 namespace espalier::tools {
 

@@ -5,8 +5,9 @@
 #include <cstring>
 #include <numeric>
 
+#include <import/base/numbers.hpp>
+
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 #include "drawing.hpp"
 
 namespace espalier::tools {

@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include <import/base/numbers.hpp>
+
+#include "base/exit_code.hpp"
 #include "report/json.hpp"
 
 namespace espalier::tools {

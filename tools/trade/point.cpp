@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include <import/base/numbers.hpp>
+
 #include "base/choices.hpp"
-#include "base/numbers.hpp"
 
 namespace espalier::tools {
 

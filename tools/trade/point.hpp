@@ -16,7 +16,8 @@
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
 
-#include "import/base/imported.hpp"
+#include <import/base/imported.hpp>
+
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
 

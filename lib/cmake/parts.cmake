@@ -1,0 +1,27 @@
+# The libraries that the importers and the command are built with or without, by ESPALIER_COMMAND_PARTS.
+set(known_parts 3mf assimp draco meshoptimizer png)
+foreach(part IN LISTS ESPALIER_COMMAND_PARTS)
+  if(NOT part IN_LIST known_parts)
+    message(FATAL_ERROR "ESPALIER_COMMAND_PARTS names '${part}', which is none of: ${known_parts}")
+  endif()
+endforeach()
+
+# espalier_part(<name> <packages> <libraries> <source>...): sets ESPALIER_<NAME>_SOURCES and ESPALIER_<NAME>_LIBRARIES: these where
+# the build has the part, else absent/<name>.cpp and none.
+function(espalier_part name packages libraries_of_part)
+  string(TOUPPER ${name} prefix)
+  set(sources absent/${name}.cpp)
+  set(libraries "")
+  if(name IN_LIST ESPALIER_COMMAND_PARTS)
+    foreach(package IN LISTS packages)
+      find_package(${package} REQUIRED)
+    endforeach()
+    set(sources ${ARGN})
+    set(libraries ${libraries_of_part})
+  elseif(ESPALIER_TESTS)
+    message(FATAL_ERROR "ESPALIER_COMMAND_PARTS lacks ${name}, which tests of the command need. Set ESPALIER_TESTS to OFF")
+  endif()
+  list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set(ESPALIER_${prefix}_SOURCES ${sources} PARENT_SCOPE)
+  set(ESPALIER_${prefix}_LIBRARIES ${libraries} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,47 @@
+// Faces that name vertices which their file does not have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <import/base/error.hpp>
+#include <import/base/imported.hpp>
+
+namespace espalier::importer {
+
+/// How many corners name such a vertex, and the first of them: where it is, and the number as the file writes it, which
+/// a reader that counts from 1 or backwards has replaced when the baker looks at it.
+class MissingVertices {
+public:
+    /// `describe` returns "line 12: a face names vertex -9, and the file has 4".
+    template <class Describe>
+    void add(const Describe& describe) {
+        if (count_++ == 0) first_ = describe();
+    }
+    /// Does nothing without one. Throws ImportError (invalid_input) when the options require all vertices, else
+    /// appends a warning: the baker drops the triangles.
+    void report(ImportedFile& file, const ImportOptions& options) const {
+        if (count_ == 0) return;
+        if (options.require_vertices) {
+            throw ImportError(ImportStatus::invalid_input,
+                              text('\'', printable(file.path), "', ", first_,
+                                   ". Correct it, or export the file again; --drop-bad-triangles leaves such "
+                                   "triangles out."),
+                              {.file = file.path, .kind = "missing_vertex"});
+        }
+        file.warn("missing_vertex", text(printable(file.path), ", ", first_,
+                                         count_ == 1 ? "." : text("; so do ", count_ - 1, " more corners.")));
+    }
+
+private:
+    std::uint64_t count_ = 0;
+    std::string first_;
+};
+
+/// Returns "line 12: a face names vertex 9, and the file has 4 vertices, from 0".
+inline std::string words_for_missing(const std::string& place, std::int64_t number, std::uint64_t vertices,
+                                     unsigned first) {
+    return text(place, " names vertex ", number, ", and the file has ", counted(vertices, "vertex"), ", from ", first);
+}
+
+}  // namespace espalier::importer

@@ -1,0 +1,133 @@
+#include <import/files.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include <import/base/error.hpp>
+#include <import/base/text_file.hpp>
+#include <import/format.hpp>
+#include <import/guards/limit_guard.hpp>
+#include <import/platform/files.hpp>
+
+namespace espalier::importer {
+
+namespace {
+
+void require_readable(const std::string& path) {
+    if (path == "-") {
+        throw_error(ImportStatus::invalid_options, "-: a mesh needs the name of a file, by whose ending it is read.");
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(path_of(path), error);
+    const char* reason = nullptr;
+    if (!std::filesystem::exists(status)) {
+        reason = std::strerror(error ? error.value() : ENOENT);
+    } else if (std::filesystem::is_directory(status)) {
+        reason = "it is a folder";
+    } else if (!std::filesystem::is_regular_file(status)) {
+        reason = "importers read files only, no pipes or devices";
+    } else if (const InputFile file(path_of(path)); file.error() != 0) {
+        reason = std::strerror(file.error());
+    } else if (file.size() == 0) {
+        throw_file_error(ImportStatus::invalid_input, path, " is empty. Export it again.");
+    }
+    if (reason != nullptr) fail_to_read(path, reason);
+}
+
+using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
+
+Import* importer_of(MeshFormat format) {
+    constexpr Import* importers[] = {import_obj, import_off,         import_ply, import_stl,
+                                     import_raw, import_with_assimp, import_3mf};  // glTF that is none was refused
+    return importers[static_cast<std::size_t>(format)];
+}
+
+/// Throws ImportError (unsupported) for readers that do not keep the vertices of a file. In STL and RAW each triangle
+/// has three of its own, and assimp joins and sorts those of the other formats.
+void require_kept_vertices(std::optional<MeshFormat> format, const std::string& path) {
+    if (format && *format != MeshFormat::stl && *format != MeshFormat::raw) return;
+    throw_file_error(ImportStatus::unsupported, path,
+                     " is read without the order of its vertices, by which poses of a ",
+                     "deformable mesh match. Export it as OBJ, OFF, PLY, 3MF or glTF.");
+}
+
+/// What --format names, else the format that the content declares, else the name's ending. Nothing: a format of assimp.
+std::optional<MeshFormat> format_of(const std::string& path, std::string_view begin, const ImportOptions& options) {
+    if (!options.format.empty()) return format_named(options.format);
+    const std::uint64_t size = InputFile(path_of(path)).size();
+    const std::string ending = ending_of(path);
+    const auto of_content = format_of_content(begin, size);
+    const auto of_name = format_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
+    if (of_content || of_name) return of_content ? of_content : of_name;
+    return looks_like_obj(begin, size) ? std::optional(MeshFormat::obj) : std::nullopt;
+}
+
+void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
+    const std::string begin = read_begin(path, format_begin_bytes);
+    refuse_other_than_mesh(path, begin);
+    const std::optional<MeshFormat> format = format_of(path, begin, options);
+    // JSON is glTF by what is in it, and may be another format.
+    if ((options.format.empty() || format == MeshFormat::gltf) && import_gltf(path, options, imported)) return;
+    if (options.keep_vertices) require_kept_vertices(format, path);
+    Import* const import = format ? importer_of(*format) : import_with_assimp;
+    import(path, options, imported);
+}
+
+/// The error as one about this file, for scripts.
+[[noreturn]] void rethrow_with_file(const ImportError& error, const std::string& path) {
+    ImportErrorDetails details = error.details();
+    if (details.file.empty()) details.file = path;
+    throw ImportError(error.status(), error.what(), std::move(details));
+}
+
+void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
+    const LimitGuard guard(path, options);
+    try {
+        import_file(path, options, imported);
+    } catch (const ImportError& error) {
+        if (guard.memory_ran_out()) guard.refuse_memory();
+        rethrow_with_file(error, path);
+    } catch (const std::bad_alloc&) {
+        guard.refuse_memory();
+    }
+    if (guard.memory_ran_out()) guard.refuse_memory();
+}
+
+void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
+    if (!file.stated_up || options.up) return;
+    const std::string axis = axis_name(*file.stated_up);
+    file.warn("up_axis_kept", text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                                   axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."));
+}
+
+}  // namespace
+
+std::vector<MeshView> Imported::views() const {
+    std::vector<MeshView> result;
+    result.reserve(meshes.size());
+    for (const ImportedMesh& mesh : meshes) {
+        result.push_back({mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name});
+    }
+    return result;
+}
+
+Imported import_files(std::span<const std::string> paths, const ImportOptions& options) {
+    Imported imported;
+    for (const std::string& path : paths) {
+        require_readable(path);
+        import_within_limits(path, options, imported);
+        ImportedFile& file = imported.files.back();
+        warn_about_up_axis(file, options);
+        for (const ImportWarning& warning : file.warnings)
+            if (options.warn) options.warn(warning);
+    }
+    if (!options.materials)
+        for (ImportedMesh& mesh : imported.meshes) mesh.materials.clear();
+    return imported;
+}
+
+}  // namespace espalier::importer
