@@ -16,9 +16,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
-
-#include <import/base/error.hpp>
-#include <import/files.hpp>
+#include <espalier/import.hpp>
 
 #include "importer_crash.hpp"
 #include "judge.hpp"
@@ -51,7 +49,15 @@ BakeOptions options_from(std::uint8_t choices) {
 
 void read_and_bake(const std::string& path, const BakeOptions& options) {
     try {
-        const importer::Imported imported = importer::import_files(std::span(&path, 1), {});
+        const ImportResult imported = import_meshes(std::span(&path, 1));
+        if (!imported) {
+            if (imported.reason.message.empty()) fuzz::fail("refused", "without a reason");
+            // The file is there, but a glTF file may name another one that is not.
+            if (imported.status != ImportStatus::invalid_input && imported.status != ImportStatus::unsupported &&
+                imported.status != ImportStatus::file_access)
+                fuzz::fail("status", imported.reason.message);
+            return;
+        }
         const auto views = imported.views();
         const auto baked = bake(views, options);
         if (!baked) {
@@ -62,14 +68,6 @@ void read_and_bake(const std::string& path, const BakeOptions& options) {
         const Blob blob = open(baked.bytes);
         if (!blob) fuzz::fail("open", describe(blob.status()));
         if (const auto report = verify(baked.bytes); !report) fuzz::fail("verify", report.message);
-    } catch (const importer::ImportError& error) {
-        if (std::string(error.what()).empty()) fuzz::fail("refused", "without a reason");
-        // The file is there, but a glTF file may name another one that is not.
-        using importer::ImportStatus;
-        const ImportStatus status = error.status();
-        if (status != ImportStatus::invalid_input && status != ImportStatus::unsupported &&
-            status != ImportStatus::file_access)
-            fuzz::fail("status", error.what());
     } catch (const std::bad_alloc&) {
         return;  // the command says that memory ran out
     } catch (const std::exception& error) {

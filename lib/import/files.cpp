@@ -1,14 +1,21 @@
-#include <import/files.hpp>
+#include <espalier/import.hpp>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <import/base/error.hpp>
+#include <import/base/importers.hpp>
+#include <import/base/placement.hpp>
 #include <import/base/text_file.hpp>
+#include <import/files.hpp>
 #include <import/format.hpp>
 #include <import/guards/limit_guard.hpp>
 #include <import/platform/files.hpp>
@@ -38,7 +45,7 @@ void require_readable(const std::string& path) {
     if (reason != nullptr) fail_to_read(path, reason);
 }
 
-using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
+using Import = void(const std::string& path, const ImportOptions& options, ImportResult& imported);
 
 Import* importer_of(MeshFormat format) {
     constexpr Import* importers[] = {import_obj, import_off,         import_ply, import_stl,
@@ -66,7 +73,7 @@ std::optional<MeshFormat> format_of(const std::string& path, std::string_view be
     return looks_like_obj(begin, size) ? std::optional(MeshFormat::obj) : std::nullopt;
 }
 
-void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_file(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     const std::string begin = read_begin(path, format_begin_bytes);
     refuse_other_than_mesh(path, begin);
     const std::optional<MeshFormat> format = format_of(path, begin, options);
@@ -84,29 +91,74 @@ void import_file(const std::string& path, const ImportOptions& options, Imported
     throw ImportError(error.status(), error.what(), std::move(details));
 }
 
-void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
-    const LimitGuard guard(path, options);
+void import_within_limits(const std::string& path, const ImportOptions& options, ImportResult& imported) {
+    const bool is_guarded = options.limits.memory != 0 || options.limits.seconds > 0.0 || options.last_words;
+    std::optional<LimitGuard> guard;
+    if (is_guarded) guard.emplace(path, options);
     try {
         import_file(path, options, imported);
     } catch (const ImportError& error) {
-        if (guard.memory_ran_out()) guard.refuse_memory();
+        if (guard && guard->memory_ran_out()) guard->refuse_memory();
         rethrow_with_file(error, path);
     } catch (const std::bad_alloc&) {
-        guard.refuse_memory();
+        if (!guard) throw;
+        guard->refuse_memory();
     }
-    if (guard.memory_ran_out()) guard.refuse_memory();
+    if (guard && guard->memory_ran_out()) guard->refuse_memory();
 }
 
 void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
     if (!file.stated_up || options.up) return;
     const std::string axis = axis_name(*file.stated_up);
-    file.warn("up_axis_kept", text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
-                                   axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."));
+    add_warning(file, "up_axis_kept",
+                text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                     axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."));
 }
 
 }  // namespace
 
-std::vector<MeshView> Imported::views() const {
+void import_files(std::span<const std::string> paths, const ImportOptions& options, ImportResult& imported,
+                  const std::function<void(const std::string& path)>& begin) {
+    if (!std::isfinite(options.scale) || options.scale <= 0.0)
+        throw_error(ImportStatus::invalid_options, "the scale ", options.scale, " is no finite number above zero.");
+    for (const std::string& path : paths) {
+        if (begin) begin(path);
+        require_readable(path);
+        import_within_limits(path, options, imported);
+        ImportedFile& file = imported.files.back();
+        warn_about_up_axis(file, options);
+        for (const ImportDiagnostic& warning : file.warnings)
+            if (options.warn) options.warn(warning);
+    }
+    if (!options.materials)
+        for (ImportedMesh& mesh : imported.meshes) mesh.materials.clear();
+}
+
+void import_or_refuse(ImportResult& imported, const std::function<void()>& import) {
+    const auto refuse = [&imported](ImportStatus status, ImportDiagnostic reason) {
+        imported.meshes.clear();
+        imported.places.clear();
+        imported.status = status;
+        imported.reason = std::move(reason);
+    };
+    try {
+        import();
+        imported.status = ImportStatus::ok;
+    } catch (const ImportError& error) {
+        refuse(error.status(), error.reason());
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        refuse(ImportStatus::internal,
+               {"", text("internal error: ", error.what(), ". Please report how it came about.")});
+    }
+}
+
+}  // namespace espalier::importer
+
+namespace espalier {
+
+std::vector<MeshView> ImportResult::views() const {
     std::vector<MeshView> result;
     result.reserve(meshes.size());
     for (const ImportedMesh& mesh : meshes) {
@@ -115,19 +167,13 @@ std::vector<MeshView> Imported::views() const {
     return result;
 }
 
-Imported import_files(std::span<const std::string> paths, const ImportOptions& options) {
-    Imported imported;
-    for (const std::string& path : paths) {
-        require_readable(path);
-        import_within_limits(path, options, imported);
-        ImportedFile& file = imported.files.back();
-        warn_about_up_axis(file, options);
-        for (const ImportWarning& warning : file.warnings)
-            if (options.warn) options.warn(warning);
-    }
-    if (!options.materials)
-        for (ImportedMesh& mesh : imported.meshes) mesh.materials.clear();
+ImportResult import_meshes(std::span<const std::string> paths, const ImportOptions& options) {
+    ImportResult imported;
+    importer::import_or_refuse(imported, [&] {
+        if (options.separate_process) importer::import_in_child(paths, options, imported);
+        else importer::import_files(paths, options, imported);
+    });
     return imported;
 }
 
-}  // namespace espalier::importer
+}  // namespace espalier

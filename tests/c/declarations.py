@@ -4,7 +4,7 @@ from pathlib import Path
 
 LIBRARY = Path(__file__).resolve().parents[2] / "lib/espalier"
 # Headers of C++ without queries: the baker's, the bytes of a blob, a type of parameters.
-OTHER_HEADERS = {"bake.hpp", "format.hpp", "function_ref.hpp"}
+OTHER_HEADERS = {"bake.hpp", "format.hpp", "function_ref.hpp", "import.hpp"}
 
 
 def plain(text):

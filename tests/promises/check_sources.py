@@ -70,13 +70,14 @@ IMPORT = {  # from the system to the choice of a reader
     "platform/windows": "platform",
     "base": "platform",
     "guards": "base platform",
+    "transfer": "",
     "readers": "base platform",
     "gltf/data": "base platform",
     "gltf": "base guards gltf/data",
     "3mf": "base",
     "assimp": "base platform guards",
     "absent": "base gltf/data",
-    ".": "base platform guards readers gltf 3mf assimp",
+    ".": "base platform guards transfer readers gltf 3mf assimp",
 }
 TOOLS = {  # from what all of the command uses to the command line
     "base": "",
@@ -214,12 +215,12 @@ def check_layers(top, rows, others, *, has_root=True):
 
 
 def includes():
-    baker_header = ROOT / "lib/espalier/bake.hpp"
+    offline = [ROOT / "lib/espalier/bake.hpp", ROOT / "lib/espalier/import.hpp"]
     public = [file for file in files("lib/espalier", "*.hpp", "format/*.hpp", "scenes/*.hpp", "batches/*.hpp")
-              if file != baker_header]
+              if file not in offline]
     check("a public header of the runtime includes public headers and freestanding ones only", public,
-          rf"<espalier/((base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/bake\.hpp>")
-    check("a public header of the baker includes public and standard headers only", [baker_header],
+          rf"<espalier/((base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/(bake|import)\.hpp>")
+    check("a public header of the baker or the importers includes public and standard headers only", offline,
           rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|{STANDARD}")
     check("a header for C includes headers for C and freestanding ones only", files("lib/espalier", "**/*.h"),
           r"<espalier/c/((scenes|batches)/)?[a-z_]+\.h>|<std(bool|def|int)\.h>")
@@ -259,8 +260,8 @@ def includes():
           [file for file in importers + sources("tools") if file not in heavy], forbidden=r"<(CLI/|nlohmann/json\.hpp)")
     check("the oracle must not know the code that it judges",
           files("tests/oracle", "big_integer.*", "rational.*", "exact_geometry.*"), forbidden="<(espalier|runtime)/")
-    check("the command includes of the importers what its files share, their guards and files.hpp", sources("tools"),
-          forbidden=r"<import/(?!(base|platform|guards)/[a-z_]+\.hpp>|files\.hpp>)")
+    check("the command includes of the importers what their files share, and a guard for its malloc", sources("tools"),
+          forbidden=r"<import/(?!(base|platform)/[a-z_]+\.hpp>|guards/limit_guard\.hpp>)")
     check_layers("tools", TOOLS, "<.*>")
     check_layers("tests", TESTS, '<.*>|"semihosting\\.hpp"')  # the last is of docs/examples/firmware
     if len(runtime) < 150:

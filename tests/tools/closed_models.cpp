@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <import/files.hpp>
+#include <espalier/import.hpp>
 
 #include "baker/quantise/closed_check.hpp"
 
@@ -27,9 +27,9 @@ constexpr std::size_t most_triangles = 60'000;
 constexpr std::uintmax_t largest_file = 8'000'000;
 
 /// Nothing when a triangle names a vertex that its mesh does not have.
-Mesh joined_meshes(const importer::Imported& imported) {
+Mesh joined_meshes(const ImportResult& imported) {
     Mesh all;
-    for (const importer::ImportedMesh& mesh : imported.meshes) {
+    for (const ImportedMesh& mesh : imported.meshes) {
         const auto first = static_cast<std::uint32_t>(all.positions.size());
         for (const TriangleVertices& triangle : mesh.triangles)
             for (const std::uint32_t vertex : triangle)
@@ -84,11 +84,9 @@ int main(int argument_count, char** arguments) {
     Random random(2800);
     for (const std::string& file : files_in(arguments[1])) {
         Mesh mesh;
-        try {
-            mesh = joined_meshes(importer::import_files({&file, 1}, {}));
-        } catch (const std::exception&) {
-            continue;  // no mesh, or a broken one
-        }
+        const ImportResult imported = import_meshes({&file, 1});
+        if (!imported) continue;  // no mesh, or a broken one
+        mesh = joined_meshes(imported);
         if (mesh.triangles.size() > most_triangles || !is_watertight(mesh)) continue;
         mesh.name = file;
         ++watertight;

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include <baker/bake_with.hpp>
-#include <import/files.hpp>
-#include <import/guards/limit_guard.hpp>
+#include <espalier/import.hpp>
 
 #include "base/choices.hpp"
 #include "report/diagnostics.hpp"
@@ -39,17 +38,20 @@ ExitCode exit_code_of_bake(BakeStatus status) {
     return codes[static_cast<std::size_t>(status)];
 }
 
-CommandError command_error(const ImportError& error) {
+ExitCode exit_code_of_import(ImportStatus status) {
     constexpr ExitCode codes[] = {ExitCode::ok,          ExitCode::usage,
                                   ExitCode::file_access, ExitCode::invalid_input,
                                   ExitCode::unsupported, ExitCode::internal};
-    const ImportErrorDetails& details = error.details();
-    return {codes[static_cast<std::size_t>(error.status())],
-            error.what(),
-            {.file = details.file, .mesh = details.mesh, .triangle = details.triangle, .kind = details.kind}};
+    return codes[static_cast<std::size_t>(status)];
 }
 
-BakeResult sound_or_throw(BakeResult result, const Imported& imported, const BakeOptions& options) {
+CommandError command_error(ExitCode code, const ImportDiagnostic& reason) {
+    return {code,
+            reason.message,
+            {.file = reason.file, .mesh = reason.mesh, .triangle = reason.triangle, .kind = reason.kind}};
+}
+
+BakeResult sound_or_throw(BakeResult result, const ImportResult& imported, const BakeOptions& options) {
     if (!result) {
         std::string message = result.message;
         if (!message.ends_with('.')) message += '.';
@@ -85,23 +87,21 @@ ImportOptions import_options(const SourceArguments& arguments, bool json, std::v
     options.limits.seconds = arguments.import_seconds;
     if (arguments.verbose) options.log = [](const std::string& line) { std::cerr << "importer: " << line << '\n'; };
     options.warn = [&warnings](const Warning& warning) { give({&warning, 1}, warnings); };
-    options.last_words = [json, &warnings](const ImportError& failure) {
-        const CommandError error = command_error(failure);
+    options.last_words = [json, &warnings](const ImportDiagnostic& reason) {
+        const CommandError error = command_error(ExitCode::invalid_input, reason);
         return LastWords{static_cast<int>(error.code()), text("espalier: ", error.what(), '\n'),
                          json ? failure_document(error, warnings) : std::string()};
     };
     return options;
 }
 
-Imported import_or_throw(std::span<const std::string> paths, const ImportOptions& options) {
-    try {
-        return import_files(paths, options);
-    } catch (const ImportError& error) {
-        throw command_error(error);
-    }
+ImportResult import_or_throw(std::span<const std::string> paths, const ImportOptions& options) {
+    ImportResult imported = import_meshes(paths, options);
+    if (!imported) throw command_error(exit_code_of_import(imported.status), imported.reason);
+    return imported;
 }
 
-Imported import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet) {
+ImportResult import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet) {
     Progress progress(quiet);
     options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
     options.warn = [&progress, warn = std::move(options.warn)](const Warning& warning) {
@@ -111,7 +111,7 @@ Imported import_with_progress(std::span<const std::string> paths, ImportOptions 
     return import_or_throw(paths, options);
 }
 
-ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {
+ErrorDetails details_of(const SourcePlace& place, const ImportResult& imported) {
     ErrorDetails details;
     details.file = imported.files.at(place.file).path;
     details.mesh = place.mesh;
@@ -119,15 +119,15 @@ ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {
     return details;
 }
 
-BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options) {
+BakeResult bake_or_throw(const ImportResult& imported, const BakeOptions& options) {
     return bake_or_throw(imported.views(), imported, options);
 }
 
-BakeResult bake_or_throw(std::span<const MeshView> meshes, const Imported& imported, const BakeOptions& options) {
+BakeResult bake_or_throw(std::span<const MeshView> meshes, const ImportResult& imported, const BakeOptions& options) {
     return sound_or_throw(bake(meshes, options), imported, options);
 }
 
-BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {
+BakeResult bake_trial_or_throw(const ImportResult& imported, const BakeOptions& options) {
     return sound_or_throw(baker::bake_trial(imported.views(), options), imported, options);
 }
 

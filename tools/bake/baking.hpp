@@ -8,9 +8,8 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
+#include <espalier/import.hpp>
 #include <espalier/types.hpp>
-
-#include <import/base/imported.hpp>
 
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
@@ -35,7 +34,7 @@ struct Poses {
 
 /// Imports poses of `meshes`, with the options that these were imported with. Throws CommandError as import_or_throw
 /// does, and (invalid_input) unless each pose has as many positions as the meshes, all of them finite.
-Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes);
+Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes);
 
 /// Returns options with which the warnings of the import are printed and added to `warnings`, which must live as long.
 /// With `json`, a file that ends the process leaves a document on stdout. Throws CommandError (usage) on a scale that
@@ -44,23 +43,23 @@ ImportOptions import_options(const SourceArguments& arguments, bool json, std::v
 
 /// Imports the files. Throws CommandError: (usage) for a format that does not exist, (file_access) when a file cannot
 /// be read, (invalid_input) when it is broken or no known format, (unsupported) beyond the format's limits.
-Imported import_or_throw(std::span<const std::string> paths, const ImportOptions& options);
+ImportResult import_or_throw(std::span<const std::string> paths, const ImportOptions& options);
 
 /// Imports the files and shows how much of it is done, unless `quiet`. Throws as import_or_throw.
-Imported import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet);
+ImportResult import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet);
 
 /// Throws CommandError with the baker's reason and the exit code that it stands for, and (internal) when the reader
 /// refuses what was baked: what is written has been read by those who will read it.
-BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options);
+BakeResult bake_or_throw(const ImportResult& imported, const BakeOptions& options);
 
 /// The same for meshes that were made of an import, whose files its messages name.
-BakeResult bake_or_throw(std::span<const MeshView> meshes, const Imported& imported, const BakeOptions& options);
+BakeResult bake_or_throw(std::span<const MeshView> meshes, const ImportResult& imported, const BakeOptions& options);
 
 /// The same for a trial, which never warns of lost_closed (baker::bake_trial).
-BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options);
+BakeResult bake_trial_or_throw(const ImportResult& imported, const BakeOptions& options);
 
 /// Returns the place for scripts.
-ErrorDetails details_of(const SourcePlace& place, const Imported& imported);
+ErrorDetails details_of(const SourcePlace& place, const ImportResult& imported);
 
 /// The view of what was just baked; the bytes must outlive it.
 Blob opened(const BakeResult& baked);
@@ -74,7 +73,7 @@ struct BakeOutputs {
 
 /// Writes the outputs that the arguments name. The depfile lists the files of the import and `poses`. Throws
 /// CommandError (file_access).
-void write_outputs(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses,
+void write_outputs(const BakeArguments& arguments, const ImportResult& imported, std::span<const ImportedFile> poses,
                    const BakeOutputs& outputs);
 
 /// Throws CommandError (usage) unless the name ends in .obj or .ply.
@@ -82,7 +81,7 @@ void require_writable_mesh(const std::string& path);
 
 /// The bytes of the file: OBJ, or PLY in little-endian binary. Positions are those of the imported meshes one after the
 /// other, unrounded; each triangle begins with the corner that the blob's does.
-std::vector<std::byte> reordered_mesh(const std::string& path, const Imported& imported,
+std::vector<std::byte> reordered_mesh(const std::string& path, const ImportResult& imported,
                                       std::span<const OriginalTriangle> remap);
 
 }  // namespace espalier::tools

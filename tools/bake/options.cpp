@@ -51,7 +51,7 @@ Box parse_range(const std::vector<std::string>& words) {
     return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
 }
 
-void require_as_many(const Imported& meshes, std::size_t expected, const Imported& pose, std::size_t found) {
+void require_as_many(const ImportResult& meshes, std::size_t expected, const ImportResult& pose, std::size_t found) {
     if (found == expected) return;
     throw CommandError(
         ExitCode::invalid_input,
@@ -176,13 +176,13 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     return options;
 }
 
-Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const Imported& meshes) {
+Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes) {
     Poses poses;
     const std::size_t expected = positions_in_a_row(meshes).size();
     ImportOptions of_poses = options;
     of_poses.require_vertices = false;  // their faces do not count
     for (const std::string& path : arguments.poses) {
-        Imported pose = import_with_progress({&path, 1}, of_poses, arguments.quiet);
+        ImportResult pose = import_with_progress({&path, 1}, of_poses, arguments.quiet);
         std::vector<Vec3> positions = positions_in_a_row(pose);
         require_as_many(meshes, expected, pose, positions.size());
         if (const std::optional<std::size_t> wrong = first_not_finite(positions))

@@ -10,7 +10,8 @@ namespace espalier::tools {
 
 namespace {
 
-std::string depfile_of(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses) {
+std::string depfile_of(const BakeArguments& arguments, const ImportResult& imported,
+                       std::span<const ImportedFile> poses) {
     std::vector<std::string> sources;
     for (const std::span<const ImportedFile> files : {std::span<const ImportedFile>(imported.files), poses}) {
         for (const ImportedFile& file : files) sources.insert(sources.end(), file.opened.begin(), file.opened.end());
@@ -36,7 +37,7 @@ struct Reordered {
     std::vector<TriangleVertices> triangles;
 };
 
-Reordered reordered(const Imported& imported, std::span<const OriginalTriangle> remap) {
+Reordered reordered(const ImportResult& imported, std::span<const OriginalTriangle> remap) {
     struct Place {
         const ImportedMesh* mesh;
         std::size_t first_vertex;
@@ -71,7 +72,7 @@ Reordered reordered(const Imported& imported, std::span<const OriginalTriangle> 
 
 // The depfile is renamed before the result: were it the other way round and the second failed, a change of a file that
 // is new to the list would go unnoticed.
-void write_outputs(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses,
+void write_outputs(const BakeArguments& arguments, const ImportResult& imported, std::span<const ImportedFile> poses,
                    const BakeOutputs& outputs) {
     const std::string rule = arguments.depfile.empty() ? std::string() : depfile_of(arguments, imported, poses);
     OutputFiles files;
@@ -87,7 +88,7 @@ void require_writable_mesh(const std::string& path) {
     throw_error(ExitCode::usage, "--reorder ", printable(path), ": the name must end in .obj or .ply.");
 }
 
-std::vector<std::byte> reordered_mesh(const std::string& path, const Imported& imported,
+std::vector<std::byte> reordered_mesh(const std::string& path, const ImportResult& imported,
                                       std::span<const OriginalTriangle> remap) {
     const auto [positions, triangles] = reordered(imported, remap);
     std::vector<std::byte> bytes;

@@ -61,7 +61,7 @@ bool has_equal_corners(const ImportedMesh& mesh, const TriangleVertices& triangl
     return std::max({a, b, c}) < mesh.positions.size() && (are_equal(a, b) || are_equal(b, c) || are_equal(c, a));
 }
 
-void refuse_dropped(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+void refuse_dropped(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
     const std::uint64_t equal_corners = count_equal_corners(imported);
     if (!drops_more_than(policy.max_dropped, report, equal_corners)) return;
     std::string words;  // "3 without area (first: box.obj, mesh 0, triangle 5)" for each reason
@@ -85,7 +85,7 @@ void refuse_dropped(const BakePolicy& policy, const Imported& imported, const Ba
         std::move(details));
 }
 
-void refuse_empty(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+void refuse_empty(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
     if (policy.allow_empty || report.tree.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
                        text(names_of_inputs(imported),
@@ -99,7 +99,7 @@ bool is_within(const BakePolicy::SizeRange& range, const AssetSize& size) {
 }
 
 /// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
-std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& imported, const AssetSize& size) {
+std::string unit_hints(const BakePolicy::SizeRange& range, const ImportResult& imported, const AssetSize& size) {
     const double now = imported.files.front().metres_per_unit;
     for (const ImportedFile& file : imported.files)
         if (file.metres_per_unit != now) return {};
@@ -113,7 +113,7 @@ std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& impor
     return hints.empty() ? hints : hints + ".";
 }
 
-void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+void refuse_size(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
     if (!policy.expected_size || report.tree.triangles == 0) return;
     const BakePolicy::SizeRange& range = *policy.expected_size;
     const AssetSize size = asset_size(imported);
@@ -158,7 +158,7 @@ BakePolicy bake_policy(const BakeArguments& arguments) {
     return policy;
 }
 
-void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+void enforce(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report,
              std::span<const Warning> warnings) {
     if (!policy.allow_empty) refuse_empty_files(imported);
     refuse_dropped(policy, imported, report);
@@ -167,18 +167,18 @@ void enforce(const BakePolicy& policy, const Imported& imported, const BakeRepor
     if (policy.strict) refuse_warnings(warnings, imported);
 }
 
-std::string only_input(const Imported& imported) {
+std::string only_input(const ImportResult& imported) {
     return imported.files.size() == 1 ? imported.files.front().path : std::string();
 }
 
-std::string names_of_inputs(const Imported& imported) {
+std::string names_of_inputs(const ImportResult& imported) {
     std::string names;
     for (const ImportedFile& file : imported.files)
         names += text(names.empty() ? "'" : ", '", printable(file.path), '\'');
     return names;
 }
 
-std::uint64_t count_equal_corners(const Imported& imported) {
+std::uint64_t count_equal_corners(const ImportResult& imported) {
     std::vector<std::uint64_t> of_mesh;
     for (const ImportedMesh& mesh : imported.meshes) {
         of_mesh.push_back(static_cast<std::uint64_t>(
@@ -196,7 +196,7 @@ bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equ
            percent * static_cast<double>(triangles_with_surface(report, equal_corners));
 }
 
-void refuse_empty_files(const Imported& imported) {
+void refuse_empty_files(const ImportResult& imported) {
     for (const ImportedFile& file : imported.files) {
         if (file.triangles != 0) continue;
         const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
@@ -207,7 +207,7 @@ void refuse_empty_files(const Imported& imported) {
     }
 }
 
-void refuse_warnings(std::span<const Warning> warnings, const Imported& imported) {
+void refuse_warnings(std::span<const Warning> warnings, const ImportResult& imported) {
     if (warnings.empty()) return;
     const Warning& first = warnings.front();
     throw CommandError(ExitCode::invalid_input,
@@ -217,7 +217,7 @@ void refuse_warnings(std::span<const Warning> warnings, const Imported& imported
                        {first.file, first.mesh, first.triangle, "strict"});
 }
 
-AssetSize asset_size(const Imported& imported) {
+AssetSize asset_size(const ImportResult& imported) {
     std::vector<std::vector<std::uint32_t>> vertices;
     for (const ImportedMesh& mesh : imported.meshes) vertices.push_back(sound_vertices(mesh));
     PointBox bounds;

@@ -9,8 +9,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
-
-#include <import/base/imported.hpp>
+#include <espalier/import.hpp>
 
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
@@ -52,26 +51,26 @@ BakePolicy bake_policy(const BakeArguments& arguments);
 
 /// Throws CommandError (invalid_input) when the result is not what the policy allows: too much dropped, empty, of an
 /// unexpected size, with warnings under --strict. Called before anything is written.
-void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+void enforce(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report,
              std::span<const Warning> warnings);
 
 /// Returns how many triangles, at all places, have two corners in one point: they have no surface to lose.
-std::uint64_t count_equal_corners(const Imported& imported);
+std::uint64_t count_equal_corners(const ImportResult& imported);
 
 /// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob. Those with
 /// equal corners count neither as lost nor as the source's.
 bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equal_corners);
 
 /// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
-void refuse_empty_files(const Imported& imported);
+void refuse_empty_files(const ImportResult& imported);
 
 /// Throws CommandError (invalid_input) when there are warnings. What the first is about is named.
-void refuse_warnings(std::span<const Warning> warnings, const Imported& imported);
+void refuse_warnings(std::span<const Warning> warnings, const ImportResult& imported);
 
 /// Returns the path of the input, or nothing if there are several.
-std::string only_input(const Imported& imported);
+std::string only_input(const ImportResult& imported);
 /// Returns "'body.obj', 'wheel.obj'".
-std::string names_of_inputs(const Imported& imported);
+std::string names_of_inputs(const ImportResult& imported);
 
 /// In units of the blob.
 struct AssetSize {
@@ -80,22 +79,22 @@ struct AssetSize {
 };
 
 /// Returns the size of all meshes, or of all places if they are kept.
-AssetSize asset_size(const Imported& imported);
+AssetSize asset_size(const ImportResult& imported);
 
 /// Where the coordinates come from and what was done to them: unit, axes, skipped elements, for each file.
-void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported);
+void say_import(const Console& console, const BakeArguments& arguments, const ImportResult& imported);
 /// What was dropped, with a line for each reason.
 void say_findings(const Console& console, const BakeReport& report);
 /// What was wrong with the input, what became of it, and the result in numbers.
 void say_report(const Console& console, const BakeReport& report);
 
 /// The keys of a bake that describe its input: output, inputs, scale, up.
-Json input_json(const BakeArguments& arguments, const Imported& imported);
+Json input_json(const BakeArguments& arguments, const ImportResult& imported);
 Json findings_json(const BakeReport& report);
-Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+Json bake_json(const BakeArguments& arguments, const ImportResult& imported, const BakeReport& report, const Blob& blob,
                std::span<const Warning> warnings);
 
 /// Returns where the blob may not be what its user expects. A size that the policy states is expected.
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported);
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const ImportResult& imported);
 
 }  // namespace espalier::tools

@@ -53,7 +53,7 @@ constexpr const char* names_of_kinds[] = {"step_below_float_spacing", "lost_clos
 
 }  // namespace
 
-void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported) {
+void say_import(const Console& console, const BakeArguments& arguments, const ImportResult& imported) {
     for (const ImportedFile& file : imported.files) {
         console.say(printable(file.path), ": ", counted(file.triangles, "triangle"), " in ",
                     counted(file.meshes, "mesh"), file.format.empty() ? "" : text(", ", file.format));
@@ -108,7 +108,7 @@ void say_report(const Console& console, const BakeReport& report) {
     }
 }
 
-Json input_json(const BakeArguments& arguments, const Imported& imported) {
+Json input_json(const BakeArguments& arguments, const ImportResult& imported) {
     Json document = json_document();
     document["output"] = arguments.output;
     Json inputs = Json::array();
@@ -138,7 +138,7 @@ Json findings_json(const BakeReport& report) {
     return findings;
 }
 
-Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+Json bake_json(const BakeArguments& arguments, const ImportResult& imported, const BakeReport& report, const Blob& blob,
                std::span<const Warning> warnings) {
     Json document = input_json(arguments, imported);
     document["source_triangles"] = report.source.triangles;
@@ -174,7 +174,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     return document;
 }
 
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported) {
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const ImportResult& imported) {
     std::vector<Warning> warnings;
     const std::string file = only_input(imported);
     const auto add = [&](const char* kind, const std::string& message) { warnings.push_back({kind, message, file}); };

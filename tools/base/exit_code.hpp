@@ -9,15 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include <import/base/error.hpp>
+#include <espalier/import.hpp>
+
 #include <import/base/numbers.hpp>
 
 namespace espalier::tools {
 
-using namespace importer;  // whose numbers, placements and meshes the command speaks of throughout
+using namespace importer;  // whose numbers, placements and files the command uses throughout
 
 /// Those of a bake have the parts of those of its files. Kinds are part of the command's interface.
-using Warning = ImportWarning;
+using Warning = ImportDiagnostic;
 
 enum class ExitCode : int {
     ok = 0,

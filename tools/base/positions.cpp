@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <import/base/placement.hpp>
+
 namespace espalier::tools {
 
-std::vector<Vec3> positions_in_a_row(const Imported& imported) {
+std::vector<Vec3> positions_in_a_row(const ImportResult& imported) {
     std::vector<Vec3> row;
     for (const ImportedMesh& mesh : imported.meshes)
         row.insert(row.end(), mesh.positions.begin(), mesh.positions.end());
@@ -24,7 +26,7 @@ std::string words_for_not_finite(Vec3 position) {
     return text(axis, " = ", std::isnan(value) ? "NaN" : value > 0.0f ? "infinity" : "-infinity");
 }
 
-void refuse_position(const Imported& imported, std::size_t position, const std::string& problem,
+void refuse_position(const ImportResult& imported, std::size_t position, const std::string& problem,
                      const std::string& kind) {
     std::size_t vertex = position;
     auto mesh = imported.meshes.begin();

@@ -6,15 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <espalier/import.hpp>
 #include <espalier/types.hpp>
-
-#include <import/base/imported.hpp>
 
 #include "exit_code.hpp"
 
 namespace espalier::tools {
 
-std::vector<Vec3> positions_in_a_row(const Imported& imported);
+std::vector<Vec3> positions_in_a_row(const ImportResult& imported);
 
 /// Returns the number of the first position in the row with a coordinate that is NaN or infinite.
 std::optional<std::size_t> first_not_finite(const std::vector<Vec3>& positions);
@@ -24,7 +23,7 @@ std::string words_for_not_finite(Vec3 position);
 
 /// Throws CommandError (invalid_input): "pose.obj, mesh 0, vertex 17 PROBLEM". `position` is the number in the row, and
 /// `kind` that of ErrorDetails.
-[[noreturn]] void refuse_position(const Imported& imported, std::size_t position, const std::string& problem,
+[[noreturn]] void refuse_position(const ImportResult& imported, std::size_t position, const std::string& problem,
                                   const std::string& kind = {});
 
 }  // namespace espalier::tools

@@ -42,7 +42,7 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     return goal;
 }
 
-void write_blob(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses,
+void write_blob(const BakeArguments& arguments, const ImportResult& imported, std::span<const ImportedFile> poses,
                 const BakeResult& baked) {
     const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
     const std::vector<std::byte> reordered =
@@ -51,7 +51,7 @@ void write_blob(const BakeArguments& arguments, const Imported& imported, std::s
 }
 
 /// Prints what was picked; for the rest of the verb it is a bake like any other.
-BakeResult bake_or_pick(const Imported& imported, const BakeArguments& arguments, BakeOptions options,
+BakeResult bake_or_pick(const ImportResult& imported, const BakeArguments& arguments, BakeOptions options,
                         const Console& console, Json& picked_json) {
     const std::optional<PickGoal> goal = pick_goal(arguments);
     Progress progress(arguments.quiet);
@@ -68,7 +68,7 @@ struct Baking {
     const BakeArguments& arguments;
     const BakePolicy& policy;
     const Console& console;
-    const Imported& imported;
+    const ImportResult& imported;
     const std::vector<ImportedFile>& poses;
     const BakeOptions& options;
 };
@@ -139,7 +139,7 @@ ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings
     BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
-    const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+    const ImportResult imported = import_with_progress(arguments.inputs, source, arguments.quiet);
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);

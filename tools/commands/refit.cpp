@@ -38,7 +38,7 @@ void require_deformable(const RefitArguments& arguments, const Blob& blob) {
 }
 
 /// Throws CommandError (invalid_input) for a pose that refit() refuses.
-void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const Imported& pose,
+void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const ImportResult& pose,
                  const std::vector<Vec3>& positions, const RefitResult& result) {
     const std::string blob = text('\'', printable(arguments.blob), '\'');
     if (positions.size() != mesh.position_count()) {
@@ -58,7 +58,7 @@ void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const 
     refuse_position(pose, result.position, text("has ", words_for_not_finite(position), ". Mend the pose."));
 }
 
-Refitted refitted(const RefitArguments& arguments, const AssetFile& file, const Imported& pose) {
+Refitted refitted(const RefitArguments& arguments, const AssetFile& file, const ImportResult& pose) {
     std::vector<std::byte> memory(deformable_bytes(file.blob));
     Deformable mesh = create_deformable(file.blob, memory);
     const std::vector<Vec3> positions = positions_in_a_row(pose);
@@ -87,7 +87,7 @@ std::vector<Warning> warnings_about(const RefitArguments& arguments, const Refit
              {}}};
 }
 
-Json refit_json(const RefitArguments& arguments, const Imported& pose, const Refitted& refitted,
+Json refit_json(const RefitArguments& arguments, const ImportResult& pose, const Refitted& refitted,
                 const std::vector<Warning>& warnings) {
     const Box bounds = refitted.blob.bounds();
     Json document = json_document();
@@ -119,7 +119,7 @@ ExitCode run_refit(const RefitArguments& arguments, std::vector<Warning>& warnin
     source.keep_vertices = true;
     const AssetFile file = open_blob_file(arguments.blob);
     require_deformable(arguments, file.blob);
-    const Imported pose = import_with_progress({&arguments.pose, 1}, source, arguments.quiet);
+    const ImportResult pose = import_with_progress({&arguments.pose, 1}, source, arguments.quiet);
     refuse_to_meet_pose(arguments, pose.files.front().opened);
 
     const Refitted refitted = tools::refitted(arguments, file, pose);

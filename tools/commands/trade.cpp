@@ -74,7 +74,7 @@ ExitCode run_trade(const TradeArguments& arguments, std::vector<Warning>& warnin
     std::vector<TradePoint> points;
     std::uint64_t triangles = 0;
     {
-        const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+        const ImportResult imported = import_with_progress(arguments.inputs, source, arguments.quiet);
         if (!arguments.source.allow_empty) refuse_empty_files(imported);
         if (arguments.source.strict) refuse_warnings(warnings, imported);
         for (const ImportedFile& file : imported.files) triangles += file.triangles;

@@ -9,13 +9,13 @@
 #include <span>
 #include <vector>
 
+#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/import.hpp>
 
+#include <import/base/importers.hpp>
 #include <import/base/numbers.hpp>
 #include <import/base/placement.hpp>
-#include <import/files.hpp>
-
-#include <espalier/bake.hpp>
 
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
@@ -142,7 +142,7 @@ void check_point(const SourceSurface& surface, Vec3 point, const std::function<s
 }
 
 /// The places of the meshes; without a list of them each mesh is in place.
-std::vector<ImportedPlace> places_of(const Imported& source) {
+std::vector<ImportedPlace> places_of(const ImportResult& source) {
     if (!source.places.empty()) return source.places;
     std::vector<ImportedPlace> places;
     for (std::uint32_t i = 0; i < source.meshes.size(); ++i)
@@ -154,7 +154,7 @@ std::vector<ImportedPlace> places_of(const Imported& source) {
 /// every so many. Vertices that are not finite are left out: they were dropped or refused. Whether anything of the
 /// source should be in a blob at all is left to the caller: triangles_with_area.
 template <class SourceSurface>
-SourceCheck check_source(const SourceSurface& surface, bool is_empty, const Imported& source) {
+SourceCheck check_source(const SourceSurface& surface, bool is_empty, const ImportResult& source) {
     SourceCheck check;
     std::vector<UsedVertices> used;
     for (const ImportedMesh& mesh : source.meshes) used.push_back(used_vertices(mesh));
@@ -258,7 +258,7 @@ ExitCode run_verify(const VerifyArguments& arguments, std::vector<Warning>& warn
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
         options.keep_places = file.is_a_scene;
-        const Imported source = import_or_throw(arguments.sources, options);
+        const ImportResult source = import_or_throw(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
         if (arguments.source.strict) refuse_warnings(warnings, source);
         result.source = file.is_a_scene ? check_source(file.scene(), file.is_empty(), source)

@@ -35,7 +35,7 @@ Resolution resolution_of(const Variant& variant, const Resolution& resolution) {
 /// Bakes one mesh after the other and collects their instances.
 class SceneBaker {
 public:
-    SceneBaker(const Imported& imported, Instancing instancing, const BakeOptions& options)
+    SceneBaker(const ImportResult& imported, Instancing instancing, const BakeOptions& options)
         : imported_(imported),
           instancing_(instancing),
           options_(options),
@@ -137,7 +137,7 @@ private:
                         " triangles are merged, the most a blob can hold. Give --instances all, or bake the "
                         "files in parts.");
         }
-        Imported merged;
+        ImportResult merged;
         for (const std::uint32_t place : plan_.merged)
             merged.meshes.push_back(placed_mesh(imported_, imported_.places[place], imported_.places[place].placement));
         const std::uint32_t mesh =
@@ -189,7 +189,7 @@ private:
         return std::move(scene_);
     }
 
-    const Imported& imported_;
+    const ImportResult& imported_;
     Instancing instancing_;
     const BakeOptions& options_;
     ScenePlan plan_;
@@ -203,7 +203,7 @@ private:
 
 }  // namespace
 
-SceneBake bake_scene_or_throw(const Imported& imported, Instancing instancing, const BakeOptions& options) {
+SceneBake bake_scene_or_throw(const ImportResult& imported, Instancing instancing, const BakeOptions& options) {
     return SceneBaker(imported, instancing, options).bake();
 }
 

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include <espalier/bake.hpp>
+#include <espalier/import.hpp>
 #include <espalier/scene.hpp>
-
-#include <import/base/imported.hpp>
 
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
@@ -42,7 +41,7 @@ struct SceneBake {
 
 /// Bakes an import with ImportOptions::keep_places. A tolerance holds in world units, the error of placing included.
 /// Throws CommandError as bake_or_throw does, and (unsupported) beyond what a scene can hold.
-SceneBake bake_scene_or_throw(const Imported& imported, Instancing instancing, const BakeOptions& options);
+SceneBake bake_scene_or_throw(const ImportResult& imported, Instancing instancing, const BakeOptions& options);
 
 /// Instance::user of the merged mesh. That of other instances is the number of the mesh at their place, counted through
 /// all files.
@@ -51,7 +50,7 @@ inline constexpr std::uint32_t no_user = 0xFFFFFFFF;
 /// What was dropped, and the result in numbers.
 void say_scene(const Console& console, const SceneBake& baked, const BakedScene& scene);
 
-Json scene_json(const BakeArguments& arguments, const Imported& imported, const SceneBake& baked,
+Json scene_json(const BakeArguments& arguments, const ImportResult& imported, const SceneBake& baked,
                 const BakedScene& scene, std::span<const Warning> warnings);
 
 /// Adds up the reports of the meshes of a scene: triangles and findings count once for each instance. Of the tree only
@@ -74,6 +73,6 @@ private:
 
 /// Returns a warning if places of an import share edges of their borders, from which the bake may have moved them
 /// apart.
-std::vector<Warning> border_warnings(const Imported& imported, const SceneBake& baked, const BakedScene& scene);
+std::vector<Warning> border_warnings(const ImportResult& imported, const SceneBake& baked, const BakedScene& scene);
 
 }  // namespace espalier::tools

@@ -8,6 +8,8 @@
 
 #include <espalier/format.hpp>
 
+#include <import/base/importers.hpp>
+
 #include "layout/places.hpp"
 
 namespace espalier::tools {
@@ -51,7 +53,7 @@ bool same_content(const ImportedMesh& a, const ImportedMesh& b) {
            same_bytes(a.materials, b.materials);
 }
 
-Variant standing_in_place(const Imported& imported, std::uint32_t place) {
+Variant standing_in_place(const ImportResult& imported, std::uint32_t place) {
     const ImportedPlace& standing = imported.places[place];
     return {standing.mesh,
             standing.placement,
@@ -92,12 +94,12 @@ std::vector<std::uint32_t> first_with_content(const std::vector<ImportedMesh>& m
     return first;
 }
 
-std::string words_for_place(const Imported& imported, const ImportedPlace& place) {
+std::string words_for_place(const ImportResult& imported, const ImportedPlace& place) {
     const ImportedFile& file = imported.files.at(place.file);
     return words_for_mesh(file, place.number, file.mesh_names.at(place.number));
 }
 
-ImportedMesh placed_mesh(const Imported& imported, const ImportedPlace& place, const Placement& placement) {
+ImportedMesh placed_mesh(const ImportResult& imported, const ImportedPlace& place, const Placement& placement) {
     ImportedMesh mesh = imported.meshes.at(place.mesh);
     for (Vec3& position : mesh.positions) position = placement(position);
     if (placement.mirrors())
@@ -108,7 +110,7 @@ ImportedMesh placed_mesh(const Imported& imported, const ImportedPlace& place, c
     return mesh;
 }
 
-ScenePlan plan_scene(const Imported& imported, Instancing instancing, double largest_error) {
+ScenePlan plan_scene(const ImportResult& imported, Instancing instancing, double largest_error) {
     const std::vector<std::uint32_t> first = first_with_content(imported.meshes);
     std::map<std::uint32_t, std::vector<std::uint32_t>> places_of;  // by the first mesh with that content
     for (std::uint32_t i = 0; i < imported.places.size(); ++i) {

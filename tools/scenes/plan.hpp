@@ -7,8 +7,7 @@
 #include <vector>
 
 #include <espalier/blob.hpp>
-
-#include <import/base/imported.hpp>
+#include <espalier/import.hpp>
 
 #include "base/verb_arguments.hpp"
 #include "variants.hpp"
@@ -21,10 +20,10 @@ std::vector<std::uint32_t> first_with_content(const std::vector<ImportedMesh>& m
 
 /// Returns the mesh with `placement` applied to its vertices, and the file, number and name of the place. Where the
 /// placement mirrors, the corners of triangles run the other way, so that their fronts stay outside.
-ImportedMesh placed_mesh(const Imported& imported, const ImportedPlace& place, const Placement& placement);
+ImportedMesh placed_mesh(const ImportResult& imported, const ImportedPlace& place, const Placement& placement);
 
 /// Returns the words for the mesh of a place in messages.
-std::string words_for_place(const Imported& imported, const ImportedPlace& place);
+std::string words_for_place(const ImportResult& imported, const ImportedPlace& place);
 
 struct ScenePlan {
     std::vector<Variant> meshes;        ///< to be baked one by one, in the order of their first places
@@ -34,7 +33,7 @@ struct ScenePlan {
 /// Plans the places of all meshes that have triangles. With Instancing::automatic, meshes are those that are repeated;
 /// with Instancing::all, all. What no Transform places within `largest_error` keeps its triangles where they are:
 /// merged, or a mesh of its own.
-ScenePlan plan_scene(const Imported& imported, Instancing instancing, double largest_error);
+ScenePlan plan_scene(const ImportResult& imported, Instancing instancing, double largest_error);
 
 /// Returns about how many bytes the triangles of a blob take as a part of a larger blob: its own leaves and what it
 /// stores for each triangle, with its share of nodes that are four fifths full.

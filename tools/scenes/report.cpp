@@ -62,7 +62,7 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
     console.say("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes);
 }
 
-Json scene_json(const BakeArguments& arguments, const Imported& imported, const SceneBake& baked,
+Json scene_json(const BakeArguments& arguments, const ImportResult& imported, const SceneBake& baked,
                 const BakedScene& scene, std::span<const Warning> warnings) {
     const SceneReport& report = baked.report;
     Json document = input_json(arguments, imported);

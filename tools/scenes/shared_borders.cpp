@@ -94,7 +94,7 @@ std::vector<PlaceState> states_of(std::size_t places, const SceneBake& baked, co
 /// Returns how many places of an import share an edge of their borders with another place, from which the bake may have
 /// moved them: the two are neither in one blob nor both on the scene's common lattice. A border edge is one of a single
 /// triangle, on a side of the mesh's box.
-std::uint64_t places_apart(const Imported& imported, const SceneBake& baked, const BakedScene& scene) {
+std::uint64_t places_apart(const ImportResult& imported, const SceneBake& baked, const BakedScene& scene) {
     if (scene.instance_count() < 2) return 0;
     const std::vector<PlaceState> states = states_of(imported.places.size(), baked, scene);
     const Box bounds = scene.bounds();
@@ -134,7 +134,7 @@ std::uint64_t places_apart(const Imported& imported, const SceneBake& baked, con
 
 }  // namespace
 
-std::vector<Warning> border_warnings(const Imported& imported, const SceneBake& baked, const BakedScene& scene) {
+std::vector<Warning> border_warnings(const ImportResult& imported, const SceneBake& baked, const BakedScene& scene) {
     const std::uint64_t count = places_apart(imported, baked, scene);
     if (count == 0) return {};
     return {

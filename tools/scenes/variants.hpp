@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include <espalier/import.hpp>
 #include <espalier/transform.hpp>
 
-#include <import/base/imported.hpp>
 #include <import/base/placement.hpp>
 
 #include "base/exit_code.hpp"
@@ -35,13 +35,13 @@ double scale_of(const Placement& placement);
 
 /// An instance of a variant.
 struct VariantUse {
-    std::uint32_t place = 0;  ///< index into Imported::places
+    std::uint32_t place = 0;  ///< index into ImportResult::places
     FittedTransform fitted;
 };
 
 /// A mesh with a placement applied to its vertices, and where it stands then.
 struct Variant {
-    std::uint32_t mesh = 0;  ///< index into Imported::meshes
+    std::uint32_t mesh = 0;  ///< index into ImportResult::meshes
     Placement placement;
     PointBox box;  ///< around the vertices, in double precision
     std::vector<VariantUse> uses;
@@ -53,7 +53,7 @@ struct Variant {
 class VariantSorter {
 public:
     /// `largest_error` bounds the distance between an instance and the place that it stands for.
-    VariantSorter(const Imported& imported, std::uint32_t mesh, double largest_error)
+    VariantSorter(const ImportResult& imported, std::uint32_t mesh, double largest_error)
         : imported_(imported), mesh_(mesh), largest_error_(largest_error) {}
 
     /// Returns false for a place that no Transform reaches within the error: it takes the vertices themselves there.
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] std::optional<FittedTransform> fit(const Variant& variant, const Placement& placement) const;
     [[nodiscard]] bool is_near(const FittedTransform& fitted) const;
 
-    const Imported& imported_;
+    const ImportResult& imported_;
     std::uint32_t mesh_;
     double largest_error_;
     std::vector<Variant> variants_;

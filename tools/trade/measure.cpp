@@ -116,7 +116,8 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
     return points;
 }
 
-Contestant bake_point(const Imported& imported, BakeOptions options, const SampleQueries& queries, TradePoint& point) {
+Contestant bake_point(const ImportResult& imported, BakeOptions options, const SampleQueries& queries,
+                      TradePoint& point) {
     options.resolution = Resolution::bits(point.bits);
     Contestant contestant{bake_or_throw(imported, point.applied_to(options)), {}};
     contestant.blob = opened(contestant.baked);
@@ -169,7 +170,7 @@ std::array<Rounds, std::size(timed_queries)> time_all(const std::vector<Contesta
 
 }  // namespace
 
-std::vector<TradePoint> measure_trade(const Imported& imported, const BakeOptions& options, const TradeSpace& space,
+std::vector<TradePoint> measure_trade(const ImportResult& imported, const BakeOptions& options, const TradeSpace& space,
                                       const Done& done) {
     const SampleQueries queries = make_sample_queries(imported, space.rays);
     if (queries.rays.empty()) {

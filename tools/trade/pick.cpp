@@ -62,7 +62,7 @@ std::vector<TradePoint> other_configurations(const PickGoal& goal, float byte_pr
 /// The search. TradePoints are tried in a fixed order, and of equally good ones the first is taken.
 class Search {
 public:
-    Search(const Imported& imported, const BakeOptions& options, const PickGoal& goal)
+    Search(const ImportResult& imported, const BakeOptions& options, const PickGoal& goal)
         : imported_(imported),
           rays_(make_sample_queries(imported, counted_rays).rays),
           options_(options),
@@ -154,7 +154,7 @@ private:
                               "without --tolerance, --step and --lattice-of gives up bits until it fits."));
     }
 
-    const Imported& imported_;
+    const ImportResult& imported_;
     std::vector<Ray> rays_;
     BakeOptions options_;
     const PickGoal& goal_;
@@ -209,7 +209,7 @@ std::string describe(const TradePoint& candidate) {
                 counted(candidate.bits, "bit"));
 }
 
-Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal) {
+Picked pick(const ImportResult& imported, const BakeOptions& options, const PickGoal& goal) {
     return Search(imported, options, goal).run();
 }
 

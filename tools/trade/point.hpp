@@ -12,11 +12,10 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/format.hpp>
+#include <espalier/import.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
-
-#include <import/base/imported.hpp>
 
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
@@ -99,7 +98,7 @@ struct SampleQueries {
 
 /// As many of each as `count`; none when the source has no sound triangle with an area. Every machine makes
 /// the same queries: the arithmetic rounds alike everywhere, and the generator is our own.
-SampleQueries make_sample_queries(const Imported& source, std::size_t count);
+SampleQueries make_sample_queries(const ImportResult& source, std::size_t count);
 
 /// Every combination is baked.
 struct TradeSpace {
@@ -116,7 +115,7 @@ struct TradeSpace {
 /// that a change of the machine's speed hits them alike; times are medians. `done` receives a stage and how much of
 /// it is done, 0..1. Throws CommandError as bake_or_throw does, and (invalid_input) when the source has no triangle
 /// with an area.
-std::vector<TradePoint> measure_trade(const Imported& imported, const BakeOptions& options, const TradeSpace& space,
+std::vector<TradePoint> measure_trade(const ImportResult& imported, const BakeOptions& options, const TradeSpace& space,
                                       const std::function<void(const char* stage, double done)>& done);
 
 struct PickGoal {
@@ -140,7 +139,7 @@ struct Picked {
 };
 
 /// Throws CommandError: as bake_or_throw, and (unsupported) when nothing fits, with the smallest that was reached.
-Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal);
+Picked pick(const ImportResult& imported, const BakeOptions& options, const PickGoal& goal);
 
 /// `options` are those that the search started with.
 void say_pick(const Console& console, const Picked& picked, const BakeOptions& options);

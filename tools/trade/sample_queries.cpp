@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <import/base/placement.hpp>
+
 namespace espalier::tools {
 
 namespace {
@@ -88,7 +90,7 @@ struct SampledSurface {
     }
 };
 
-SampledSurface surface_of(const Imported& source) {
+SampledSurface surface_of(const ImportResult& source) {
     SampledSurface surface;
     for (const ImportedMesh& mesh : source.meshes) {
         for (const TriangleVertices& triangle : mesh.triangles) {
@@ -107,7 +109,7 @@ SampledSurface surface_of(const Imported& source) {
 
 }  // namespace
 
-SampleQueries make_sample_queries(const Imported& source, std::size_t count) {
+SampleQueries make_sample_queries(const ImportResult& source, std::size_t count) {
     SampleQueries queries;
     const SampledSurface surface = surface_of(source);
     if (surface.triangles.empty()) return queries;

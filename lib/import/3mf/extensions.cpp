@@ -36,9 +36,10 @@ void require_known_3mf_extension(const std::string& words, std::string_view name
         return name_space.find(part) != std::string_view::npos;
     };
     if (std::any_of(std::begin(harmless), std::end(harmless), is_part)) return;
-    file.warn("unknown_extension", text(words, ": it requires the extension '", printable(name_space),
-                                        "' of 3MF, which is unknown here. If that changes its geometry, export it "
-                                        "without."));
+    add_warning(file, "unknown_extension",
+                text(words, ": it requires the extension '", printable(name_space),
+                     "' of 3MF, which is unknown here. If that changes its geometry, export it "
+                     "without."));
 }
 
 }  // namespace espalier::importer

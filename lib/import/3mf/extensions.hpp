@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 namespace espalier::importer {
 

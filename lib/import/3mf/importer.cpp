@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -35,7 +35,7 @@ struct Weight {
 /// Places the meshes of a package as its build does.
 class Placer {
 public:
-    Placer(ThreeMfPackage package, const ImportOptions& options, ImportedFile& file, Imported& imported)
+    Placer(ThreeMfPackage package, const ImportOptions& options, ImportedFile& file, ImportResult& imported)
         : package_(std::move(package)), file_(file), meshes_(options, file, imported) {}
 
     void read() {
@@ -133,8 +133,8 @@ private:
 
     void warn() {
         if (!others_.empty()) {
-            file_.warn(
-                "object_left_out",
+            add_warning(
+                file_, "object_left_out",
                 text(package_.objects[others_.front()].words,
                      ": the build places an object of type 'other', which is no part of the model: a slicer's "
                      "modifier, for example. It was left out",
@@ -147,10 +147,10 @@ private:
             ++unused;
         }
         if (unused == 0) return;
-        file_.warn("unused_mesh",
-                   text(package_.objects[first].words, ": the build does not place the mesh, and it is left out.",
-                        unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
-                        " Add it to the build to bake it."));
+        add_warning(file_, "unused_mesh",
+                    text(package_.objects[first].words, ": the build does not place the mesh, and it is left out.",
+                         unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
+                         " Add it to the build to bake it."));
     }
 
     ThreeMfPackage package_;
@@ -165,7 +165,7 @@ private:
 
 }  // namespace
 
-void import_3mf(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_3mf(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     ImportedFile file;
     file.path = path;
     file.opened.push_back(path);

@@ -54,9 +54,9 @@ public:
         if (is_core || outer == Place::elsewhere) return;
         const std::string_view extension = name_of_3mf_geometry(element.name_space());
         if (extension.empty() || extension == "slices" || !left_out_.insert(extension).second) return;
-        file_.warn("extension_left_out",
-                   text(words(), ", line ", line_, ": '", printable(element.name()), "' of the 3MF extension for ",
-                        extension, " is not read, and its geometry was left out. Export it as a mesh."));
+        add_warning(file_, "extension_left_out",
+                    text(words(), ", line ", line_, ": '", printable(element.name()), "' of the 3MF extension for ",
+                         extension, " is not read, and its geometry was left out. Export it as a mesh."));
     }
 
     void end() override {

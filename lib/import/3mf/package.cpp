@@ -6,6 +6,7 @@
 
 #include <import/3mf/xml.hpp>
 #include <import/3mf/zip_archive.hpp>
+#include <import/base/error.hpp>
 #include <import/base/text_file.hpp>
 
 namespace espalier::importer {
@@ -66,7 +67,7 @@ ThreeMfPackage read_3mf_package(const ImportOptions& options, ImportedFile& file
         };
         if (is_root) wait_for(package.items);
         for (std::size_t i = first; i < package.objects.size(); ++i) wait_for(package.objects[i].components);
-        options.show_reading(static_cast<double>(read.size() - waiting.size()), static_cast<double>(read.size()));
+        show_reading(options, static_cast<double>(read.size() - waiting.size()), static_cast<double>(read.size()));
     }
     return package;
 }

@@ -11,7 +11,7 @@
 
 #include <espalier/bake.hpp>
 
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 #include <import/base/placement.hpp>
 
 namespace espalier::importer {

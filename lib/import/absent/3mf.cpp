@@ -1,10 +1,10 @@
 // In place of import/3mf in a build whose ESPALIER_COMMAND_PARTS has no 3mf.
 #include <import/base/error.hpp>
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 namespace espalier::importer {
 
-void import_3mf(const std::string& path, const ImportOptions&, Imported&) {
+void import_3mf(const std::string& path, const ImportOptions&, ImportResult&) {
     throw_file_error(
         ImportStatus::unsupported, path,
         " is a 3MF, which this build does not read, because it has no expat and zlib. Export it in another "

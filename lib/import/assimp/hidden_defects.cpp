@@ -106,8 +106,8 @@ std::string last_line(const ImportedFile& file) {
 
 void require_last_line(ImportedFile& file, const char* end) {
     if (last_line(file) == end) return;
-    file.warn("missing_end",
-              text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"));
+    add_warning(file, "missing_end",
+                text("'", printable(file.path), "': the file does not end with '", end, "'. Is it whole?"));
 }
 
 /// FORM, its size, LWO2, and chunks of an id, a size and so many bytes, made even. Each POLS replaces the last in its
@@ -151,8 +151,9 @@ void check_ac3d(ImportedFile& file) {
         }
     }
     if (found == stated) return;
-    file.warn("surface_count", text("'", printable(file.path), "': it has ", counted(found, "surface"),
-                                    ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."));
+    add_warning(file, "surface_count",
+                text("'", printable(file.path), "': it has ", counted(found, "surface"),
+                     ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."));
 }
 
 constexpr std::string_view spaces = " \t\r\n";

@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 #include <utility>
 
 #include <import/assimp/steps.hpp>
+#include <import/base/library_state.hpp>
 #include <import/base/text_file.hpp>
 #include <import/guards/limit_guard.hpp>
 #include <import/platform/files.hpp>
@@ -32,7 +34,7 @@ class ImportProgress : public Assimp::ProgressHandler {
 public:
     explicit ImportProgress(const ImportOptions& options) : options_(options) {}
     bool Update(float done) override {
-        options_.show_reading(static_cast<double>(done), 1.0);
+        show_reading(options_, static_cast<double>(done), 1.0);
         return true;  // go on
     }
 
@@ -61,7 +63,8 @@ bool is_referred_to(const std::string& missing, const ImportedFile& file) {
 
 }  // namespace
 
-void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_with_assimp(const std::string& path, const ImportOptions& options, ImportResult& imported) {
+    const std::lock_guard lock(library_state());
     const CrashGuard guard(path, options);
     const ImporterLog log(options);
     Assimp::Importer importer;
@@ -100,23 +103,26 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     read_scene(*scene, options, file, imported);
     find_hidden_defects(file);
     if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-        file.warn("incomplete_scene", text("'", printable(path),
-                                           "': its importer states that the scene is incomplete: "
-                                           "triangles may be missing."));
+        add_warning(file, "incomplete_scene",
+                    text("'", printable(path),
+                         "': its importer states that the scene is incomplete: "
+                         "triangles may be missing."));
     }
     if (!is_known_ending && !ending.empty()) {
-        file.warn("unknown_ending", text("'", printable(path), "': there is no importer for '", printable(ending),
-                                         "' files; by its content it was read by the ", file.format, '.'));
+        add_warning(file, "unknown_ending",
+                    text("'", printable(path), "': there is no importer for '", printable(ending),
+                         "' files; by its content it was read by the ", file.format, '.'));
     }
     if (!log.losses().empty()) {
-        file.warn("importer_report",
-                  text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ",
-                       "'", log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."));
+        add_warning(file, "importer_report",
+                    text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ",
+                         "'", log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."));
     }
     for (const std::string& name : missing) {
         if (!importer.IsExtensionSupported(ending_of(name)) || !is_referred_to(name, file)) continue;
-        file.warn("missing_file", text("'", printable(path), "' refers to '", printable(name),
-                                       "', which is missing: what it contains was left out."));
+        add_warning(file, "missing_file",
+                    text("'", printable(path), "' refers to '", printable(name),
+                         "', which is missing: what it contains was left out."));
     }
     imported.files.push_back(std::move(file));
 }

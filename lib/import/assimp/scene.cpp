@@ -34,7 +34,7 @@ constexpr std::pair<std::string_view, double> amf_units[] = {
 
 class SceneReader {
 public:
-    SceneReader(const aiScene& scene, const ImportOptions& options, ImportedFile& file, Imported& imported)
+    SceneReader(const aiScene& scene, const ImportOptions& options, ImportedFile& file, ImportResult& imported)
         : scene_(scene), options_(options), file_(file), meshes_(options, file, imported) {}
 
     void read() {
@@ -82,7 +82,7 @@ private:
     }
 
     void warn(const char* kind, const std::string& message) {
-        file_.warn(kind, text("'", printable(file_.path), "': ", message));
+        add_warning(file_, kind, text("'", printable(file_.path), "': ", message));
     }
 
     /// A mesh that was imported for its first place, and what of it was left out.
@@ -215,7 +215,7 @@ private:
 
 }  // namespace
 
-void read_scene(const aiScene& scene, const ImportOptions& options, ImportedFile& file, Imported& imported) {
+void read_scene(const aiScene& scene, const ImportOptions& options, ImportedFile& file, ImportResult& imported) {
     SceneReader(scene, options, file, imported).read();
 }
 

@@ -8,7 +8,7 @@
 
 #include <assimp/IOSystem.hpp>
 
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 struct aiScene;
 
@@ -49,7 +49,7 @@ bool reports_lost_geometry(std::string_view line);
 
 /// Appends the meshes of a file's scene to `imported`, and sets the format, unit, axis and warnings of `file`. Throws
 /// ImportError (invalid_input) for a scene that contradicts itself.
-void read_scene(const aiScene& scene, const ImportOptions& options, ImportedFile& file, Imported& imported);
+void read_scene(const aiScene& scene, const ImportOptions& options, ImportedFile& file, ImportResult& imported);
 
 /// Tests the text or the chunks of a file that assimp has read, by its format. Appends a warning for one that lacks its
 /// end. Throws ImportError (invalid_input) for an index beyond the vertices, (unsupported) for lists of polygons of

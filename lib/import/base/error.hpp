@@ -1,4 +1,4 @@
-// How an import ends, and what it warns of.
+// How an import ends without meshes, and what its messages are made of.
 #pragma once
 
 #include <cstdint>
@@ -8,33 +8,18 @@
 #include <string>
 #include <utility>
 
+#include <espalier/import.hpp>
+
 #include <import/base/numbers.hpp>
 
 namespace espalier::importer {
 
-struct ImportWarning {
-    std::string kind;       ///< one lower-case word or several joined by '_'; scripts branch on it
-    std::string message;    ///< whole sentences: what was found, where, and what to do
-    std::string file = {};  ///< empty for a warning about no file
-    std::optional<std::uint32_t> mesh = {};
-    std::optional<std::uint64_t> triangle = {};
-};
-
-enum class ImportStatus : std::uint8_t {
-    ok,
-    invalid_options,  ///< an option is out of its range, or names what does not exist
-    file_access,      ///< a file cannot be read
-    invalid_input,    ///< a file was read, and its content is broken
-    unsupported,      ///< sound, but beyond what this version, this build or the format of blobs can do
-    internal,         ///< a defect of ours
-};
-
-/// Details of an error for scripts, in addition to status and message. All of them may be empty.
+/// What a reason has in addition to its message. All of it may be empty.
 struct ImportErrorDetails {
     std::string file = {};
     std::optional<std::uint32_t> mesh = {};
     std::optional<std::uint64_t> triangle = {};
-    std::string kind = {};  ///< narrower than the status; empty: nothing narrower
+    std::string kind = {};
 };
 
 /// Ends an import. The message states what went wrong, where, and what to do about it.
@@ -44,6 +29,9 @@ public:
         : std::runtime_error(message), status_(status), details_(std::move(details)) {}
     [[nodiscard]] ImportStatus status() const { return status_; }
     [[nodiscard]] const ImportErrorDetails& details() const { return details_; }
+    [[nodiscard]] ImportDiagnostic reason() const {
+        return {details_.kind, what(), details_.file, details_.mesh, details_.triangle};
+    }
 
 private:
     ImportStatus status_;

@@ -36,7 +36,7 @@ std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVe
     return static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 
-MeshCollector::MeshCollector(const ImportOptions& options, ImportedFile& file, Imported& imported)
+MeshCollector::MeshCollector(const ImportOptions& options, ImportedFile& file, ImportResult& imported)
     : options_(options), file_(file), imported_(imported) {
     for (const ImportedFile& earlier : imported.files) first_material_ += earlier.materials;
     for (const ImportedMesh& mesh : imported.meshes) triangles_ += mesh.triangles.size();
@@ -98,7 +98,7 @@ std::string words_for_mesh(const ImportedFile& file, std::uint32_t number, std::
 }
 
 UnitlessFile::UnitlessFile(const std::string& path, const char* format, const ImportOptions& options,
-                           Imported& imported)
+                           ImportResult& imported)
     : imported_(imported), record_(new_record(path, format, options)), meshes_(options, record_, imported) {}
 
 void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
@@ -123,7 +123,7 @@ void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3> corn
 }
 
 void UnitlessFile::warn(const char* kind, const std::string& message) {
-    record_.warn(kind, text(printable(path()), message));
+    add_warning(record_, kind, text(printable(path()), message));
 }
 
 void UnitlessFile::finish() {

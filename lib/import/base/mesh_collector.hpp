@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 #include <import/base/placement.hpp>
 
 namespace espalier::importer {
@@ -19,7 +19,7 @@ std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVe
 class MeshCollector {
 public:
     /// Takes `file` as the next of `imported.files`, where the caller puts it after its last mesh.
-    MeshCollector(const ImportOptions& options, ImportedFile& file, Imported& imported);
+    MeshCollector(const ImportOptions& options, ImportedFile& file, ImportResult& imported);
 
     /// Returns the transform from the file's units and axes to the asset's. `file.metres_per_unit` is final before.
     [[nodiscard]] Placement asset_placement() const;
@@ -49,7 +49,7 @@ public:
 private:
     const ImportOptions& options_;
     ImportedFile& file_;
-    Imported& imported_;
+    ImportResult& imported_;
     std::uint64_t first_material_ = 0;
     std::uint64_t triangles_ = 0;  ///< of the meshes so far, each counted once
 };
@@ -57,7 +57,7 @@ private:
 /// The record and the meshes of one file. The unit is the options', else a metre.
 class UnitlessFile {
 public:
-    UnitlessFile(const std::string& path, const char* format, const ImportOptions& options, Imported& imported);
+    UnitlessFile(const std::string& path, const char* format, const ImportOptions& options, ImportResult& imported);
     UnitlessFile(const UnitlessFile&) = delete;
     UnitlessFile& operator=(const UnitlessFile&) = delete;
 
@@ -75,7 +75,7 @@ public:
     void finish();
 
 private:
-    Imported& imported_;
+    ImportResult& imported_;
     ImportedFile record_;
     MeshCollector meshes_;
 };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <import/base/error.hpp>
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 namespace espalier::importer {
 
@@ -29,8 +29,9 @@ public:
                                    "triangles out."),
                               {.file = file.path, .kind = "missing_vertex"});
         }
-        file.warn("missing_vertex", text(printable(file.path), ", ", first_,
-                                         count_ == 1 ? "." : text("; so do ", count_ - 1, " more corners.")));
+        add_warning(file, "missing_vertex",
+                    text(printable(file.path), ", ", first_,
+                         count_ == 1 ? "." : text("; so do ", count_ - 1, " more corners.")));
     }
 
 private:

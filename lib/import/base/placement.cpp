@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace espalier::importer {
-
-const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
-
-bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+namespace espalier {
 
 Vec3 Placement::operator()(const std::array<double, 3>& point) const {
     std::array<float, 3> result{};
@@ -32,6 +28,14 @@ double Placement::determinant() const {
 }
 
 bool Placement::mirrors() const { return determinant() < 0.0; }
+
+}  // namespace espalier
+
+namespace espalier::importer {
+
+const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
+
+bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
 void PointBox::add(const std::array<double, 3>& point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

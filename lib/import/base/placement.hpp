@@ -3,32 +3,17 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 
+#include <espalier/import.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier::importer {
-
-enum class Axis : std::uint8_t { x, y, z };
 
 /// "+X"
 const char* axis_name(Axis axis);
 
 bool is_finite(Vec3 point);
-
-/// point -> linear * point + offset
-struct Placement {
-    std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    std::array<double, 3> offset{};
-
-    /// Rounds the result once.
-    [[nodiscard]] Vec3 operator()(const std::array<double, 3>& point) const;
-    [[nodiscard]] Vec3 operator()(Vec3 point) const;
-    /// Turns the inside out, so that the corners of a triangle must be taken the other way round.
-    [[nodiscard]] bool mirrors() const;
-    [[nodiscard]] double determinant() const;
-};
 
 /// A box around points. Without points, `low` is above `high`.
 struct PointBox {

@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ struct Found {
 /// Reads one file's default scene into `imported`.
 class GltfReader {
 public:
-    GltfReader(const GltfContainer& container, const ImportOptions& options, ImportedFile& file, Imported& imported)
+    GltfReader(const GltfContainer& container, const ImportOptions& options, ImportedFile& file, ImportResult& imported)
         : options_(options),
           file_(file),
           data_(file.path, container, file.opened),
@@ -49,8 +49,9 @@ public:
         file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
         file_.metres_per_unit = options.metres_per_unit.value_or(1.0);
         if (container.trailing_bytes > 0) {
-            file_.warn("trailing_bytes", text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
-                                              " after the last chunk were not read. Export it again."));
+            add_warning(file_, "trailing_bytes",
+                        text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
+                             " after the last chunk were not read. Export it again."));
         }
         file_.unit_origin = options.metres_per_unit ? "--unit" : "glTF is in metres";
     }
@@ -65,7 +66,7 @@ public:
         std::size_t done = 0;
         for (const std::size_t number : nodes_.in_scene) {
             add_node(number);
-            options_.show_reading(static_cast<double>(++done), static_cast<double>(nodes_.in_scene.size()));
+            show_reading(options_, static_cast<double>(++done), static_cast<double>(nodes_.in_scene.size()));
         }
         warn();
     }
@@ -226,8 +227,8 @@ private:
             "the data has it. Export it again.");
         warn_about_unused_meshes();
         if (nodes_.left_out.empty()) return;
-        file_.warn(
-            "scene_left_out",
+        add_warning(
+            file_, "scene_left_out",
             text(root_.words(), ": ", counted(nodes_.left_out.size(), "node"), " with a mesh, the first is node ",
                  nodes_.left_out.front(),
                  ", is in no scene or in another one than the default scene, and is left out. Export the scenes one "
@@ -243,15 +244,16 @@ private:
         const auto unused = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
         if (unused == 0) return;
         const auto first = static_cast<std::size_t>(std::find(is_used.begin(), is_used.end(), false) - is_used.begin());
-        file_.warn("unused_mesh", text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
-                                       unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
-                                       " Give it a node in the scene to bake it."));
+        add_warning(file_, "unused_mesh",
+                    text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
+                         unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
+                         " Give it a node in the scene to bake it."));
     }
 
     void warn_about(const Found& found, const char* kind, const char* what) {
         if (found.count == 0) return;
         const std::string all = found.count > 1 ? text(" The file has ", found.count, " such meshes.") : "";
-        file_.warn(kind, text(found.name, ": the mesh ", what, all), found.mesh);
+        add_warning(file_, kind, text(found.name, ": the mesh ", what, all), found.mesh);
     }
 
     const ImportOptions& options_;
@@ -268,7 +270,7 @@ private:
 
 }  // namespace
 
-bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) {
+bool import_gltf(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     const CrashGuard guard(path, options);
     const std::optional<GltfContainer> container = read_gltf_container(path, is_named_gltf(path, options));
     if (!container) return false;

@@ -10,7 +10,7 @@
 
 #include <espalier/types.hpp>
 
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 #include <import/base/placement.hpp>
 #include <import/gltf/data/accessors.hpp>
 

@@ -32,13 +32,9 @@ struct NotedAllocations {
 void end_with_time_words() { end_with(time_words); }
 
 auto time_handler_that_names(const std::string& path, const ImportOptions& options) {
-    time_words =
-        last_words({ImportStatus::invalid_input,
-                    text("'", printable(path), "': reading it took more than ", rounded(options.limits.seconds),
-                         " s of processor time, the limit of --import-seconds. The file is likely broken; if it is "
-                         "not, raise the limit."),
-                    {.file = path, .kind = "import_seconds"}},
-                   options);
+    const ImportError error = time_error(path, options.limits);
+    if (options.last_words) time_words = options.last_words(error.reason());
+    else time_words = {.to_stderr = text(error.what(), '\n'), .to_stdout = {}};
     return end_with_time_words;
 }
 
@@ -56,9 +52,20 @@ void require_set(int error, const std::string& path, const char* kind, std::stri
 
 void note_failed_allocation() { allocation_failed = true; }
 
-LastWords last_words(const ImportError& error, const ImportOptions& options) {
-    if (options.last_words) return options.last_words(error);
-    return {.to_stderr = text(error.what(), '\n'), .to_stdout = {}};
+ImportError crash_error(const std::string& path) {
+    return {ImportStatus::invalid_input,
+            text("the importer crashed while it read '", printable(path),
+                 "': a mistake of the importer, which the file may have caused by being broken. "
+                 "Export it again, or in another format, such as glTF."),
+            {.file = path, .kind = "importer_crash"}};
+}
+
+ImportError time_error(const std::string& path, const ImportLimits& limits) {
+    return {ImportStatus::invalid_input,
+            text("'", printable(path), "': reading it took more than ", rounded(limits.seconds),
+                 " s of processor time, the limit of --import-seconds. The file is likely broken; if it is "
+                 "not, raise the limit."),
+            {.file = path, .kind = "import_seconds"}};
 }
 
 void end_with(const LastWords& words) { end_process(words.exit_status, words.to_stderr, words.to_stdout); }
@@ -84,10 +91,14 @@ void LimitGuard::refuse_memory() const {
                       {.file = path_, .kind = "import_memory"});
 }
 
+}  // namespace espalier::importer
+
+namespace espalier {
+
 std::optional<std::uint64_t> default_import_memory() {
-    if (!can_limit_memory()) return 0;
-    const std::uint64_t memory = machine_memory();
+    if (!importer::can_limit_memory()) return 0;
+    const std::uint64_t memory = importer::machine_memory();
     return memory == 0 ? std::nullopt : std::optional(memory / 2);
 }
 
-}  // namespace espalier::importer
+}  // namespace espalier

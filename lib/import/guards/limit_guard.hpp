@@ -2,17 +2,19 @@
 // memory and time, and a message where one crashes.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
-#include <import/base/imported.hpp>
+#include <espalier/import.hpp>
+
+#include <import/base/error.hpp>
 #include <import/platform/process.hpp>
 
 namespace espalier::importer {
 
-/// Returns how the process ends with this error.
-LastWords last_words(const ImportError& error, const ImportOptions& options);
+/// Returns the error of a library that crashed while it read the file.
+ImportError crash_error(const std::string& path);
+/// Returns the error of a file that took longer than the limit to read.
+ImportError time_error(const std::string& path, const ImportLimits& limits);
 
 /// Writes them and ends the process at once. Safe in a signal handler.
 [[noreturn]] void end_with(const LastWords& words);
@@ -39,12 +41,8 @@ private:
     Guard allocations_, memory_, time_;
 };
 
-/// Returns half of the machine's memory: baking takes four times what importing takes, so that no larger file could be
-/// baked. Returns 0, no limit, where systems of this kind have none, and nothing where the machine's memory is unknown.
-std::optional<std::uint64_t> default_import_memory();
-
 /// While it lives, a crash of this process (a bad access, a failed assertion, a stack used up) ends it with
-/// ImportOptions::last_words about an error of invalid_input that names `path`. Nothing has been written by then. One
+/// ImportOptions::last_words about crash_error(path). Does nothing without them. Nothing has been written by then. One
 /// at a time.
 class CrashGuard {
 public:

@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ struct Face {
 
 class ObjReader {
 public:
-    ObjReader(const std::string& path, const ImportOptions& options, Imported& imported)
+    ObjReader(const std::string& path, const ImportOptions& options, ImportResult& imported)
         : options_(options), file_(path, "Wavefront OBJ", options, imported) {}
 
     void read() {
@@ -60,7 +60,7 @@ public:
         for (std::string_view line; lines.next(line);) {
             line_ = lines.number();
             if (line_ % lines_per_progress == 0)
-                options_.show_reading(static_cast<double>(lines.offset()), static_cast<double>(content.size()));
+                show_reading(options_, static_cast<double>(lines.offset()), static_cast<double>(content.size()));
             read_line(joined(line, lines));
         }
         if (options_.keep_vertices) {
@@ -349,7 +349,7 @@ private:
 
 }  // namespace
 
-void import_obj(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_obj(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     ObjReader(path, options, imported).read();
 }
 

@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <array>
 #include <cctype>
@@ -246,7 +246,7 @@ private:
 
 }  // namespace
 
-void import_off(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_off(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "OFF", options, imported);
     const std::string content = utf8_text(read_bytes(path));
     OffReader(content, options, file).read();

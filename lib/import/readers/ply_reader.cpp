@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -215,7 +215,7 @@ void read_values(const PlyHeader& header, const std::string& content, const Impo
 
 }  // namespace
 
-void import_ply(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_ply(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "PLY", options, imported);
     const std::string content = utf8_text(read_bytes(path));
     const PlyHeader header = read_ply_header(path, content);

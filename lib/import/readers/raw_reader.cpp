@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <array>
 #include <utility>
@@ -85,7 +85,7 @@ private:
 
 }  // namespace
 
-void import_raw(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_raw(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "RAW", options, imported);
     const std::string content = utf8_text(read_bytes(path));
     RawReader(content, file).read();

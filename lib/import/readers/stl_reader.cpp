@@ -1,4 +1,4 @@
-#include <import/base/imported.hpp>
+#include <import/base/importers.hpp>
 
 #include <algorithm>
 #include <array>
@@ -171,7 +171,7 @@ bool is_text(std::string_view bytes) {
 
 }  // namespace
 
-void import_stl(const std::string& path, const ImportOptions& options, Imported& imported) {
+void import_stl(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "STL", options, imported);
     std::string bytes = read_bytes(path);
     if (!is_exactly_binary(bytes)) bytes = utf8_text(std::move(bytes));
