@@ -1,5 +1,6 @@
-# What `cmake --install` puts where, in components: `runtime` needs nothing, `baker` needs the runtime and threads, `shared` is a
-# library of both for other languages, whose headers come with the others, `tools` is the command. Everything is found relative to
+# What `cmake --install` puts where, in components: `runtime` needs nothing, `baker` needs the runtime and threads, `import`
+# needs the baker and the libraries that read formats, `shared` is a library of runtime and baker for other languages, whose headers
+# come with the others, `tools` is the command. Everything is found relative to
 # where the package lies, which may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -28,6 +29,23 @@ function(install_pkg_config component name)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT ${component})
 endfunction()
 
+# What a program that reads files links too, by the parts of this build: for find_package and for pkg-config.
+set(import_packages "")
+set(import_requires "espalier-baker = ${PROJECT_VERSION}")
+set(import_libraries "")
+foreach(part IN LISTS ESPALIER_COMMAND_PARTS)
+  if(part STREQUAL "3mf")
+    list(APPEND import_packages EXPAT ZLIB)
+    string(APPEND import_requires ", expat, zlib")
+  elseif(part MATCHES "^(assimp|draco)$")
+    list(APPEND import_packages ${part})
+    string(APPEND import_requires ", ${part}")
+  elseif(part STREQUAL "meshoptimizer")
+    list(APPEND import_packages ${part})
+    string(APPEND import_libraries " -lmeshoptimizer")  # it has no file for pkg-config
+  endif()
+endforeach()
+
 configure_package_config_file(${PROJECT_SOURCE_DIR}/lib/cmake/espalier-config.cmake.in
   ${PROJECT_BINARY_DIR}/package/espalier-config.cmake
   INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
@@ -44,7 +62,7 @@ install(FILES
 install_part(runtime espalier_runtime)
 install_pkg_config(runtime espalier)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/espalier DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
-  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE PATTERN c/bake.h EXCLUDE)
+  FILES_MATCHING PATTERN *.hpp PATTERN *.h PATTERN bake.hpp EXCLUDE PATTERN import.hpp EXCLUDE PATTERN c/bake.h EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 if(TARGET espalier_baker)
@@ -54,6 +72,13 @@ if(TARGET espalier_baker)
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier COMPONENT baker)
   install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/c/bake.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier/c COMPONENT baker)
+endif()
+
+if(TARGET espalier_import)
+  install_part(import espalier_import)
+  install_pkg_config(import espalier-import)
+  install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/import.hpp
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier COMPONENT import)
 endif()
 
 if(TARGET espalier_shared)

@@ -35,12 +35,22 @@ on_page() {
     done
 }
 
+# imports PROGRAM: it reads the file that was baked, and states why it does not read another one
+imports() {
+    [[ $("$1" "$here/program/table.obj") == "baked "*" triangles of Wavefront OBJ" ]] || { echo "failed: $("$1" "$here/program/table.obj")"; exit 1; }
+    [[ $("$1" "$here/none.obj") == "cannot read "* ]] || { echo "failed: a missing file is imported"; exit 1; }
+}
+
 case $kind in
     find_package)
-        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Debug
+        # An installation may have no importers.
+        with_import=OFF
+        [[ ! -e $(echo "$stage/installed/lib"*/cmake/espalier/espalier-import.cmake) ]] || with_import=ON
+        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Debug -DWITH_IMPORT=$with_import
         quietly "$cmake" --build "$build/build"
         "$build/build/consumer" "$blob" | compare
         [[ $("$build/build/baking") == "baked 1 triangle" ]] || { echo "failed: the baker does not bake"; exit 1; }
+        if [[ $with_import == ON ]]; then imports "$build/build/importing"; fi
         cmp "$blob" "$build/build/table.espl"
         ;;
     refusals)
@@ -61,6 +71,8 @@ case $kind in
         "$build/consumer" "$blob" | compare
         eval "$compiler -std=c++20 '$here/find_package/baking.cpp' $(pkg_config --cflags --libs espalier-baker) -o '$build/baking'"
         [[ $("$build/baking") == "baked 1 triangle" ]]
+        eval "$compiler -std=c++20 '$here/find_package/importing.cpp' $(pkg_config --cflags --libs espalier-import) -o '$build/importing'"
+        imports "$build/importing"
         [[ $(pkg_config --modversion espalier) == $(sed -n 's/.*version //p' "$here/program/answers.txt") ]]
         # Some systems give every package absolute folders.
         source=$here/../..

@@ -20,6 +20,10 @@ mkdir -p "$root"
 development=$(echo "$folder"/packages/libespalier-dev_*.deb)
 command=$(echo "$folder"/packages/espalier_*.deb)
 
+importers=$(echo "$folder"/packages/libespalier-import-dev_*.deb)
+for library in libespalier-dev libassimp-dev libdraco-dev libexpat1-dev libmeshoptimizer-dev zlib1g-dev; do
+    [[ $(dpkg-deb -f "$importers" Depends) == *$library* ]] || fail "the importers do not depend on $library"
+done
 [[ -z $(dpkg-deb -f "$development" Depends) ]] || fail "the libraries depend on $(dpkg-deb -f "$development" Depends)"
 for library in libassimp libdraco libexpat libmeshoptimizer libpng zlib libstdc++ libc6; do
     [[ $(dpkg-deb -f "$command" Depends) == *$library* ]] || fail "the command does not depend on $library"
@@ -28,16 +32,16 @@ done
 if [[ $(id -u) -eq 0 ]]; then
     how="dpkg installs them"
     cp -a /var/lib/dpkg "$folder/database"
-    dpkg --admindir="$folder/database" --instdir="$root" --no-triggers --force-unsafe-io -i "$development" "$command" >"$folder/dpkg.log" 2>&1 ||
+    dpkg --admindir="$folder/database" --instdir="$root" --no-triggers --force-unsafe-io -i "$development" "$importers" "$command" >"$folder/dpkg.log" 2>&1 ||
         { cat "$folder/dpkg.log"; fail "dpkg does not install them"; }
     [[ $(dpkg-query --admindir="$folder/database" -W -f '${Status}' espalier) == "install ok installed" ]] || fail "not installed"
     rm -rf "$folder/database"
 else
     how="unpacked, since only root may install"
-    for package in "$development" "$command"; do dpkg-deb -x "$package" "$root"; done
+    for package in "$development" "$importers" "$command"; do dpkg-deb -x "$package" "$root"; done
 fi
 "$root/usr/bin/espalier" bake "$here/program/table.obj" -o "$folder/table.espl" --tolerance 0.001 --quiet
 cmp "$folder/table.espl" "$stage/table.espl"
 ln -s root/usr "$folder/installed"
 "$here/consume.sh" find_package "$folder" "$folder/consumer" "$cmake" "$generator" "$compiler"
-echo "$(basename "$development") and $(basename "$command"): $how"
+echo "$(basename "$development"), $(basename "$importers") and $(basename "$command"): $how"

@@ -17,8 +17,8 @@ class Espalier(ConanFile):
     license = "MIT"
     settings = "os", "arch", "compiler", "build_type"
     package_type = "static-library"
-    options = {"tools": [True, False]}
-    default_options = {"tools": False}
+    options = {"import": [True, False], "tools": [True, False]}
+    default_options = {"import": False, "tools": False}
 
     def set_version(self):
         text = load(self, os.path.join(self.recipe_folder, PROJECT, "CMakeLists.txt"))
@@ -33,10 +33,16 @@ class Espalier(ConanFile):
         check_min_cppstd(self, 20)
 
     def requirements(self):
-        if self.options.tools:
-            for package in ("assimp/5.4.3", "cli11/2.4.2", "draco/1.5.6", "expat/2.6.3", "libpng/1.6.43",
-                            "meshoptimizer/0.20", "nlohmann_json/3.11.3", "zlib/1.3.1"):
+        if self.reads_files():
+            for package in ("assimp/5.4.3", "draco/1.5.6", "expat/2.6.3", "meshoptimizer/0.20", "nlohmann_json/3.11.3",
+                            "zlib/1.3.1"):
                 self.requires(package)
+        if self.options.tools:
+            for package in ("cli11/2.4.2", "libpng/1.6.43"):
+                self.requires(package)
+
+    def reads_files(self):
+        return bool(self.options.get_safe("import")) or bool(self.options.tools)
 
     def layout(self):
         cmake_layout(self)
@@ -45,6 +51,7 @@ class Espalier(ConanFile):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["ESPALIER_TOOLS"] = bool(self.options.tools)
+        toolchain.cache_variables["ESPALIER_IMPORT"] = self.reads_files()
         toolchain.cache_variables["ESPALIER_TESTS"] = False
         toolchain.cache_variables["ESPALIER_BENCH"] = False
         toolchain.generate()
@@ -59,9 +66,11 @@ class Espalier(ConanFile):
         CMake(self).install()
 
     def package_info(self):
-        # The package brings its own files for find_package(), with the components runtime and baker.
+        # The package brings its own files for find_package(), with the components runtime, baker and import.
         self.cpp_info.set_property("cmake_find_mode", "none")
         self.cpp_info.builddirs = [os.path.join("lib", "cmake", "espalier")]
         self.cpp_info.libs = ["espalier_baker", "espalier_runtime"]
+        if self.reads_files():
+            self.cpp_info.libs.insert(0, "espalier_import")
         if self.settings.os == "Linux":
             self.cpp_info.system_libs = ["pthread"]

@@ -2,7 +2,7 @@
 cmake_path(ABSOLUTE_PATH CMAKE_CURRENT_LIST_DIR NORMALIZE OUTPUT_VARIABLE here)
 cmake_path(SET SOURCE_PATH NORMALIZE "${here}/../../../..")
 vcpkg_check_linkage(ONLY_STATIC_LIBRARY)
-vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES tools ESPALIER_TOOLS)
+vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES import ESPALIER_IMPORT tools ESPALIER_TOOLS)
 
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}" OPTIONS ${features} -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF)
 vcpkg_cmake_install()
