@@ -96,7 +96,7 @@ struct ImportOptions {
 
     /// Reads in a child process, which fork() makes and a pipe returns the meshes of: where a library crashes that
     /// reads a format, or reaches a limit, that is a refusal, and this process goes on. Takes the time of copying the
-    /// meshes. Refused where the system has no fork(), as on Windows. `progress` and `warn` are called at the end.
+    /// meshes. Refused where the system has no fork(), as on Windows. The functions above are called in this process.
     bool separate_process = false;
     /// Limits on the process that reads. Without separate_process that is this one: all its threads share the memory
     /// that is left, and the end of the time ends it.

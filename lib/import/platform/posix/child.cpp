@@ -42,6 +42,18 @@ void leave_the_program() {
 #endif
 }
 
+/// An exception must not lead the child on into the program.
+int status_of(const std::function<int(std::FILE* to_parent)>& work, std::FILE* to_parent) {
+    constexpr int failed = 1;
+    if (to_parent == nullptr) return failed;
+    try {
+        const int status = work(to_parent);
+        return std::fflush(to_parent) == 0 ? status : failed;
+    } catch (...) {
+        return failed;
+    }
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::function<int(std::FILE* to_parent)>& work) {
@@ -54,9 +66,7 @@ ChildProcess::ChildProcess(const std::function<int(std::FILE* to_parent)>& work)
     if (id_ == 0) {
         leave_the_program();
         ::close(ends[0]);
-        std::FILE* const to_parent = ::fdopen(ends[1], "wb");
-        const int status = to_parent == nullptr ? 1 : work(to_parent);
-        ::_exit(to_parent == nullptr || std::fflush(to_parent) != 0 ? 1 : status);
+        ::_exit(status_of(work, ::fdopen(ends[1], "wb")));
     }
     if (id_ < 0) error_ = errno;
     ::close(ends[1]);
