@@ -34,7 +34,7 @@ def empty(count, dtype, *shape):
 
 def main():
     loops = ctypes.CDLL(sys.argv[1])
-    positions, triangles = espalier.read_mesh(sys.argv[2])[:2] if len(sys.argv) > 2 else torus()
+    positions, triangles = espalier.read_mesh(sys.argv[2]).meshes[0][:2] if len(sys.argv) > 2 else torus()
     positions = positions * (8 / np.ptp(positions, axis=0).max())  # spheres below have a radius of 0.1
     blob = espalier.bake(positions, triangles, original_ids=True)
     print(blob)

@@ -1,6 +1,7 @@
 """Builds the wheel: CMake builds the extension module from the libraries of the project around.
 
 tools/dev python calls it. ESPALIER_PYTHON_BUILD names the build folder, which is kept, by default build/python.
+ESPALIER_IMPORT=OFF builds a wheel that reads no mesh files and needs none of the libraries for them.
 """
 
 import os
@@ -15,6 +16,7 @@ from setuptools.command.build_ext import build_ext
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
+READS_FILES = os.environ.get("ESPALIER_IMPORT", "ON") == "ON"
 
 
 class CMakeBuild(build_ext):
@@ -23,9 +25,11 @@ class CMakeBuild(build_ext):
         off = [f"-DESPALIER_{part}=OFF" for part in ("TOOLS", "TESTS", "BENCH", "INSTALL")]
         subprocess.run(
             ["cmake", "-S", str(PROJECT), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-             "-DESPALIER_PYTHON=ON", f"-DESPALIER_PYTHON_INTERPRETER={sys.executable}", *off], check=True)
+             "-DESPALIER_PYTHON=ON", f"-DESPALIER_PYTHON_INTERPRETER={sys.executable}",
+             f"-DESPALIER_IMPORT={'ON' if READS_FILES else 'OFF'}", *off], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--target", "espalier_python"], check=True)
-        built = folder / "lib" / "python" / "package" / "espalier" / ("_core" + sysconfig.get_config_var("EXT_SUFFIX"))
+        name = extension.name.split(".")[-1] + sysconfig.get_config_var("EXT_SUFFIX")
+        built = folder / "lib" / "python" / "package" / "espalier" / name
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built), str(target))
@@ -44,7 +48,7 @@ setup(
     install_requires=["numpy>=1.21"],
     packages=["espalier"],
     package_data={"espalier": ["py.typed", "*.pyi"]},
-    ext_modules=[Extension("espalier._core", [])],
+    ext_modules=[Extension("espalier._core", [])] + ([Extension("espalier._import", [])] if READS_FILES else []),
     cmdclass={"build_ext": CMakeBuild},
     zip_safe=False,
 )

@@ -4,6 +4,7 @@ import gc
 import mmap
 import os
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -160,6 +161,7 @@ def test_several_meshes_and_materials(mesh):
 
 
 def test_mesh_files(mesh, tmp_path):
+    pytest.importorskip("espalier._import", reason="this build reads no mesh files (ESPALIER_IMPORT)")
     positions, triangles = mesh
     expected = bytes(espalier.bake(positions, triangles))
     lines = ["v %.9g %.9g %.9g" % tuple(row) for row in positions] + ["f %d//1 %d//1 %d//1" % tuple(row + 1) for row in triangles]
@@ -179,7 +181,16 @@ def test_mesh_files(mesh, tmp_path):
         raises(ValueError, "b.obj", espalier.bake_file, tmp_path / "b.obj")
     (tmp_path / "b.ply").write_bytes(header.replace(b" uchar int", b" char int") + vertices + b"\xff" + faces)
     raises(ValueError, "b.ply", espalier.bake_file, tmp_path / "b.ply")
-    raises(ValueError, "only", espalier.bake_file, tmp_path / "a.glb")
+    raises(ValueError, "cannot read", espalier.bake_file, tmp_path / "a.glb")
+
+
+def test_a_build_without_the_reader_of_files_states_so(monkeypatch):
+    monkeypatch.delattr(espalier, "_import", raising=False)
+    monkeypatch.setitem(sys.modules, "espalier._import", None)
+    for call in (espalier.read_mesh, espalier.bake_file):
+        with pytest.raises(espalier.MeshFileError, match="Build the wheel with assimp") as error:
+            call("level.obj")
+        assert error.value.status == "unsupported"
 
 
 def test_joined_borders_carry_a_ball_over_the_seam():

@@ -28,7 +28,7 @@ part_sources() {
         firmware) echo "$libraries$command$labels$platform|^tests/(firmware|promises|support)|^docs/(examples/firmware|embedding)|^tools/dev_commands/firmware" ;;
         wasm) echo "$libraries$platform|^lib/wasm|^tests/wasm|^bench/wasm|^docs/(wasm|format_cube)|^LICENSE|^tools/dev_commands/wasm" ;;
         windows) echo "$libraries$command$labels$platform|^tests/tools" ;;
-        python) echo "$libraries|^lib/(python|shared)|^tests/(python|c)/|^docs/examples/python|^tools/dev_commands/python" ;;
+        python) echo "$libraries$command|^lib/(python|shared)|^tests/(python|c)/|^docs/examples/python|^tools/dev_commands/python" ;;
         packages) echo "$libraries$command$labels|^lib/shared|^tests/(package|build_step|c)/|^docs/(examples|embedding)|^README.md" ;;
         release) echo "$libraries$command|^tests/platform/other|^(LICENSE|README.md|docs/(changelog.md|schema))|^tools/dev_commands/release" ;;
         lint) echo "$libraries$command$labels|^lib/|^tests/promises|^\\.(clang|cppcheck)|^tools/dev_commands/lint" ;;

@@ -5,11 +5,13 @@ python=/usr/bin/python3
 
 python_package() {
     local folder=build/python environment=build/python/environment
-    install_missing "${build_packages[@]}" "${python_packages[@]}"
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" "${python_packages[@]}"
     check_cmake
-    # The wheel's build folder, with the shared library that the tests compare the package with.
+    # The wheel's build folder, with the shared library and the command that the tests compare the package with.
     build "$folder" espalier_shared -DCMAKE_BUILD_TYPE=Release -DESPALIER_PYTHON=ON -DESPALIER_SHARED=ON \
-        -DESPALIER_PYTHON_INTERPRETER="$python" -DESPALIER_TOOLS=OFF -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF -DESPALIER_INSTALL=OFF
+        -DESPALIER_PYTHON_INTERPRETER="$python" -DESPALIER_TOOLS=ON -DESPALIER_IMPORT=ON -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF \
+        -DESPALIER_INSTALL=OFF
+    build "$folder" espalier_command
     echo "building the wheel"
     rm -rf "$folder/wheel" "$folder/setup" "$environment"
     ESPALIER_PYTHON_BUILD=$PWD/$folder "$python" -m pip wheel --quiet --no-index --no-build-isolation --no-deps \
@@ -19,7 +21,7 @@ python_package() {
     "$python" -m venv --system-site-packages "$environment"
     "$environment/bin/pip" install --quiet --no-index --no-deps "$folder"/wheel/espalier-*.whl
     # Without folders in the path: what is tested is what was installed.
-    env -u PYTHONPATH ESPALIER_LIBRARY="$PWD/$folder/lib/shared/libespalier.so" \
+    env -u PYTHONPATH ESPALIER_LIBRARY="$PWD/$folder/lib/shared/libespalier.so" ESPALIER_COMMAND="$PWD/$folder/tools/espalier" \
         "$environment/bin/python" -B -m pytest -q -p no:cacheprovider tests/python
     env -u PYTHONPATH "$environment/bin/python" -B docs/examples/python/terrain.py "$folder/terrain.png"
     echo "wheel    $(ls "$folder"/wheel/espalier-*.whl)"

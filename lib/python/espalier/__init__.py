@@ -15,10 +15,11 @@ from types import ModuleType as _ModuleType
 
 from . import pairs
 from ._core import version as __version__
-from .baking import BakeWarning, Mesh, bake, bake_file, bake_meshes
+from .baking import BakeWarning, bake, bake_file, bake_meshes
 from .blob import Blob, Refitted, join_borders, open_blob, verify
-from .errors import BakeError, OpenError
-from .mesh_files import read_mesh
+from .errors import BakeError, MeshFileError, OpenError
+from .mesh_files import MeshFile, MeshFileWarning, read_mesh
+from .meshes import Mesh
 from .moving_scenes import MovingScene, Pairs, open_moving_scene
 from .results import (
     BAKED_PAIR,

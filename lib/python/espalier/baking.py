@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import warnings
-from typing import Any, NamedTuple, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +12,8 @@ from . import _core
 from .blob import PROFILES, Blob
 from .errors import BakeError
 from .integers import integer_array
-from .mesh_files import read_mesh
+from .mesh_files import Path, read_files
+from .meshes import Mesh
 
 EFFORTS = ("fast", "normal", "best")
 BUILDERS = ("binned_sah", "sweep_sah", "spatial_splits", "agglomerative", "linear", "insertion")
@@ -22,23 +22,6 @@ _BITS, _TOLERANCE, _STEP = 0, 1, 2
 
 class BakeWarning(UserWarning):
     """A property of the input or the blob that bake() accepted, but that its caller may not expect."""
-
-
-class Mesh(NamedTuple):
-    """A mesh of several that are baked into one blob."""
-
-    positions: ArrayLike
-    """(n, 3), in the source's units"""
-    triangles: ArrayLike
-    """(m, 3): numbers of positions, counter-clockwise when seen from the front"""
-    materials: Optional[ArrayLike] = None
-    """(m,): 0 to 65535"""
-    name: str = ""
-    """for messages"""
-    file: int = 0
-    """for the sources of hits"""
-    mesh: int = 0
-    """for the sources of hits"""
 
 
 def _index_array(triangles: ArrayLike, name: str) -> Any:
@@ -156,7 +139,16 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
     return _bake([Mesh(positions, triangles, materials)], 3, **options)
 
 
-def bake_file(path: Union[str, os.PathLike[str]], **options: Any) -> Blob:
-    """Bakes the mesh of an .obj, .ply or .stl file, with the options of bake()."""
-    positions, triangles = read_mesh(path)
-    return _bake([Mesh(positions, triangles, name=os.fspath(path))], 3, **options)
+_READER_OPTIONS = ("format", "unit", "scale", "up", "materials", "memory", "seconds")
+
+
+def bake_file(path: Path, **options: Any) -> Blob:
+    """Bakes all meshes of a file, as `espalier bake` does, with the options of bake() and of read_mesh().
+
+    materials: stores the numbers of materials. Raises MeshFileError and BakeError, and warns with MeshFileWarning and
+    BakeWarning.
+    """
+    of_reader = {name: options.pop(name) for name in _READER_OPTIONS if name in options}
+    of_reader["keep_vertices"] = bool(options.get("deformable", False))
+    of_reader["require_vertices"] = not options.get("drop_bad_triangles", False)
+    return _bake(read_files([path], 3, **of_reader)[0].meshes, 3, **options)

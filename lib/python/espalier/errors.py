@@ -18,6 +18,25 @@ class OpenError(ValueError):
         return OpenError, (self.status,)
 
 
+class MeshFileError(ValueError):
+    """A file was not read. The text states what is wrong, where, and what to do.
+
+    `status` is "invalid_options", "file_access", "invalid_input", "unsupported" or "internal". `kind` is narrower where
+    there is more to distinguish, such as "importer_crash", else the status. `place` is (file, mesh or None, triangle or
+    None).
+    """
+
+    def __init__(self, message: str, status: str, kind: str = "",
+                 place: tuple[str, Optional[int], Optional[int]] = ("", None, None)) -> None:
+        super().__init__(message)
+        self.status = status
+        self.kind = kind or status
+        self.place = place
+
+    def __reduce__(self) -> Any:
+        return MeshFileError, (str(self), self.status, self.kind, self.place)
+
+
 class BakeError(ValueError):
     """Nothing was baked. The text states what is wrong, where, and what to do.
 

@@ -1,157 +1,112 @@
-"""Reading the triangles of mesh files: .obj, .ply and .stl. The command `espalier bake` reads many more formats."""
+"""Reading the meshes of files, by the reader of the command."""
 
 from __future__ import annotations
 
 import os
-from typing import Any, Union
+import sys
+import warnings
+from typing import Any, NamedTuple, Optional, Sequence, Union
 
-import numpy as np
-from numpy.typing import NDArray
+from .errors import MeshFileError
+from .meshes import Mesh
 
-Arrays = tuple[NDArray[np.float64], NDArray[np.uint32]]
+Path = Union[str, "os.PathLike[str]"]
 
-_PLY_TYPES = {
-    "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2", "ushort": "u2",
-    "uint16": "u2", "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4", "float": "f4", "float32": "f4",
-    "double": "f8", "float64": "f8",
-}
+_STATUSES = ("ok", "invalid_options", "file_access", "invalid_input", "unsupported", "internal")
+_AXES = ("x", "y", "z")
+# Ratios, so that each is the double that the command takes.
+_UNITS = {"m": 1.0, "km": 1000.0, "cm": 1 / 100, "mm": 1 / 1000, "um": 1 / 1e6, "in": 254 / 1e4, "ft": 3048 / 1e4}
 
 
-def read_mesh(path: Union[str, os.PathLike[str]]) -> Arrays:
-    """Returns the positions (n, 3) and the triangles (m, 3) of a file. Polygons become fans.
+class MeshFileWarning(UserWarning):
+    """What the triangles that were read may not have of a file. `kind` is one word, for programs."""
 
-    Raises ValueError where the file is damaged or has another format.
+    def __init__(self, message: str, kind: str = "", file: str = "", mesh: Optional[int] = None) -> None:
+        super().__init__(message)
+        self.kind = kind
+        self.file = file
+        self.mesh = mesh
+
+
+class MeshFile(NamedTuple):
+    """The meshes of a file, and what the file states."""
+
+    meshes: list[Mesh]
+    """in the order of the file; a mesh that it places several times is there for each place"""
+    path: str
+    opened: list[str]
+    """the file itself and what it refers to that was there"""
+    format: str
+    mesh_names: list[str]
+    """empty where the file has none"""
+    metres_per_unit: float
+    unit_origin: str
+    """what states the unit"""
+    warnings: list[MeshFileWarning]
+
+
+def read_mesh(path: Path, **options: Any) -> MeshFile:
+    """Reads the meshes of a file: glTF 2.0, 3MF, OBJ, OFF, PLY, STL, RAW, and what assimp reads.
+
+    The positions of `meshes` are float32 in metres, if the file states its unit or `unit` does, and bake_meshes() takes
+    them as they are. bake_file() does both.
+
+    Options, all by name:
+    format: a name or an ending, such as "obj"; by default content and name decide. unit: of the numbers in the file, in
+    metres, or a name of m, km, cm, mm, um, in and ft; by default what the file states, else metres. scale: of all
+    coordinates. up: "x", "y" or "z", the axis that points up in the file and is turned to +Y; by default axes stay.
+    materials: also reads a number for each triangle.
+    keep_vertices: keeps all vertices in the order of the file, as for the poses of a deformable blob.
+    require_vertices: refuses a face that names a vertex which the file does not have; by default it is warned of.
+    memory: bytes that reading may take, by default half of the machine's; 0 is no limit. seconds: of processor time.
+
+    Reads in a child process where the system has fork(), so that the crash of a library is an error like others. On
+    Windows it reads in this process, without limits.
+
+    Raises MeshFileError with the reason and the place. Warns with MeshFileWarning.
     """
-    name = os.fspath(path)
-    ending = os.path.splitext(name)[1].lower()
-    readers = {".obj": _read_obj, ".ply": _read_ply, ".stl": _read_stl}
-    if ending not in readers:
-        raise ValueError(f"{name}: only .obj, .ply and .stl are read; `espalier bake` reads many more formats")
-    with open(path, "rb") as file:
-        data = file.read()
+    return read_files([path], 3, **options)[0]
+
+
+def read_files(paths: Sequence[Path], stack_level: int, *, format: str = "", unit: Union[float, str, None] = None,
+               scale: float = 1.0, up: Optional[str] = None, materials: bool = False, keep_vertices: bool = False,
+               require_vertices: bool = False, memory: Optional[int] = None, seconds: float = 600.0) -> list[MeshFile]:
+    """Reads several files. stack_level: whose line warnings name, counted from here."""
     try:
-        return readers[ending](data)
-    except (ValueError, IndexError, KeyError, UnicodeDecodeError, OverflowError) as error:
-        raise ValueError(f"{name}: {error}") from error
-
-
-def _fans(polygons: list[list[int]], count: int) -> NDArray[np.uint32]:
-    triangles = [(p[0], p[i], p[i + 1]) for p in polygons for i in range(1, len(p) - 1)]
-    array = np.array(triangles, np.int64).reshape(-1, 3)
-    if array.size and (array.min() < 0 or array.max() >= count):
-        raise ValueError("a polygon has a vertex that does not exist")
-    return array.astype(np.uint32)
-
-
-def _read_obj(data: bytes) -> Arrays:
-    positions: list[list[float]] = []
-    polygons: list[list[int]] = []
-    for number, line in enumerate(data.decode("utf-8", "replace").replace("\\\n", " ").splitlines(), 1):
-        words = line.split()
-        if not words:
-            continue
-        if words[0] == "v":
-            if len(words) < 4:
-                raise ValueError(f"line {number}: a vertex has fewer than three numbers")
-            positions.append([float(word) for word in words[1:4]])
-        elif words[0] == "f":
-            corners = [int(word.split("/")[0]) for word in words[1:]]
-            if 0 in corners:
-                raise ValueError(f"line {number}: a face has vertex 0; the first vertex is 1")
-            polygons.append([corner - 1 if corner > 0 else len(positions) + corner for corner in corners])
-    array = np.array(positions, np.float64).reshape(-1, 3)
-    return array, _fans(polygons, len(array))
-
-
-def _read_stl(data: bytes) -> Arrays:
-    facet = np.dtype([("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])
-    count = int.from_bytes(data[80:84], "little")
-    if len(data) == 84 + count * facet.itemsize:
-        corners = np.frombuffer(data, facet, count, 84)["corners"].reshape(-1, 3).astype(np.float64)
-    else:
-        words = data.split()
-        places = [i for i, word in enumerate(words) if word == b"vertex"]
-        if not places:
-            raise ValueError("no STL: neither the size of a binary file nor a vertex of a text file")
-        corners = np.array([[float(word) for word in words[i + 1 : i + 4]] for i in places], np.float64)
-    if len(corners) % 3 != 0:
-        raise ValueError("a facet has no three corners")
-    positions, numbers = np.unique(corners, axis=0, return_inverse=True)
-    return positions, numbers.reshape(-1, 3).astype(np.uint32)
-
-
-def _read_ply(data: bytes) -> Arrays:
-    end = data.index(b"end_header")
-    begin = data.index(b"\n", end) + 1
-    lines = data[:end].decode("ascii").split("\n")
-    kind = ""
-    elements: list[tuple[str, int, list[list[str]]]] = []
-    for words in (line.split() for line in lines):
-        if words[:1] == ["format"]:
-            kind = words[1]
-        elif words[:1] == ["element"]:
-            elements.append((words[1], int(words[2]), []))
-        elif words[:1] == ["property"]:
-            elements[-1][2].append(words[1:])
-    if lines[0].strip() != "ply" or kind not in ("ascii", "binary_little_endian", "binary_big_endian"):
-        raise ValueError("no PLY file")
-    reader: Any = _PlyText(data[begin:]) if kind == "ascii" else _PlyBytes(data[begin:], "<" if "little" in kind else ">")
-    positions = np.zeros((0, 3))
-    polygons: list[list[int]] = []
-    for name, count, properties in elements:
-        if name == "vertex" and not any(each[0] == "list" for each in properties):
-            rows = reader.rows(count, [each[0] for each in properties])
-            names = [each[-1] for each in properties]
-            positions = np.stack([rows[names.index(axis)] for axis in "xyz"], axis=-1).astype(np.float64)
-            continue
-        for _ in range(count):
-            for each in properties:
-                if each[0] != "list":
-                    reader.numbers(1, each[0])
-                    continue
-                numbers = reader.numbers(int(reader.numbers(1, each[1])[0]), each[2])
-                if name == "face" and each[3] in ("vertex_indices", "vertex_index"):
-                    polygons.append([int(number) for number in numbers])
-    return positions, _fans(polygons, len(positions))
-
-
-def _require_count(count: int) -> None:
-    if count < 0:
-        raise ValueError("a number of elements is below 0")
-
-
-class _PlyText:
-    def __init__(self, data: bytes) -> None:
-        self._words = data.split()
-        self._place = 0
-
-    def numbers(self, count: int, kind: str) -> list[float]:
-        _require_count(count)
-        words = self._words[self._place : self._place + count]
-        if len(words) < count:
-            raise ValueError("the file ends too early")
-        self._place += count
-        return [float(word) for word in words]
-
-    def rows(self, count: int, kinds: list[str]) -> list[Any]:
-        return list(np.array(self.numbers(count * len(kinds), ""), np.float64).reshape(count, len(kinds)).T)
-
-
-class _PlyBytes:
-    def __init__(self, data: bytes, order: str) -> None:
-        self._data = data
-        self._order = order
-        self._place = 0
-
-    def numbers(self, count: int, kind: str) -> Any:
-        _require_count(count)
-        numbers = np.frombuffer(self._data, self._order + _PLY_TYPES[kind], count, self._place)
-        self._place += numbers.nbytes
-        return numbers
-
-    def rows(self, count: int, kinds: list[str]) -> list[Any]:
-        _require_count(count)
-        row = np.dtype([(f"f{i}", self._order + _PLY_TYPES[kind]) for i, kind in enumerate(kinds)])
-        rows = np.frombuffer(self._data, row, count, self._place)
-        self._place += rows.nbytes
-        return [rows[f"f{i}"] for i in range(len(kinds))]
+        from . import _import
+    except ImportError as error:
+        raise MeshFileError(
+            f"this build of espalier reads no mesh files ({error}). Build the wheel with assimp, draco, expat, "
+            "meshoptimizer, nlohmann-json and zlib installed (docs/python.md), or bake files by the command `espalier`.",
+            "unsupported") from error
+    if isinstance(unit, str):
+        if unit not in _UNITS:
+            raise ValueError(f"unit must be metres or one of {', '.join(_UNITS)}, not {unit!r}")
+        unit = _UNITS[unit]
+    if unit is not None and not 0.0 < unit < float("inf"):
+        raise ValueError(f"unit must be a finite number above 0, not {unit}")
+    if up is not None and up not in _AXES:
+        raise ValueError(f"up must be one of x, y and z, not {up!r}")
+    # A limit ends the process that reads.
+    separate = hasattr(os, "fork") and sys.platform != "emscripten"
+    if memory is None:
+        memory = _import.default_memory() or 0
+    options = {
+        "format": format.lower(), "metres_per_unit": unit, "scale": scale,
+        "up": None if up is None else _AXES.index(up), "materials": bool(materials),
+        "keep_vertices": bool(keep_vertices), "require_vertices": bool(require_vertices), "separate_process": separate,
+        "memory": memory if separate else 0, "seconds": float(seconds) if separate else 0.0,
+    }
+    status, reason, meshes, files = _import.read([os.fspath(path) for path in paths], options)
+    results = []
+    for number, file in enumerate(files):
+        found = [MeshFileWarning(message, kind, name, mesh) for kind, message, name, mesh, _ in file["warnings"]]
+        for warning in found:
+            warnings.warn(warning, stacklevel=stack_level)
+        of_file = [Mesh(*mesh) for mesh in meshes if mesh[4] == number]
+        results.append(MeshFile(of_file, file["path"], file["opened"], file["format"], file["mesh_names"],
+                                file["metres_per_unit"], file["unit_origin"], found))
+    if status != 0:
+        kind, message, name, mesh, triangle = reason
+        raise MeshFileError(message, _STATUSES[status], kind, (name, mesh, triangle))
+    return results

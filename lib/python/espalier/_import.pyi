@@ -1,0 +1,6 @@
+"""The compiled reader of mesh files. Its functions may change; use those of the package."""
+
+from typing import Any, Optional
+
+def read(paths: list[str], options: dict[str, Any]) -> tuple[int, tuple[Any, ...], list[tuple[Any, ...]], list[dict[str, Any]]]: ...
+def default_memory() -> Optional[int]: ...
