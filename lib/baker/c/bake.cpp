@@ -94,5 +94,6 @@ size_t espalier_size_of_baking(const char* name) {
     if (structure == "bake_warning") return sizeof(espalier_bake_warning);
     if (structure == "source_place") return sizeof(espalier_source_place);
     if (structure == "bytes") return sizeof(espalier_bytes);
+    if (structure == "joined_blob") return sizeof(espalier_joined_blob);
     return 0;
 }

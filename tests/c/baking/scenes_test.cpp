@@ -90,8 +90,8 @@ TEST_CASE("c api: a scene that cannot be baked is refused with the reason") {
 
 TEST_CASE("c api: borders are joined as from C++ and what is refused is unchanged") {
     std::vector<Bytes> tiles;
-    for (const float x : {0.0f, 1.0f}) {
-        const Mesh tile = moved_by(make_plane_grid(4), {x, 0.0f, 0.0f});  // from 0 to 1
+    for (const float x : {0.0f, 4.0f}) {
+        const Mesh tile = moved_by(make_plane_grid(4), {x, 0.0f, 0.0f});  // 4 wide
         tiles.push_back(OpenedBlob(tile, {.resolution = Resolution::step(-8), .flat_angle = 5.0}).bytes);
     }
     const auto untouched = tiles, expected = [&] {
