@@ -161,7 +161,7 @@ prove_counts() {
 prove_mutants() {
     local hash
     hash=$(git rev-parse HEAD | cut -c 1-6)
-    MUTATION_WHOLE_SECONDS=60 tools/dev mutate --sample 40 --seed "$((0x$hash))" --least 0.9
+    MUTATION_WHOLE_SECONDS=60 tools/dev mutate --sample 24 --seed "$((0x$hash))" --least 0.9
 }
 prove_fuzz() {
     tools/dev fuzz 45 | tee build/prove/fuzz.out
