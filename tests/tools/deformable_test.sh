@@ -253,7 +253,7 @@ finds '.deformable and .motion.positions == 627 and .motion.range.min == [-0.5, 
 json '.sections.corners == 3 * 1152 + 64 and .sections.vertex_sources >= 2 * 625 and .sections.vertex_sources % 4 == 0'
 json '.motion.moving_bytes == .sections.header + .sections.nodes + .sections.leaves + .sections.guard'
 json '.bounds.min[2] < -0.2 and .extent <= 1 and .extent > 0.9 and .format_version == "2.1"'
-finds '(.deformable | not) and (has("motion") | not) and .format_version == "2.0"' info sheet.espl
+finds '(.deformable | not) and (has("motion") | not) and .format_version == "2.2"' info sheet.espl
 
 claim "dump has every byte of a deformable blob once and in order"
 run 0 dump cloth.wave.espl

@@ -120,9 +120,10 @@ void list_ids(Bytes bytes, const detail::BlobData& data, ByteListing& listing) {
     for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
         const std::size_t at = listing.at();
         std::string runs;
-        for (std::uint32_t run = 1; run * run_triangles < std::min(block_triangles, data.triangle_count - first); ++run)
+        const std::uint32_t of_run = run_triangles(detail::has_runs(data));
+        for (std::uint32_t run = 1; run * of_run < std::min(block_triangles, data.triangle_count - first); ++run)
             runs += text(run == 1 ? ", runs " : " ", detail::run_begin(data.bytes + at, run), " bytes on");
-        listing.field(block_bytes,
+        listing.field(block_bytes(detail::has_runs(data)),
                       text("block of triangles from ", first, ": at byte ", read_u32(bytes, at + begin_at), runs));
     }
 }

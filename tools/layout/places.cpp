@@ -190,7 +190,8 @@ std::string checksum_text(std::uint32_t checksum) {
 
 std::vector<std::string> feature_names(std::uint32_t features) {
     constexpr const char* of_bits[] = {"original_ids", "materials_8",  "materials_16",    "closed", "split_references",
-                                       "edge_flags",   "oriented_box", "bounding_sphere", "k_dop",  "deformable"};
+                                       "edge_flags",   "oriented_box", "bounding_sphere", "k_dop",  "deformable",
+                                       "id_runs"};
     static_assert(format::feature::known == (1u << std::size(of_bits)) - 1);
     std::vector<std::string> names;
     for (std::size_t bit = 0; bit < std::size(of_bits); ++bit)

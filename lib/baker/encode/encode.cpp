@@ -19,7 +19,7 @@ namespace {
 std::uint32_t features_of(const Source& source, const BakeOptions& options, const Properties& properties,
                           const WideTree& wide, const OptionalSections& sections) {
     std::uint32_t features = sections.features;
-    if (options.original_ids) features |= format::feature::original_ids;
+    if (options.original_ids) features |= format::feature::original_ids | format::feature::id_runs;
     if (source.material_bits == 8) features |= format::feature::materials_8;
     if (source.material_bits == 16) features |= format::feature::materials_16;
     if (properties.closed) features |= format::feature::closed;
@@ -89,7 +89,9 @@ void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh
     const std::uint32_t features = features_of(source, options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
-    set_u16(header + version_minor_at, options.deformation ? format::version_minor_of_deformable : 0);
+    set_u16(header + version_minor_at, options.original_ids  ? format::version_minor_of_id_runs
+                                       : options.deformation ? format::version_minor_of_deformable
+                                                             : std::uint16_t{0});
     set_u32(header + features_at, features);
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);

@@ -45,10 +45,10 @@ struct IdKind {
 /// Calls `take` with the place of each run of a block and the numbers that it steps to, from the block's first on.
 template <class Take>
 void for_each_run(std::span<const std::uint32_t> block, Take take) {
-    using format::ids::run_triangles;
-    for (std::size_t at = 0; at < block.size(); at += run_triangles) {
-        const auto run = block.subspan(at, std::min<std::size_t>(block.size() - at, run_triangles));
-        take(static_cast<unsigned>(at / run_triangles), at == 0 ? run.subspan(1) : run);
+    constexpr std::size_t of_run = format::ids::run_triangles(true);
+    for (std::size_t at = 0; at < block.size(); at += of_run) {
+        const auto run = block.subspan(at, std::min<std::size_t>(block.size() - at, of_run));
+        take(static_cast<unsigned>(at / of_run), at == 0 ? run.subspan(1) : run);
     }
 }
 

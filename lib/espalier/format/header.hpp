@@ -20,9 +20,10 @@ namespace espalier::format {
 
 /// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
 inline constexpr std::uint16_t version_major = 2;
-inline constexpr std::uint16_t version_minor = 1;
+inline constexpr std::uint16_t version_minor = 2;
 /// The least minor version of a blob with each feature; a writer states the least that its features need.
 inline constexpr std::uint16_t version_minor_of_deformable = 1;
+inline constexpr std::uint16_t version_minor_of_id_runs = 2;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
@@ -85,9 +86,10 @@ inline constexpr std::uint32_t bounding_sphere = 1u << 7;
 inline constexpr std::uint32_t k_dop = 1u << 8;
 inline constexpr std::uint32_t deformable =
     1u << 9;  // vertices move, see `corners` and `vertex_sources`; profile fast only
+inline constexpr std::uint32_t id_runs = 1u << 10;  // of original_ids: blocks are divided, see `ids`
 inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
 inline constexpr std::uint32_t known =
-    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds | deformable;
+    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds | deformable | id_runs;
 /// What a deformable blob does not have: these sections describe one pose.
 inline constexpr std::uint32_t not_deformable = split_references | edge_flags | bounds;
 }  // namespace feature

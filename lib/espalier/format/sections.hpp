@@ -27,7 +27,7 @@ inline constexpr std::size_t bytes = 12;
 // numbers are all the block's first one at the begin of a run; then each new one is put in front, and the one at
 // `replaced` is lost. 2^id_kind_bits kinds: the next id_kind_bits bits are the number of the kind, its prefix is as
 // many of them as the kind has. Then the runs' bits, in id_step_bytes together, low bits first, each run padded with
-// zero bits to a byte; then where each block and its runs begin.
+// zero bits to a byte; then where each block and its runs begin. Without the feature id_runs, a block is one run.
 namespace ids {
 inline constexpr unsigned max_kind_bits = 7;
 inline constexpr std::size_t offset_at = 0;    // u32, in a kind
@@ -38,11 +38,11 @@ inline constexpr std::size_t replaced_at = 7;  // u8, below recent_numbers
 inline constexpr std::size_t kind_bytes = 8;
 inline constexpr unsigned recent_numbers = 8;
 inline constexpr std::uint32_t block_triangles = 128;
-inline constexpr std::uint32_t run_triangles = 32;
 inline constexpr std::size_t begin_at = 0;      // u32, where a block's bits begin, counted in bytes from the first's
 inline constexpr std::size_t runs_at = 4;       // u32, where those of its runs 1, 2, 3 begin, in bytes from the block's
 inline constexpr unsigned run_begin_bits = 10;  // of each of them, that of run 1 lowest; 0 where there is no such run
-inline constexpr std::size_t block_bytes = 8;
+constexpr std::uint32_t run_triangles(bool has_runs) { return has_runs ? 32 : block_triangles; }
+constexpr std::size_t block_bytes(bool has_runs) { return has_runs ? 8 : runs_at; }
 constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
     return (triangle_count + block_triangles - 1) / block_triangles;
 }

@@ -225,7 +225,7 @@ namespace espalier::detail {
 /// What a blob's features field may have.
 inline constexpr std::uint32_t read_features =
     format::feature::known &
-    ~((ESPALIER_IDS ? 0 : format::feature::original_ids) |
+    ~((ESPALIER_IDS ? 0 : format::feature::original_ids | format::feature::id_runs) |
       (ESPALIER_MATERIALS ? 0 : format::feature::materials_8 | format::feature::materials_16) |
       (ESPALIER_COPIES ? 0 : format::feature::split_references) | (ESPALIER_EDGES ? 0 : format::feature::edge_flags) |
       (ESPALIER_BOUNDS ? 0 : format::feature::bounds) |

@@ -19,6 +19,8 @@ inline std::uint32_t corner_factor(const BlobData& blob) {
 /// Numbers are below this. `open` proves that it fits.
 inline std::uint32_t number_limit(const BlobData& blob) { return corner_factor(blob) * blob.source_triangles; }
 
+inline bool has_runs(const BlobData& blob) { return (blob.features & format::feature::id_runs) != 0; }
+
 /// The parts of the section, which must be there.
 inline const std::byte* id_kind(const BlobData& blob, std::uint32_t kind) {
     return blob.ids + format::ids::kind_bytes * std::size_t{kind};
@@ -28,7 +30,7 @@ inline const std::byte* id_steps(const BlobData& blob, std::uint32_t first_byte)
 }
 inline const std::byte* id_block(const BlobData& blob, std::uint32_t block) {
     const std::size_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
-    return id_steps(blob, 0) + (step_bytes + 3) / 4 * 4 + format::ids::block_bytes * std::size_t{block};
+    return id_steps(blob, 0) + (step_bytes + 3) / 4 * 4 + format::ids::block_bytes(has_runs(blob)) * std::size_t{block};
 }
 
 /// Where the bits of a run after the block's first begin, counted in bytes from the block's.
@@ -41,17 +43,17 @@ inline std::uint32_t run_begin(const std::byte* block, std::uint32_t run) {
 struct StepFields {
     static constexpr unsigned bits_ahead = 57;
     const std::byte* bytes;
-    const std::byte* last_word;  ///< the last eight bytes of the blob
+    const std::byte* last_word;  ///< the last eight bytes of the section
     unsigned bit = 0;            ///< of the next field
 
-    /// Returns the bits from the next field on, at least `bits_ahead` of them unless the blob ends before.
+    /// Returns the bits from the next field on, at least `bits_ahead` of them unless the section ends before.
     [[nodiscard]] std::uint64_t ahead() const {
         const std::byte* const at = bytes + bit / 8;
         if (at <= last_word) return load_u64(at) >> (bit % 8);
         return load_u64(last_word) >> (8 * static_cast<unsigned>(at - last_word) + bit % 8);
     }
 
-    /// Returns the next `width` bits, at most 32. Reads no byte outside of the blob.
+    /// Returns the next `width` bits, at most 32. Reads no byte outside of the section.
     std::uint32_t take(unsigned width) {
         if (takes_shortcut()) {
             const std::uint64_t field = ahead() & ((std::uint64_t{1} << width) - 1u);
@@ -86,7 +88,7 @@ struct IdWalk {
     const std::byte* kind = nullptr;  ///< of the next step, once it is found
 
     IdWalk(const BlobData& of, std::uint32_t first_byte)
-        : blob(of), fields{id_steps(of, first_byte), of.bytes + of.size - sizeof(std::uint64_t)} {}
+        : blob(of), fields{id_steps(of, first_byte), id_block(of, format::ids::block_count(of.triangle_count)) - 8} {}
 
     /// Begins with the block's first number.
     void begin() {
@@ -157,15 +159,16 @@ private:
     std::uint32_t places_ = 0x76543210;  ///< of the recent numbers, that of the newest in the lowest bits
 };
 
-/// The number of a triangle that there is. At most 32 steps.
+/// The number of a triangle that there is. At most 32 steps in a blob with runs.
 inline std::uint32_t number_of(const BlobData& blob, std::uint32_t triangle) {
     using namespace format::ids;
     const std::byte* block = id_block(blob, triangle / block_triangles);
     IdWalk walk(blob, load_u32(block));
     walk.begin();
-    const std::uint32_t run = triangle % block_triangles / run_triangles;
+    const std::uint32_t of_run = run_triangles(has_runs(blob));
+    const std::uint32_t run = triangle % block_triangles / of_run;
     if (run != 0) walk.fields.bit = 8 * run_begin(block, run);
-    std::uint32_t steps = triangle % run_triangles + (run != 0 ? 1u : 0u);
+    std::uint32_t steps = triangle % of_run + (run != 0 ? 1u : 0u);
     if (takes_shortcut()) {
         walk.take_steps(steps);
     } else {

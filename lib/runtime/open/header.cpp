@@ -144,6 +144,8 @@ OpenStatus read_header(BlobData& blob) {
                   blob.source_triangles > ~std::uint32_t{0} / corner_factor(blob)
             : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
         return OpenStatus::bad_header;
+    if (has_runs(blob) && (!ids || load_u16(h + version_minor_at) < format::version_minor_of_id_runs))
+        return OpenStatus::bad_header;
 
     if (!read_lattice(blob)) return OpenStatus::bad_header;
     if (!are_moving_fields_sound(blob)) return OpenStatus::bad_header;
@@ -162,7 +164,7 @@ OpenStatus locate_sections(BlobData& blob, bool looks_at_padding) {
         blob.sources = rest.take(blob.source_count, 8 * format::source::bytes);
         blob.ids = rest.take(std::size_t{1} << blob.id_kind_bits, 8 * format::ids::kind_bytes);
         rest.take(load_u32(blob.bytes + format::header::id_step_bytes_at), 8);
-        rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes);
+        rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes(has_runs(blob)));
     }
     if ((features & (materials_8 | materials_16)) != 0)
         blob.materials = rest.take(blob.triangle_count, (features & materials_16) != 0 ? 16 : 8);

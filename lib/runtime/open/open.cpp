@@ -53,19 +53,21 @@ bool is_block_sound(IdWalk& walk, const std::byte* block, std::uint32_t triangle
     };
     if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > 8 * bytes) return false;
     walk.begin();
+    const bool runs = has_runs(walk.blob);
+    const std::uint32_t of_run = run_triangles(runs);
     std::uint32_t begins = 0;
     for (std::uint32_t at = 0;;) {
         if (walk.newest >= limit) return false;
         if (++at == triangles) break;
-        if (at % run_triangles == 0) {
+        if (at % of_run == 0) {
             if (!end_run()) return false;
-            begins |= walk.fields.bit / 8 << run_begin_bits * (at / run_triangles - 1);
+            begins |= walk.fields.bit / 8 << run_begin_bits * (at / of_run - 1);
             walk.begin_run();
         }
         if (walk.find_kind() > 8 * bytes - walk.fields.bit) return false;
         walk.take_step();
     }
-    return end_run() && load_u32(block + runs_at) == begins;
+    return end_run() && (!runs || load_u32(block + runs_at) == begins);
 }
 
 bool is_kind_sound(const BlobData& blob, const std::byte* kind) {

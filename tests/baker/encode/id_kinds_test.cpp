@@ -63,7 +63,7 @@ Section written(const Numbers& numbers, unsigned number_bits) {
     const std::size_t begin = section.rows.size() * ids::kind_bytes;
     const std::size_t blocks = (numbers.size() + ids::block_triangles - 1) / ids::block_triangles;
     const std::size_t block_table = begin + (steps.bytes + 3) / 4 * 4;
-    REQUIRE(section.bytes.size() == block_table + ids::block_bytes * blocks);
+    REQUIRE(section.bytes.size() == block_table + ids::block_bytes(true) * blocks);
 
     std::size_t bit = 0;
     const auto take = [&](unsigned width) {
@@ -75,7 +75,7 @@ Section written(const Numbers& numbers, unsigned number_bits) {
     const std::uint32_t mask = mask_of(number_bits);
     for (std::size_t block = 0; block < blocks; ++block) {
         bit = (bit + 7) / 8 * 8;
-        const std::size_t entry = block_table + ids::block_bytes * block, block_begin = bit / 8;
+        const std::size_t entry = block_table + ids::block_bytes(true) * block, block_begin = bit / 8;
         REQUIRE(word(section.bytes, entry) == block_begin);
         std::uint32_t run_begins = word(section.bytes, entry + 4);
         const std::uint32_t first = take(number_bits);
@@ -83,7 +83,7 @@ Section written(const Numbers& numbers, unsigned number_bits) {
         std::vector<std::uint32_t> recent(ids::recent_numbers, first);
         const std::size_t end = std::min<std::size_t>(numbers.size(), (block + 1) * ids::block_triangles);
         while (section.read.size() < end) {
-            if (section.read.size() % ids::run_triangles == 0) {
+            if (section.read.size() % ids::run_triangles(true) == 0) {
                 bit = (bit + 7) / 8 * 8;
                 REQUIRE((run_begins & 1023) == bit / 8 - block_begin);
                 run_begins >>= 10;
@@ -106,7 +106,7 @@ Section written(const Numbers& numbers, unsigned number_bits) {
 /// beginning of each run.
 bool begin_run(const Numbers& numbers, std::size_t at, std::vector<std::uint32_t>& recent) {
     const std::size_t in_block = at % ids::block_triangles;
-    if (at % ids::run_triangles == 0) recent.assign(ids::recent_numbers, numbers[at - in_block]);
+    if (at % ids::run_triangles(true) == 0) recent.assign(ids::recent_numbers, numbers[at - in_block]);
     return in_block == 0;
 }
 
@@ -276,7 +276,7 @@ TEST_CASE("ids: a second kind is written just where it saves more than it takes"
             CAPTURE(count);
             const Section section = written(rows_by_turns(1, 5, count, number_bits), number_bits);
             const std::size_t kind = 8 * ids::kind_bytes, steps = steps_of(count);
-            const std::size_t wide = (count - 1) / ids::run_triangles * number_bits;  // first steps of other runs
+            const std::size_t wide = (count - 1) / ids::run_triangles(true) * number_bits;  // first steps of other runs
             CHECK(section.bits() == std::min(kind + steps * number_bits, 2 * kind + steps + wide));
         }
     }

@@ -78,6 +78,22 @@ struct Section {
     [[nodiscard]] OpenStatus status() const { return status_at_end_of_memory(blob()); }
 };
 
+TEST_CASE("open: runs of ids need ids and version 2.2") {
+    for_each_profile([](Profile profile) {
+        const Mesh mesh = make_plane_grid(12);
+        const Bytes bytes = bake_or_throw(mesh, {.profile = profile, .original_ids = true});
+        const std::uint64_t features = get(bytes, at::features_at, 4);
+        REQUIRE((features & format::feature::id_runs) != 0);
+        CHECK(get(bytes, at::version_minor_at, 2) == 2);
+        CHECK(status_with(bytes, at::version_minor_at, 1, 2) == OpenStatus::bad_header);
+        CHECK(status_with(bytes, at::features_at, features & ~std::uint64_t{format::feature::original_ids}, 4) ==
+              OpenStatus::bad_header);
+        const Bytes without = bake_or_throw(mesh, {.profile = profile});
+        CHECK(status_with(without, at::features_at, get(without, at::features_at, 4) | format::feature::id_runs, 4) ==
+              OpenStatus::bad_header);
+    });
+}
+
 TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {
     for_each_profile([](Profile profile) {
         const std::size_t number_bits = profile == Profile::fast ? 6 : 8;

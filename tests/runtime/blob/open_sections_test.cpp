@@ -56,7 +56,7 @@ TEST_CASE("open: each rule of the steps of ids is enforced") {
         const std::size_t steps = kinds + (ids::kind_bytes << kind_bits);
         const std::uint64_t step_bytes = get(bytes, at::id_step_bytes_at, 4);
         const std::size_t blocks = (steps + step_bytes + 3) / 4 * 4;
-        REQUIRE(bytes.size() == blocks + 2 * ids::block_bytes);
+        REQUIRE(bytes.size() == blocks + 2 * ids::block_bytes(true));
         const std::uint64_t numbers = profile == Profile::fast ? 200 : 600;
         const unsigned number_bits = profile == Profile::fast ? 8 : 10;
         const auto status = [&](std::size_t place, std::uint64_t value, unsigned size = 4) {
@@ -77,10 +77,10 @@ TEST_CASE("open: each rule of the steps of ids is enforced") {
         CHECK(status(steps, (first_bits & ~number_mask) | numbers, 2) == OpenStatus::bad_section);
         CHECK(status(steps, first_bits | number_mask, 2) == OpenStatus::bad_section);
         CHECK(status(blocks, 1) == OpenStatus::bad_section);
-        const std::uint64_t second = get(bytes, blocks + ids::block_bytes, 4);
-        CHECK(status(blocks + ids::block_bytes, second - 1) == OpenStatus::bad_section);
-        CHECK(status(blocks + ids::block_bytes, second + 1) == OpenStatus::bad_section);
-        CHECK(status(blocks + ids::block_bytes, ~0u) == OpenStatus::bad_section);
+        const std::uint64_t second = get(bytes, blocks + ids::block_bytes(true), 4);
+        CHECK(status(blocks + ids::block_bytes(true), second - 1) == OpenStatus::bad_section);
+        CHECK(status(blocks + ids::block_bytes(true), second + 1) == OpenStatus::bad_section);
+        CHECK(status(blocks + ids::block_bytes(true), ~0u) == OpenStatus::bad_section);
         // So does a run of a block.
         const std::uint64_t runs = get(bytes, blocks + ids::runs_at, 4);
         for (const std::uint64_t other : {std::uint64_t{0}, runs + 1, runs + (1u << 10), runs | 1u << 30})

@@ -107,7 +107,7 @@ TEST_CASE("unchecked: padding of sections and bytes after the nodes are not read
             step_bytes = get(bytes, at::id_step_bytes_at, 4);
         }
         CHECK(open_unchecked(FirstPage(bytes).bytes()).status() == OpenStatus::ok);
-        const std::size_t blocks = format::ids::block_count(blob.triangle_count()) * format::ids::block_bytes;
+        const std::size_t blocks = format::ids::block_count(blob.triangle_count()) * format::ids::block_bytes(true);
         bytes[bytes.size() - blocks - 1] |= std::byte{0x80};  // the last byte of what fills up the steps
         repair_checksum(bytes);
         CHECK(open_unchecked(bytes).status() == OpenStatus::ok);

@@ -74,6 +74,7 @@ private:
         const std::uint32_t any = random_.below(512);  // features; all that exclude each other are taken out below
         head_.features = any & ~(1u << 4);
         if ((any & 2u) != 0) head_.features &= ~4u;
+        if ((any & 1u) != 0 && random_.coin()) head_.features |= 1u << 10;
         if (head_.profile == Profile::fast && random_.below(4) == 0) head_.features |= 1u << 4;
     }
 
@@ -263,7 +264,7 @@ private:
     }
 
     void make_sections() {
-        if (triangles_ == 0) head_.features &= 7u;
+        if (triangles_ == 0) head_.features &= 7u | 1u << 10;
         if (has(0)) {
             const std::uint32_t factor = head_.profile == Profile::fast ? 1 : 3;
             head_.source_triangles = (1 + random_.below(0xFFFFFFFFu / factor)) >> random_.below(32);

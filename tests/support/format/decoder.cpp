@@ -261,11 +261,12 @@ private:
         std::size_t byte = steps_at, bit = 0;
         std::uint64_t number = 0, first = 0;
         std::deque<std::uint64_t> recent;
+        const bool has_runs = (decoded_.features & format::feature::id_runs) != 0;
         for (std::uint32_t i = 0; i < decoded_.triangle_count; ++i) {
-            if (i % 32 == 0) {
+            if (i % (has_runs ? 32 : 128) == 0) {
                 byte += (bit + 7) / 8;
                 bit = 0;
-                const std::size_t block = blocks_at + i / 128 * 8, run = i % 128 / 32;
+                const std::size_t block = blocks_at + i / 128 * (has_runs ? 8 : 4), run = i % 128 / 32;
                 const std::size_t in_block = run == 0 ? 0 : bytes_.u32(block + 4) >> 10 * (run - 1) & 1023;
                 if (bytes_.u32(block) + in_block != byte - steps_at)
                     throw std::runtime_error("decoder: a run of ids begins elsewhere than the one before it ends");
@@ -296,7 +297,7 @@ private:
         }
         byte += (bit + 7) / 8;
         if (byte - steps_at != bytes_.u32(80)) throw std::runtime_error("decoder: ids do not fill their section");
-        return blocks_at + 8 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
+        return blocks_at + (has_runs ? 8 : 4) * ((std::size_t{decoded_.triangle_count} + 127) / 128);
     }
 
     void read_optional_sections() {

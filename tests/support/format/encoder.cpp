@@ -313,6 +313,8 @@ private:
         const std::uint64_t limit = factor * head_.source_triangles;
         const unsigned number_bits = limit == 0 ? 0 : bits_for(static_cast<std::uint32_t>(limit - 1));
         const std::uint64_t modulus = std::uint64_t{1} << number_bits;
+        const bool has_runs = (head_.features & 1u << 10) != 0;
+        const std::size_t of_run = has_runs ? 32 : 128;
         Writer blocks, steps;
         std::vector<std::uint64_t> recent;
         std::uint64_t first = 0;
@@ -321,18 +323,18 @@ private:
         for (std::size_t i = 0; i < triangles_; ++i) {
             const std::uint64_t corner = factor == 1 ? 0 : head_.first_corners[i];
             const std::uint64_t number = factor * head_.original_ids[i] + corner;
-            if (i % 32 == 0) steps.end_stream();
+            if (i % of_run == 0) steps.end_stream();
             if (i % 128 == 0) {
-                if (i != 0) blocks.put(run_begins, 4);
+                if (i != 0 && has_runs) blocks.put(run_begins, 4);
                 run_begins = 0;
                 block_begin = steps.bytes.size();
                 blocks.put(block_begin, 4);
                 steps.put_bits(number, number_bits);
                 first = number;
-            } else if (i % 32 == 0) {
+            } else if (i % of_run == 0) {
                 run_begins += (steps.bytes.size() - block_begin) << 10 * (i % 128 / 32 - 1);
             }
-            if (i % 32 == 0) recent.assign(8, first);
+            if (i % of_run == 0) recent.assign(8, first);
             if (i % 128 != 0) {
                 std::uint64_t field = modulus;
                 PlainIdKind kind;
@@ -347,7 +349,7 @@ private:
                 recent.insert(recent.begin(), number);
             }
         }
-        if (triangles_ != 0) blocks.put(run_begins, 4);
+        if (triangles_ != 0 && has_runs) blocks.put(run_begins, 4);
         id_step_bytes_ = steps.bytes.size();
         for (const PlainIdKind& kind : blob_.id_kinds) {
             out.put(kind.offset, 4);
@@ -380,7 +382,7 @@ private:
             128 + std::size_t{has_strips() ? 64u : 256u} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
         out.put(0x4C505345u, 4);
         out.put(2, 2);
-        out.put(is_deformable() ? 1 : 0, 2);
+        out.put((head_.features & 1u << 10) != 0 ? 2 : is_deformable() ? 1 : 0, 2);
         out.put(total, 4);
         out.put(0, 4);  // the checksum comes last
         out.put(head_.features, 4);
