@@ -1,30 +1,10 @@
 // Claims about instances that are moved by whole steps of one lattice: the tiles of a world.
 #include "support/testing.hpp"
 
-#include "maker.hpp"
+#include "hilly_ground.hpp"
 
 namespace espalier::tests::tiles_test {
 namespace {
-
-constexpr int cells = 4;  ///< along a side of a tile
-
-/// The height of the ground at a vertex: equal on opposite borders of a tile.
-float height_at(int x, int z) { return static_cast<float>((7 * (x % cells) + 13 * (z % cells)) % 16) / 16.0f; }
-
-/// A tile of a hilly ground. Its lattice holds every vertex exactly.
-Mesh make_tile() {
-    Mesh mesh;
-    for (int z = 0; z <= cells; ++z)
-        for (int x = 0; x <= cells; ++x)
-            mesh.positions.push_back({static_cast<float>(x), height_at(x, z), static_cast<float>(z)});
-    for (int z = 0; z < cells; ++z)
-        for (int x = 0; x < cells; ++x) {
-            const auto a = static_cast<std::uint32_t>(z * (cells + 1) + x), b = a + cells + 1;
-            mesh.triangles.push_back({a, b, a + 1});
-            mesh.triangles.push_back({a + 1, b, b + 1});
-        }
-    return mesh;
-}
 
 /// A ground of so many tiles along each side, in a scene.
 struct Ground {
@@ -33,38 +13,15 @@ struct Ground {
     OpenedScene opened;
 
     explicit Ground(int side, Vec3 from = {})
-        : blobs(opened_blobs({make_tile()}, {.resolution = Resolution::step(-8), .profile = Profile::balanced})),
-          instances(ground(side, 0, cells, from)),
-          opened(blobs, instances) {}
+        : blobs(opened_tile()), instances(ground(side, 0, tile_cells, from)), opened(blobs, instances) {}
 };
-
-/// A ray from above, aimed at a vertex on a border between two tiles, or at a point of an edge there.
-Ray aimed_at_border(Random& random, int side, const Vec3& from) {
-    const auto below = [&](int limit) { return static_cast<int>(random.below(static_cast<std::uint32_t>(limit))); };
-    const int border = cells * (1 + below(side - 1)), along = 1 + below(cells * side - 2);
-    const float part = random.coin() ? 0.0f : random.unit();
-    const bool is_along_x = random.coin();
-    const auto vertex = [&](int place) {
-        const int x = is_along_x ? place : border, z = is_along_x ? border : place;
-        return Vec3{static_cast<float>(x), height_at(x, z), static_cast<float>(z)};
-    };
-    const Vec3 a = vertex(along), b = vertex(along + 1);
-    const Vec3 to = sum(sum(from, a), times(difference(b, a), part));
-    const float height = std::ldexp(1.0f + random.unit(), random.between(1, 9));
-    const float slope = random.below(4) == 0 ? 0.0f : 0.3f;
-    const Vec3 eye = {to.x + slope * height * random.signed_unit(), to.y + height,
-                      to.z + slope * height * random.signed_unit()};
-    Ray ray = Ray::between(eye, to);
-    ray.t_max = infinity;
-    return ray;
-}
 
 TEST_CASE("scene: instances that are moved by whole steps share a lattice") {
     const Ground ground(5);
     const BakedScene& scene = ground.opened.scene;
     const Result<Lattice> lattice = scene.common_lattice();
     CHECK(lattice->step_exponent == -8);
-    CHECK(lattice->extent[0] == 5 * cells * 256);
+    CHECK(lattice->extent[0] == 5 * tile_cells * 256);
     for (std::uint32_t i = 0; i < scene.instance_count(); ++i) CHECK(is_on_common_lattice(scene, {i}).yes());
     CHECK(is_on_common_lattice(scene, {25}).status() == QueryStatus::invalid_argument);
     CHECK(is_on_common_lattice(BakedScene(), {0}).status() == QueryStatus::not_open);
@@ -151,7 +108,7 @@ TEST_CASE("scene: instances outside of the region of a rounded ray round it for 
     constexpr int side = 2;
     const Ground ground(side);
     Lattice part = ground.blobs[0].blob.lattice();
-    const Ray outside = {{1.3f + cells, 9.0f, 1.4f + cells}, {0.0f, -1.0f, 0.0f}};
+    const Ray outside = {{1.3f + tile_cells, 9.0f, 1.4f + tile_cells}, {0.0f, -1.0f, 0.0f}};
     const InScene<RayHit> hit = raycast(ground.opened.scene, outside, round_ray(part, outside));
     REQUIRE(hit);
     const Transform place = instance_at(ground.opened.scene, hit.instance)->transform;
@@ -177,7 +134,7 @@ TEST_CASE("scene: rays aimed at the borders of tiles that are scenes pass betwee
     const Ground tile(2);
     std::vector<OpenedScene> tiles;
     tiles.emplace_back(tile.blobs, tile.instances);
-    const OpenedScene world(tile.blobs, ground(side, 1, 2 * cells), tiles);
+    const OpenedScene world(tile.blobs, ground(side, 1, 2 * tile_cells), tiles);
     CHECK(is_on_common_lattice(world.scene, {0}).yes());
     CHECK(is_on_common_lattice(world.scene, {8, 3}).yes());
     const Ground whole(2 * side);
@@ -244,12 +201,12 @@ TEST_CASE("scene: a rounded ray that was refused is refused and one of another l
 
 TEST_CASE("scene: several scenes that take one rounded ray leave no gap between them") {
     constexpr int side = 2;
-    const Ground left(side), right(side, {static_cast<float>(side * cells), 0.0f, 0.0f});
+    const Ground left(side), right(side, {static_cast<float>(side * tile_cells), 0.0f, 0.0f});
     Lattice both = left.opened.scene.common_lattice().value;
     both.extent[0] *= 2;
     Random random(25);
     for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
-        const Ray ray = aimed_at_border(random, side, {static_cast<float>(cells), 0.0f, 0.0f});
+        const Ray ray = aimed_at_border(random, side, {static_cast<float>(tile_cells), 0.0f, 0.0f});
         const RoundedRay rounded = round_ray(both, ray);
         CAPTURE(i);
         const bool hits_left = static_cast<bool>(raycast(left.opened.scene, ray, rounded));
