@@ -1,9 +1,13 @@
 // Scenes whose instances move, in a block of memory that the caller owns.
 //
 // A MovingScene holds instances of meshes, which are inserted, moved and removed at any time. Every query of scene.hpp
-// takes it: rays, sweeps, overlaps, closest points and candidates. mesh_at(), is_on_common_lattice() and bounds() are
-// for baked scenes alone. pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is
-// inserted as a mesh is: queries then cover both what moves and what does not.
+// takes it: rays, sweeps, overlaps, closest points and candidates. mesh_at() and bounds() are for baked scenes alone.
+// pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted as a mesh is:
+// queries then cover both what moves and what does not.
+//
+// Rays are rounded once for all instances on the common lattice, such as the pieces of a ground that come and go: no
+// ray passes between two that share an edge. It is that of the world: its points are whole steps from the origin.
+// common_lattice() describes what lies on it.
 //
 // The block has no pointers. A copy of its bytes is a snapshot: it may be written back over the block of the same
 // scene, under views that exist, or opened elsewhere by open_moving_scene(). The same calls, those for pairs included,
@@ -72,6 +76,16 @@ public:
     [[nodiscard]] std::uint32_t slot_end() const noexcept;
     /// Returns e; a step of the world is 2^e long.
     [[nodiscard]] int step_exponent() const noexcept;
+    /// Returns the region for which rays are rounded once: for instances whose transforms move by whole steps of the
+    /// world and do nothing else, and whose meshes have a lattice with that step (Resolution::step(step_exponent)). For
+    /// a tile, its own common lattice counts. Not found until there has been one.
+    ///
+    /// The region is a cube around the origin, which reaches 2^17 steps to each side. It doubles until it holds such an
+    /// instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks: it changes six times at most,
+    /// and no other instance that comes or goes changes how rays are rounded for the rest. An instance beyond 2^23
+    /// steps rounds rays for itself, as all do that are not on the lattice; so may one whose translation is beyond
+    /// that. To round for a region of your own, pass the rounded ray with the ray: raycast(scene, ray, rounded). O(1).
+    [[nodiscard]] Result<Lattice> common_lattice() const noexcept;
     /// Returns whether instances were moved by a batch since the last refit(): queries then refuse the scene with
     /// not_refitted.
     [[nodiscard]] bool must_refit() const noexcept;
@@ -101,9 +115,10 @@ private:
 /// Makes an empty scene in memory whose address is a multiple of 32.
 ///
 /// A step of the world is 2^step_exponent long, -100 .. 80; the world reaches 2^30 - 128 steps from the origin along
-/// each axis. A thousandth of the smallest instance is a good step. `meshes` and `tiles` are what instances place;
-/// tiles are numbered after the meshes. Not open if an argument is out of its range, or if the memory is misaligned or
-/// smaller than least_moving_scene_bytes(). Clears the memory that it uses, O(size).
+/// each axis. A thousandth of the smallest instance is a good step; with pieces of a ground, take the step of their
+/// lattice (common_lattice()). `meshes` and `tiles` are what instances place; tiles are numbered after the meshes. Not
+/// open if an argument is out of its range, or if the memory is misaligned or smaller than least_moving_scene_bytes().
+/// Clears the memory that it uses, O(size).
 ///
 /// Takes any meshes and tiles: insert() refuses those that are empty or not open. The scene refers to both arrays,
 /// which must outlive it.
@@ -182,6 +197,10 @@ Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) 
 /// tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
 /// slot as handle_of() does, and an instance that the slot's tile does not have (invalid_argument). O(1).
 Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept;
+/// Returns whether rays are rounded once for this instance and others: whether it lies in the region of
+/// common_lattice() and on its lattice. With `in_tile`, both the tile and the instance in it must. Refuses what
+/// instance_at() of an InstanceId refuses. O(1).
+YesNo is_on_common_lattice(const MovingScene& scene, InstanceId instance) noexcept;
 /// Returns the box of an instance in the tree, rounded outward to float. Refuses a stale handle. O(1).
 Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept;
 

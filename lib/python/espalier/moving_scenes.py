@@ -35,7 +35,8 @@ class MovingScene(SceneQueries):
     blobs: the meshes that instances place, Blob objects; instances name them by their numbers.
     capacity: the largest number of instances at once, 1 to 2^24; it takes 161 bytes for each.
     step_exponent: a step of the world is 2^step_exponent long, -100 to 80. A thousandth of the smallest instance is a
-    good step; the world reaches 2^30 - 128 steps from the origin.
+    good step; the world reaches 2^30 - 128 steps from the origin. No ray passes between pieces of a ground that have
+    this step (Resolution.step) and are moved by whole steps of it.
     tiles: Scene objects without tiles, numbered after the blobs.
 
     Any number of threads may query a scene at once; a change waits for those that began before it, and those that begin

@@ -55,6 +55,9 @@ uint32_t espalier_moving_scene_instance_count(const espalier_moving_scene* scene
 uint32_t espalier_moving_scene_capacity(const espalier_moving_scene* scene) { return cpp(scene).capacity(); }
 uint32_t espalier_moving_scene_slot_end(const espalier_moving_scene* scene) { return cpp(scene).slot_end(); }
 int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene) { return cpp(scene).step_exponent(); }
+espalier_lattice_result espalier_moving_scene_common_lattice(const espalier_moving_scene* scene) {
+    return c(cpp(scene).common_lattice());
+}
 bool espalier_moving_scene_must_refit(const espalier_moving_scene* scene) { return cpp(scene).must_refit(); }
 const void* espalier_moving_scene_block(const espalier_moving_scene* scene, size_t* size) {
     const std::span<const std::byte> bytes = cpp(scene).bytes();
@@ -122,6 +125,11 @@ espalier_instance_result espalier_moving_scene_instance_at(const espalier_moving
 espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
                                                               espalier_instance_id instance) {
     return c(instance_at(cpp(scene), cpp(instance)));
+}
+
+espalier_yes_no espalier_moving_scene_is_on_common_lattice(const espalier_moving_scene* scene,
+                                                           espalier_instance_id instance) {
+    return c(is_on_common_lattice(cpp(scene), cpp(instance)));
 }
 
 espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* scene,

@@ -4,6 +4,7 @@
 #include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/scenes/instances.hpp>
 
 namespace espalier::detail {
 
@@ -41,10 +42,16 @@ inline bool is_placeable(const MovingScene& scene, std::uint32_t mesh) {
     const BakedScene& tile = scene.tiles()[mesh - meshes];
     return tile.instance_count() != 0 && tile.tiles().empty();
 }
+/// Returns the mesh or the tile of a placeable number.
+inline MeshOrTile part_of(const MovingScene& scene, std::uint32_t mesh) {
+    const std::size_t meshes = scene.meshes().size();
+    if (mesh < meshes) return {&scene.meshes()[mesh], nullptr};
+    return {nullptr, &scene.tiles()[mesh - meshes]};
+}
 /// Returns the bounds of a placeable mesh or tile.
 inline PartBounds bounds_of_part(const MovingScene& scene, std::uint32_t mesh) {
-    const std::size_t meshes = scene.meshes().size();
-    return mesh < meshes ? bounds_of(data_of(scene.meshes()[mesh])) : bounds_of(scene.tiles()[mesh - meshes]);
+    const MeshOrTile part = part_of(scene, mesh);
+    return part.mesh != nullptr ? bounds_of(data_of(*part.mesh)) : bounds_of(*part.tile);
 }
 
 /// Returns the slot of a handle, or null if it is stale or was never returned.

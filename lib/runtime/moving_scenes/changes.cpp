@@ -4,6 +4,7 @@
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
+#include <runtime/moving_scenes/common_lattice.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier {
@@ -20,20 +21,23 @@ QueryStatus find_box(const PartBounds& bounds, const Transform& transform, const
     return is_valid(transform) ? QueryStatus::out_of_range : QueryStatus::invalid_argument;
 }
 
-/// Writes a new place and its box to a slot, and not to the tree.
-void write_place(SceneBlock& block, std::uint32_t number, const Transform& transform, const StepsBox& box) {
+/// Writes a new place and its box to the slot of a part, and not to the tree.
+void write_place(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const Transform& transform,
+                 const StepsBox& box) {
     InstanceSlot& slot = block.slots[number];
     slot.transform = transform;
     slot.box = box;
     block.moved[number] = block.head->step;
+    block.head->common_region = common_region_with(scene, slot.mesh, transform);
 }
 
 /// The same after a test of the place. Returns ok or a refusal.
-QueryStatus place_slot(SceneBlock& block, std::uint32_t number, const PartBounds& bounds, const Transform& transform) {
+QueryStatus place_slot(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const PartBounds& bounds,
+                       const Transform& transform) {
     StepsBox box;
     const QueryStatus status = find_box(bounds, transform, *block.head, box);
     if (status != QueryStatus::ok) return status;
-    write_place(block, number, transform, box);
+    write_place(scene, block, number, transform, box);
     block.head->coarseness.add(bounds, transform);
     return QueryStatus::ok;
 }
@@ -61,7 +65,7 @@ bool move_eight(const MovingScene& scene, SceneBlock& block, std::span<const Mov
     EightStepsBoxes boxes;
     if (!find_steps_boxes_by_best_set(places, block.head->step_exponent, boxes)) return false;
     for (unsigned i = 0; i < count; ++i) {
-        write_place(block, movements[i].instance.slot, *places.transforms[i], boxes[i]);
+        write_place(scene, block, movements[i].instance.slot, *places.transforms[i], boxes[i]);
         set_box(block, movements[i].instance.slot);
         const bool is_known = i != 0 && places.parts[i] == places.parts[i - 1] &&
                               places.transforms[i]->scale == places.transforms[i - 1]->scale;
@@ -92,12 +96,10 @@ Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noex
     const std::uint32_t number = take_slot(block);
     if (number == no_child) return {{}, QueryStatus::no_room};
     InstanceSlot& slot = block.slots[number];
-    slot.transform = instance.transform;
     slot.mesh = instance.mesh;
     block.masks[number] = instance.mask;
     slot.user = instance.user;
-    slot.box = box;
-    block.moved[number] = block.head->step;
+    write_place(scene, block, number, instance.transform, box);
     block.head->coarseness.add(bounds, instance.transform);
     insert_box(block, number);
     return {{number, slot.generation}, QueryStatus::ok};
@@ -113,7 +115,7 @@ QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept {
 
 QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& transform) noexcept {
     return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot& slot) {
-        const QueryStatus status = place_slot(block, instance.slot, bounds_of_part(scene, slot.mesh), transform);
+        const QueryStatus status = place_slot(scene, block, instance.slot, bounds_of_part(scene, slot.mesh), transform);
         if (status == QueryStatus::ok) update_box(block, instance.slot);
         return status;
     });
@@ -141,7 +143,7 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
         }
         // mutant(!= -> true) work: finds the bounds of the same mesh again
         if (slot->mesh != mesh) bounds = bounds_of_part(scene, mesh = slot->mesh);
-        filled.status = place_slot(block, instance.slot, bounds, transform);
+        filled.status = place_slot(scene, block, instance.slot, bounds, transform);
         if (filled.status != QueryStatus::ok) break;
         set_box(block, instance.slot);
         ++filled.count;
@@ -169,8 +171,7 @@ QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept {
     const QueryStatus status = for_each_instance([](std::uint32_t, const StepsBox&) {});
     if (status != QueryStatus::ok) return status;
     return for_each_instance([&](std::uint32_t number, const StepsBox& box) {
-        block.slots[number].box = box;
-        block.moved[number] = block.head->step;
+        write_place(scene, block, number, block.slots[number].transform, box);  // the mesh may have another lattice
         set_box(block, number);
         block.head->must_refit = 1;
     });

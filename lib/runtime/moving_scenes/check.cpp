@@ -4,6 +4,7 @@
 
 #include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/access.hpp>
+#include <runtime/moving_scenes/common_lattice.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
@@ -22,7 +23,7 @@ bool is_head_sound(const BlockHead& head) {
     return head.magic == block_magic && is_step_exponent(head.step_exponent) && head.slots_used <= head.slot_capacity &&
            head.nodes_used <= head.node_capacity && head.free_nodes <= head.nodes_used &&
            head.levels <= most_tree_levels && (head.levels == 0) == (head.live == 0) &&
-           (head.levels == 0) == (head.root == no_child) && head.must_refit <= 1 && head.reserved == 0 &&
+           (head.levels == 0) == (head.root == no_child) && head.must_refit <= 1 && head.common_region <= most_region &&
            head.step != 0 &&
            (std::bit_cast<std::uint32_t>(head.packed_area) == 0 ||
             (head.packed_area >= 1.0f && is_finite(head.packed_area)));
@@ -151,6 +152,7 @@ bool has_boxes_of_instances(const MovingScene& scene) {
         StepsBox box;
         // The box of any other transform that is not valid is NaN.
         if (!find_steps_box(bounds, slot.transform, block.head->step_exponent, box) || box != slot.box) return false;
+        if (common_region_with(scene, slot.mesh, slot.transform) != block.head->common_region) return false;
         coarseness.add(bounds, slot.transform);
     }
     // No number below 0 and no NaN includes another one.

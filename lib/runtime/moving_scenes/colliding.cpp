@@ -13,9 +13,7 @@ using namespace detail;
 namespace {
 
 PlacedPart placed_part(const MovingScene& scene, const InstanceSlot& slot) {
-    const std::size_t meshes = scene.meshes().size();
-    if (slot.mesh < meshes) return {{&scene.meshes()[slot.mesh], nullptr}, slot.transform};
-    return {{nullptr, &scene.tiles()[slot.mesh - meshes]}, slot.transform};
+    return {part_of(scene, slot.mesh), slot.transform};
 }
 
 QueryStatus find_collision(const MovingScene& scene, const SceneBlock& block, const InstancePair& pair,

@@ -42,6 +42,9 @@ MovingSceneQuery::MovingSceneQuery(const MovingScene& scene) {
     data.coarsest_step = head.coarseness.coarsest_step;
     data.largest_scale = head.coarseness.largest_scale;
     data.farthest_origin = head.coarseness.farthest_origin;
+    const Result<Lattice> common = scene.common_lattice();
+    data.has_common = common.status == QueryStatus::ok;
+    data.common = common.value;
     data.tree.bytes = static_cast<const std::byte*>(static_cast<const void*>(block.head));
     data.tree.step_exponent = head.step_exponent;
     if (head.live == 0) return;

@@ -38,7 +38,7 @@ FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
 
 /// Returns whether the mesh or the tile of a record lies in a region and on its lattice.
 bool part_lies_in(const Lattice& region, const SceneData& holder, const std::byte* record) {
-    return part_of(holder, record).query([&](const auto& part) { return lies_in(region, part, transform_of(record)); });
+    return lies_in(region, part_of(holder, record), transform_of(record));
 }
 
 }  // namespace

@@ -71,5 +71,8 @@ inline bool lies_in(const Lattice& region, const Blob& mesh, const Transform& tr
 inline bool lies_in(const Lattice& region, const BakedScene& tile, const Transform& transform) {
     return data_of(tile).has_common && lies_in(region, data_of(tile).common, transform);
 }
+inline bool lies_in(const Lattice& region, const MeshOrTile& part, const Transform& transform) {
+    return part.query([&](const auto& mesh_or_tile) { return lies_in(region, mesh_or_tile, transform); });
+}
 
 }  // namespace espalier::detail

@@ -31,7 +31,7 @@ TEST_CASE("scene: each rule of the head of a moving scene broken alone is refuse
                     {"fewer levels", [](EditedBlock& edited) { --edited.head.levels; }},
                     {"more levels", [](EditedBlock& edited) { ++edited.head.levels; }},
                     {"whether a refit must follow", [](EditedBlock& edited) { edited.head.must_refit = 2; }},
-                    {"reserved", [](EditedBlock& edited) { edited.head.reserved = 1; }},
+                    {"too large a common region", [](EditedBlock& edited) { edited.head.common_region = 8; }},
                     {"fewer instances", [](EditedBlock& edited) { --edited.head.live; }},
                     {"more instances", [](EditedBlock& edited) { ++edited.head.live; }},
                     {"fewer slots", [](EditedBlock& edited) { --edited.head.slots_used; }},

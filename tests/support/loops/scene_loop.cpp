@@ -64,12 +64,6 @@ struct InstanceInLoop {
 std::uint32_t end_of_numbers(const BakedScene& scene) { return scene.instance_count(); }
 std::uint32_t end_of_numbers(const MovingScene& scene) { return scene.slot_end(); }
 
-/// Returns the ray rounded for the common lattice of a scene; what moves is on none.
-RoundedRay round_for(const BakedScene& scene, const Ray& ray) { return round_ray(scene.common_lattice().value, ray); }
-RoundedRay round_for(const MovingScene&, const Ray&) { return {}; }
-bool is_on_lattice(const BakedScene& scene, InstanceId instance) { return is_on_common_lattice(scene, instance).yes(); }
-bool is_on_lattice(const MovingScene&, InstanceId) { return false; }
-
 /// The loop, which counts the instances that refuse a query.
 template <class Scene>
 class SceneLoop {
@@ -146,14 +140,14 @@ Result<Instance> instance_of_number(const MovingScene& scene, std::uint32_t numb
 template <class Scene>
 SceneComparison compare_rays(const Scene& scene, const Ray& ray, const SceneFilter& filter) {
     SceneLoop<Scene> loop(scene, filter);
-    const RoundedRay rounded = round_for(scene, ray);
+    const RoundedRay rounded = round_ray(scene.common_lattice().value, ray);
     const auto cast = [&](const InstanceInLoop& instance) {
         const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
         const auto query = [&](const auto& local) { return raycast(instance.blob, local, keep); };
-        if (is_on_lattice(scene, instance.id)) return instance.in_local(rounded, query);
+        if (is_on_common_lattice(scene, instance.id).yes()) return instance.in_local(rounded, query);
         // A tile that lies on no lattice with others rounds for its own instances.
-        if (instance.tile != nullptr && !is_on_lattice(scene, {instance.id.index}) &&
-            is_on_lattice(*instance.tile, {instance.id.in_tile})) {
+        if (instance.tile != nullptr && !is_on_common_lattice(scene, {instance.id.index}).yes() &&
+            is_on_common_lattice(*instance.tile, {instance.id.in_tile}).yes()) {
             const RoundedRay in_tile = round_ray(instance.tile->common_lattice().value, to_local(instance.outer, ray));
             return query(to_local(instance.inner, in_tile));
         }

@@ -89,6 +89,14 @@ uint32_t espalier_moving_scene_capacity(const espalier_moving_scene* scene);
 uint32_t espalier_moving_scene_slot_end(const espalier_moving_scene* scene);
 /* Returns e; a step of the world is 2^e long. */
 int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene);
+/* Returns the region for which rays are rounded once: for instances whose transforms move by whole steps of the world
+ * and do nothing else, and whose meshes have a lattice with that step. For a tile, its own common lattice counts. No
+ * ray passes between two of them that share an edge. ESPALIER_QUERY_NOT_FOUND until there has been one.
+ *
+ * The region is a cube around the origin, which reaches 2^17 steps to each side. It doubles until it holds such an
+ * instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks. An instance beyond that rounds rays
+ * for itself. */
+espalier_lattice_result espalier_moving_scene_common_lattice(const espalier_moving_scene* scene);
 /* Returns whether a batch has moved instances since the last refit: queries are then refused with
  * ESPALIER_QUERY_NOT_REFITTED. */
 bool espalier_moving_scene_must_refit(const espalier_moving_scene* scene);
@@ -151,6 +159,10 @@ espalier_instance_result espalier_moving_scene_instance_at(const espalier_moving
  * (ESPALIER_QUERY_INVALID_ARGUMENT). */
 espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
                                                               espalier_instance_id instance);
+/* Returns whether an instance lies in that region and on its lattice. With `in_tile`, both the tile and the instance in
+ * it must. Refuses what espalier_moving_scene_instance_of_id() refuses. */
+espalier_yes_no espalier_moving_scene_is_on_common_lattice(const espalier_moving_scene* scene,
+                                                           espalier_instance_id instance);
 /* Returns the box of an instance in the tree, rounded outward to float. */
 espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* scene, espalier_instance_handle instance);
 
@@ -164,9 +176,10 @@ espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* sc
  * the same on every machine, and not in ascending order of slots.
  *
  * Functions of scene.h other than queries: espalier_scene_instance_at(), espalier_scene_mesh_at() and
- * espalier_scene_is_on_common_lattice() refuse a view with ESPALIER_QUERY_INVALID_ARGUMENT. There is no common lattice,
- * the size is 0, and the largest error is INFINITY, because neither is stored. espalier_scene_bounds() returns a box
- * around the boxes of all instances. */
+ * espalier_scene_is_on_common_lattice() refuse a view with ESPALIER_QUERY_INVALID_ARGUMENT. The size is 0, and the
+ * largest error is INFINITY, because neither is stored. espalier_scene_common_lattice() returns what
+ * espalier_moving_scene_common_lattice() returns, and espalier_scene_bounds() a box around the boxes of all
+ * instances. */
 espalier_query_status espalier_moving_scene_view(const espalier_moving_scene* scene, espalier_scene* view);
 
 #ifdef __cplusplus

@@ -28,7 +28,8 @@ struct BlockHead {
     std::int8_t step_exponent;
     std::uint8_t levels;  ///< nodes from the root to a leaf node; 0 without instances
     std::uint8_t must_refit;
-    std::uint8_t reserved;
+    /// The number of the region of MovingScene::common_lattice() (common_lattice.hpp).
+    std::uint8_t common_region;
     std::uint32_t live;        ///< instances
     std::uint32_t slots_used;  ///< slots that were ever alive; those behind are free
     std::uint32_t free_slot;   ///< the first of a list, or no_child
