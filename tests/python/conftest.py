@@ -82,6 +82,11 @@ def raises(error, message, call, *arguments, **options):
         call(*arguments, **options)
 
 
+def codes(answers):
+    """Returns the numbers that the functions of C return for a YesNo: there, NOT_FOUND is a no."""
+    return np.where(answers.no, np.uint8(espalier.Status.NOT_FOUND), answers.status)
+
+
 def same(answers, expected):
     """Tests whether two arrays have the same bits in all fields; only NaNs may differ in theirs."""
     assert answers.shape == expected.shape and answers.dtype == expected.dtype

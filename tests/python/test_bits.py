@@ -7,7 +7,7 @@ import pytest
 
 import espalier
 from c_library import Rows, placed, ray
-from conftest import same
+from conftest import codes, same
 
 
 def of(shape, i):
@@ -32,7 +32,7 @@ def test_rays(library, blob, opened, points, directions, culling, threads):
     assert (hits["status"] == espalier.Status.OK).sum() > 300
     same(hits, library.each("raycast", len(points), lambda i: (opened, rays[i])))
     occluded = blob.occluded(points, directions, **keywords)
-    same(occluded.status, library.each("occluded", len(points), lambda i: (opened, rays[i])))
+    same(codes(occluded), library.each("occluded", len(points), lambda i: (opened, rays[i])))
 
 
 def test_sources_and_places(library, blob, opened, points, directions):
@@ -54,7 +54,7 @@ def test_points(library, blob, opened, points, threads):
         same(getattr(blob, name)(points, 2.5, threads=threads), library.each(name, len(points), lambda i: (opened, points[i], 2.5)))
     inside = blob.contains(points, threads=threads)
     assert inside.yes.sum() > 50 and inside.no.sum() > 50
-    same(inside.status, library.each("contains", len(points), lambda i: (opened, points[i])))
+    same(codes(inside), library.each("contains", len(points), lambda i: (opened, points[i])))
 
 
 def test_winding_numbers(library, open_mesh_blob, points):
@@ -97,7 +97,7 @@ def volumes(points, random):
 def test_overlaps(library, blob, opened, points, random, kind):
     shape = volumes(points, random)[kind]
     answers = blob.overlaps(shape)
-    same(answers.status, library.each(f"overlaps_{kind}", len(points), lambda i: (opened, of(shape, i))))
+    same(codes(answers), library.each(f"overlaps_{kind}", len(points), lambda i: (opened, of(shape, i))))
     for threads in (1, 2):
         lists = blob.overlapping_triangles(shape, threads=threads)
         np.testing.assert_array_equal(lists.counts() > 0, answers.yes)
@@ -152,7 +152,7 @@ def test_pairs(library, blob, opened, random):
     limit = 100_000
     two = lambda i: (placed(opened, places[i]), placed(opened, others[i]))
     touch = pairs.overlaps(blob, blob, places, others, work_limit=100_000)
-    same(touch.status, library.each("overlaps_blob", 60, lambda i: (*two(i), limit)))
+    same(codes(touch), library.each("overlaps_blob", 60, lambda i: (*two(i), limit)))
     same(pairs.first_contact(blob, blob, places, others, work_limit=100_000),
          library.each("first_contact", 60, lambda i: (*two(i), limit)))
     same(pairs.distance(blob, blob, places, others, 4.0, work_limit=100_000),
@@ -161,7 +161,7 @@ def test_pairs(library, blob, opened, random):
     np.testing.assert_array_equal((lists.counts() > 0)[touch.yes], True)
     assert touch.yes.any() and touch.no.any()
     within = pairs.within_distance(blob, blob, 1.5, places, others, work_limit=100_000)
-    same(within.status, library.each("within_distance", 60, lambda i: (*two(i), 1.5, limit)))
+    same(codes(within), library.each("within_distance", 60, lambda i: (*two(i), 1.5, limit)))
     assert within.yes.any() and within.no.any()
     for i in range(60):
         found = np.zeros(max(lists.counts()[i], 1) + 1, espalier.PAIR_CONTACT)

@@ -5,7 +5,7 @@ import pytest
 
 import espalier
 from c_library import SCENE_FILTER, TRIANGLE_FILTER, MovingScene, ray
-from conftest import raises, same
+from conftest import codes, raises, same
 from test_bits import of, volumes
 from test_moving_scenes import some_places
 
@@ -29,7 +29,7 @@ def test_rays(library, blob, points, directions, flags, threads):
     assert found.sum() > 100 and flags[hits["triangle"][found]].all()
     same(blob.raycast(points, directions, culling="back", only=flags.astype(np.uint8) * 7), hits)
     same(blob.raycast_sources(points, directions, **keywords).hits, hits)
-    same(blob.occluded(points, directions, **keywords).status,
+    same(codes(blob.occluded(points, directions, **keywords)),
          library.each("occluded_filtered", len(points), lambda i: (opened, rays[i], keep, None)))
     lists = blob.closest_hits(points, directions, 3, **keywords)
     for i in range(0, len(points), 3):
@@ -65,7 +65,7 @@ def test_flags_of_a_moving_scene(library, blob, random, points, directions):
     shape = volumes(points, random)["sphere"]
     same(scene.sweep(shape, directions, only=only),
          library.each("scene_sweep_sphere", len(points), lambda i: (view, of(shape, i), directions[i], *filter)))
-    same(scene.overlaps(shape, only=only).status,
+    same(codes(scene.overlaps(shape, only=only)),
          library.each("scene_overlaps_sphere", len(points), lambda i: (view, of(shape, i), *filter)))
 
 

@@ -16,19 +16,27 @@ from types import ModuleType as _ModuleType
 from . import pairs
 from ._core import version as __version__
 from .baking import BakeWarning, bake, bake_file, bake_meshes
-from .blob import Blob, Refitted, join_borders, open_blob, verify
+from .blob import Blob, Refitted, join_borders, open_blob, read_remap, verify
+from .bounds import Slabs
+from .edges import reduce_contacts
 from .errors import BakeError, MeshFileError, OpenError
 from .mesh_files import MeshFile, MeshFileWarning, read_mesh
 from .meshes import Mesh
 from .moving_scenes import MovingScene, Pairs, open_moving_scene
+from .pictures import pinhole, png_of, write_png
 from .results import (
     BAKED_PAIR,
     BLOB_DISTANCE,
+    BOX,
+    CANDIDATE,
     CLOSEST_POINT,
     CONTACT,
+    DISTANCE_BOUNDS,
+    EDGE_KINDS,
     HANDLE,
     INSTANCE,
     INSTANCE_PAIR,
+    LENGTH,
     NO_TRIANGLE,
     ORIGINAL_HIT,
     ORIGINAL_TRIANGLE,
@@ -37,11 +45,13 @@ from .results import (
     RAY_HIT,
     REMAP,
     SCENE_CLOSEST_POINT,
+    SCENE_CONTACT,
     SCENE_RAY_HIT,
     SCENE_SWEEP_HIT,
     SCENE_TRIANGLE,
     SWEEP_HIT,
     WINDING,
+    EdgeKind,
     Feature,
     Lists,
     Side,
@@ -49,9 +59,18 @@ from .results import (
     Status,
     YesNo,
 )
-from .scenes import Scene, bake_scene, open_scene
-from .shapes import Box, Capsule, Cone, ConvexHull, ConvexVolume, OrientedBox, Segment, Sphere, Triangle
-from .transforms import direction_to_local, direction_to_world, to_local, to_world, transform, transform_from_matrix
+from .scenes import Scene, bake_scene, open_scene, verify_scene
+from .shapes import Box, Capsule, Cone, ConvexHull, ConvexVolume, OrientedBox, Ray, Segment, Sphere, Triangle
+from .transforms import (
+    direction_to_local,
+    direction_to_world,
+    normal_to_world,
+    to_local,
+    to_world,
+    transform,
+    transform_from_matrix,
+)
+from .voxels import VoxelGrid, voxel_grid
 
 __all__ = [name for name, value in globals().items()
            if not name.startswith("_") and (name == "pairs" or not isinstance(value, _ModuleType))] + ["__version__"]

@@ -9,19 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .baked import Baked, bytes_of
+from .bounds import StoredBounds
+from .edges import EdgeQueries
 from .errors import BakeError, OpenError
-from .integers import integer_array
+from .integers import triangle_numbers
+from .pictures import Pictures
 from .points import ShapeQueries
 from .rays import RayQueries
 from .results import Status
 
 PROFILES = ("fast", "balanced", "small", "tiny")
-
-
-def triangle_numbers(triangles: ArrayLike) -> NDArray[np.uint32]:
-    """Returns numbers of triangles as the library takes them: those that no blob can have become NO_TRIANGLE."""
-    array = integer_array(triangles, "numbers of triangles")
-    return np.ascontiguousarray(array, np.uint32).reshape(array.shape)
 
 
 class Refitted(NamedTuple):
@@ -34,7 +31,7 @@ class Refitted(NamedTuple):
     on, bake again with this pose among `poses`."""
 
 
-class Blob(Baked, RayQueries, ShapeQueries):
+class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures):
     """A baked mesh. bake() and open_blob() return one.
 
     It holds its bytes: `blob.data` looks at them, `bytes(blob)` copies them. It never changes; any number of threads
@@ -118,6 +115,15 @@ class Blob(Baked, RayQueries, ShapeQueries):
         """
         return _core.original_hits(self._core, np.ascontiguousarray(hits).reshape(np.shape(hits)), remap, threads)
 
+    def remap_file(self) -> bytes:
+        """Returns `remap` as the bytes of a file, which read_remap() and read_remap of C++ read.
+
+        Raises ValueError for a blob without `remap`.
+        """
+        if self.remap is None:
+            raise ValueError("the blob was not baked here, and has no remap table")
+        return _core.remap_file(self._core, np.ascontiguousarray(self.remap))
+
     def refit(self, positions: ArrayLike) -> Refitted:
         """Returns the blob with its vertices at other positions, without a bake. This blob stays as it is.
 
@@ -163,6 +169,18 @@ def open_blob(source: Any) -> Blob:
     if isinstance(opened, int):
         raise OpenError(opened)
     return Blob(opened)
+
+
+def read_remap(source: Any, blob: Blob) -> NDArray[Any]:
+    """Returns the table of a remap file, (triangle_count,), of REMAP: the source of each triangle of the blob.
+
+    source: a path or an object with bytes, of `espalier bake --remap` or Blob.remap_file(). Raises OpenError for other
+    bytes, and for a file that belongs to another blob.
+    """
+    table = _core.read_remap(blob._core, bytes_of(source))
+    if isinstance(table, int):
+        raise OpenError(table)
+    return table
 
 
 def join_borders(blobs: Sequence[Blob], translations: ArrayLike = 0.0) -> list[Blob]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 LARGEST = 0xFFFFFFFF
 
@@ -24,3 +24,9 @@ def integer_array(numbers: ArrayLike, name: str) -> Any:
         return array
     wide = array if array.dtype.itemsize == 8 else array.astype(np.int64)
     return np.where((wide < 0) | (wide > LARGEST), LARGEST, wide).astype(np.uint32)
+
+
+def triangle_numbers(triangles: ArrayLike) -> NDArray[np.uint32]:
+    """Returns numbers of triangles as the library takes them: those that no blob can have become NO_TRIANGLE."""
+    array = integer_array(triangles, "numbers of triangles")
+    return np.ascontiguousarray(array, np.uint32).reshape(array.shape)

@@ -44,6 +44,7 @@ class MovingScene(SceneQueries):
     """
 
     __slots__ = ("_core", "_blobs", "_tiles", "_changing")
+    _core: _core.MovingScene
 
     def __init__(self, blobs: Sequence[Blob], capacity: int, step_exponent: int = -10, *,
                  tiles: Sequence[Scene] = ()) -> None:
@@ -88,6 +89,13 @@ class MovingScene(SceneQueries):
         return int(self._core.facts()["step_exponent"])
 
     @property
+    def bounds(self) -> NDArray[np.float32]:
+        """(2, 3): the lower and the upper corner of a box around all instances; of none, an empty one. O(capacity)."""
+        boxes = self.boxes(self.handles())
+        boxes = boxes[boxes["status"] == Status.OK]
+        return np.array([boxes["min"].min(axis=0, initial=np.inf), boxes["max"].max(axis=0, initial=-np.inf)], np.float32)
+
+    @property
     def quality(self) -> float:
         """How much more surface the boxes of the tree have than after the last repack(); from 1.3 on, repack().
 
@@ -114,6 +122,10 @@ class MovingScene(SceneQueries):
         and the mask 0.
         """
         return self._core.instances()
+
+    def boxes(self, handles: ArrayLike) -> NDArray[Any]:
+        """Returns the boxes of instances in the tree, rounded outward: an array of BOX. handles: (...), of HANDLE."""
+        return self._core.boxes(_handle_rows(handles))
 
     def insert(self, places: ArrayLike, meshes: ArrayLike = 0, *, masks: Optional[ArrayLike] = None,
                users: Optional[ArrayLike] = None) -> NDArray[Any]:

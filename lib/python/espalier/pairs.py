@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .blob import Blob
-from .results import Lists, YesNo
+from .results import CONTACT, Lists, YesNo
 
 ORIGIN = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 """The transform that leaves every point where it is."""
@@ -55,6 +55,17 @@ def touches(a: Blob, b: Blob, place_a: ArrayLike = ORIGIN, place_b: ArrayLike = 
     b leaves the triangle of a when it moves by `depth` along `normal`: the shortest way out of these two alone.
     """
     return Lists(*_core.pairs_touch_lists(a._core, b._core, place_a, place_b, _visits(work_limit), threads))
+
+
+def touch_contacts(touches: Lists) -> Lists:
+    """Returns the points of touches() as contacts of body b with the surface a, for reduce_contacts(): lists of CONTACT."""
+    given = touches.items
+    owner, number = np.nonzero(np.arange(given["points"].shape[-2]) < given["count"][:, np.newaxis])
+    contacts = np.zeros(len(owner), CONTACT)
+    contacts["point"], contacts["normal"] = given["points"][owner, number], given["normal"][owner]
+    contacts["distance"], contacts["triangle"] = -given["depth"][owner], given["a"][owner]
+    before = np.concatenate([[0], np.cumsum(given["count"], dtype=np.intp)])
+    return Lists(before[touches.offsets], contacts, touches.status)
 
 
 def distance(a: Blob, b: Blob, place_a: ArrayLike = ORIGIN, place_b: ArrayLike = ORIGIN,

@@ -11,7 +11,7 @@ from . import _core
 from .filters import flag_array
 from .rays import culling_number
 from .results import Lists, YesNo
-from .shapes import Body, Box, Moving, Segment, Volume, split
+from .shapes import Body, Box, Capsule, Moving, OrientedBox, Ray, Rounded, Segment, Sphere, Triangle, Volume, split
 
 
 class ShapeQueries:
@@ -33,7 +33,7 @@ class ShapeQueries:
         max_distance: (...), 0 or more. Where nothing is within it, the status is NOT_FOUND, the distance infinite.
         """
         if isinstance(points, (Segment, Box)):
-            kind, fields = split(points)
+            kind, fields = split(points, Union[Segment, Box], "closest_point()")
             return _core.closest_to_shapes(self._core, kind, fields, max_distance, threads)
         return _core.closest_points(self._core, points, max_distance, False, threads)
 
@@ -65,13 +65,47 @@ class ShapeQueries:
         """
         return _core.winding_numbers(self._core, points, directions, threads)
 
-    def overlaps(self, shape: Volume, *, threads: int = 1) -> YesNo:
-        """Returns whether any triangle touches each shape."""
-        return YesNo(_core.touching(self._core, *split(shape), threads))
+    def distance_bounds(self, points: ArrayLike, accuracy: float, max_distance: ArrayLike = np.inf, *,
+                        threads: int = 1) -> NDArray[Any]:
+        """Returns a lower and an upper bound of the distance to each point: an array of DISTANCE_BOUNDS.
+
+        accuracy: a length; the larger, the less work. The bounds differ by no more than about that. Where nothing is
+        within max_distance, the status is NOT_FOUND.
+        """
+        return _core.distance_bounds(self._core, points, max_distance, accuracy, threads)
+
+    def rounding_error(self, shape: Union[ArrayLike, Rounded], displacement: Optional[ArrayLike] = None, *,
+                       threads: int = 1) -> NDArray[Any]:
+        """Returns how far rounding moves each query at most: an array of LENGTH.
+
+        shape: points, rays or shapes of a query; a Ray counts inside of the blob's box. displacement: (..., 3), of the
+        shape of a sweep, whose whole way counts. Lift a ray that leaves the surface by this, on the side of its
+        normal: without, most such rays hit the wall that they start from.
+        """
+        if displacement is not None:
+            return _core.rounding_of_sweeps(self._core, *split(shape, Moving, "rounding_error() of a sweep"),
+                                            displacement, threads)
+        if isinstance(shape, Ray):
+            return _core.rounding_of_rays(self._core, shape.origin, shape.direction, threads)
+        if isinstance(shape, tuple) and hasattr(shape, "_fields"):
+            taken = Union[Segment, Sphere, Capsule, Box, OrientedBox, Triangle]
+            return _core.rounding_of_shapes(self._core, *split(shape, taken, "rounding_error()"), threads)
+        return _core.rounding_of_points(self._core, np.asarray(shape), threads)
+
+    def overlaps(self, shape: Volume, *, accuracy: Optional[float] = None, threads: int = 1) -> YesNo:
+        """Returns whether any triangle touches each shape.
+
+        accuracy: a length in the blob's units. With one, a no is certain and a yes may be off by about as much, for
+        less work; then the shape is a Sphere or a Box.
+        """
+        if accuracy is not None:
+            fields = split(shape, Union[Sphere, Box], "overlaps() with an accuracy")
+            return YesNo(_core.nearly_touching(self._core, *fields, accuracy, threads))
+        return YesNo(_core.touching(self._core, *split(shape, Volume, "overlaps()"), threads))
 
     def overlapping_triangles(self, shape: Volume, *, threads: int = 1) -> Lists:
         """Returns the triangles that touch each shape: lists of numbers of triangles, ascending."""
-        return Lists(*_core.touching_lists(self._core, *split(shape), threads))
+        return Lists(*_core.touching_lists(self._core, *split(shape, Volume, "overlapping_triangles()"), threads))
 
     def sweep(self, shape: Moving, displacement: ArrayLike, *, culling: str = "none", ignore_leaving: bool = False,
               skin: float = 0.0, only: Optional[ArrayLike] = None, threads: int = 1) -> NDArray[Any]:
@@ -84,11 +118,11 @@ class ShapeQueries:
         """
         options = (culling_number(culling), ignore_leaving, skin)
         flags = flag_array(only, self.triangle_count, "triangles")
-        return _core.sweeps(self._core, *split(shape), displacement, options, flags, threads)
+        return _core.sweeps(self._core, *split(shape, Moving, "sweep()"), displacement, options, flags, threads)
 
     def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
         """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.
 
         margin: (...), 0 or more. Of more contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
         """
-        return Lists(*_core.contact_lists(self._core, *split(shape), margin, most, threads))
+        return Lists(*_core.contact_lists(self._core, *split(shape, Body, "contacts()"), margin, most, threads))

@@ -57,8 +57,18 @@ class RayQueries:
                                                  culling_number(culling), self._flags(only), threads))
 
     def occluded(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
-                 culling: str = "none", only: Optional[ArrayLike] = None, threads: int = 1) -> YesNo:
-        """Returns whether each ray hits any triangle. Takes less time than raycast()."""
+                 culling: str = "none", only: Optional[ArrayLike] = None, accuracy: Optional[float] = None,
+                 threads: int = 1) -> YesNo:
+        """Returns whether each ray hits any triangle. Takes less time than raycast().
+
+        accuracy: a length in the blob's units. With one, a no is certain and a yes may be off by about as much, for
+        less work; it takes no `only`.
+        """
+        if accuracy is not None:
+            if only is not None:
+                raise ValueError("a ray with an accuracy takes no filter: `only` must be None")
+            return YesNo(_core.nearly_occluded(self._core, origins, directions, t_min, t_max, culling_number(culling),
+                                               accuracy, threads))
         return YesNo(_core.occlusions(self._core, origins, directions, t_min, t_max, culling_number(culling),
                                       self._flags(only), threads))
 

@@ -55,6 +55,15 @@ class Feature(enum.IntEnum):
     VERTEX_C = 6
 
 
+class EdgeKind(enum.IntEnum):
+    """The bend of the surface at an edge, seen from the front of its triangles."""
+
+    FLAT = 0
+    CONVEX = 1
+    CONCAVE = 2
+    BOUNDARY = 3
+
+
 class Lists(NamedTuple):
     """A list for each query, all in one array.
 
@@ -89,22 +98,25 @@ class YesNo:
     `~yes`.
     """
 
-    __slots__ = ("status",)
-    status: NDArray[np.uint8]
-    """The Status of each query: OK is yes, NOT_FOUND is no."""
+    __slots__ = ("_codes",)
 
-    def __init__(self, status: NDArray[np.uint8]) -> None:
-        self.status = status
+    def __init__(self, codes: NDArray[np.uint8]) -> None:
+        self._codes = codes  # as the library has them: OK is yes, NOT_FOUND is no
+
+    @property
+    def status(self) -> Any:
+        """The Status of each query, in the shape of the batch: OK for a yes and for a no, else why it is neither."""
+        return np.where(self.no, np.uint8(Status.OK), self._codes)
 
     @property
     def yes(self) -> Any:
         """Booleans, in the shape of the batch."""
-        return self.status == Status.OK
+        return self._codes == Status.OK
 
     @property
     def no(self) -> Any:
         """Booleans, in the shape of the batch."""
-        return self.status == Status.NOT_FOUND
+        return self._codes == Status.NOT_FOUND
 
     def value_or(self, otherwise: bool) -> Any:
         """Returns booleans: `yes`, or `otherwise` where the answer is neither."""
@@ -114,10 +126,20 @@ class YesNo:
         raise TypeError("a YesNo has no truth value: use .yes, .no or .value_or()")
 
     def __len__(self) -> int:
-        return len(self.status)
+        return len(self._codes)
 
     def __repr__(self) -> str:
-        return f"YesNo({self.status!r})"
+        """yes, no, or why a single answer is neither; of many the array of these, with the names of statuses."""
+        if self._codes.ndim == 0:
+            return self._word(int(self._codes), Status(int(self.status)).describe())
+        def word(code: Any) -> str:
+            return self._word(int(code), Status(int(code)).name)
+
+        return np.array2string(self._codes, separator=", ", formatter={"int": word})
+
+    @staticmethod
+    def _word(code: int, reason: str) -> str:
+        return "yes" if code == Status.OK else "no" if code == Status.NOT_FOUND else f"neither ({reason})"
 
 
 class SourceHits(NamedTuple):
@@ -141,6 +163,14 @@ CLOSEST_POINT = _record("closest_point")
 """point (3), on_shape (3), face_normal (3), distance, u, v, triangle, status, feature, side."""
 WINDING = _record("winding")
 """value, status."""
+LENGTH = _record("length")
+"""value, status."""
+DISTANCE_BOUNDS = _record("distance_bounds")
+"""lower, upper, status."""
+EDGE_KINDS = _record("edge_kinds")
+"""ab, bc, ca, each an EdgeKind, and status."""
+BOX = _record("box")
+"""min (3), max (3), status."""
 SWEEP_HIT = _record("sweep_hit")
 """t, point (3), normal (3), face_normal (3), triangle, status, feature, starts_overlapping. A miss has t 1, a refusal 0."""
 ORIGINAL_HIT = _record("original_hit")
@@ -165,6 +195,10 @@ SCENE_SWEEP_HIT = _record("scene_sweep_hit")
 """As SWEEP_HIT, with instance and in_tile."""
 SCENE_TRIANGLE = _record("scene_triangle")
 """instance, in_tile, triangle."""
+SCENE_CONTACT = _record("scene_contact")
+"""As CONTACT, with instance and in_tile."""
+CANDIDATE = _record("candidate")
+"""instance, in_tile."""
 INSTANCE = _record("instance")
 """transform (8), mesh, mask, user, source."""
 HANDLE = _record("handle")

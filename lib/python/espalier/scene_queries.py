@@ -9,15 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .filters import flag_array
+from .pictures import Pictures
 from .rays import culling_number
 from .results import Lists, YesNo
-from .shapes import Moving, Volume, split
+from .shapes import Body, Box, Moving, SceneVolume, split
 
 ALL = 0xFFFFFFFF
 """The mask that shares a bit with that of every instance but 0."""
 
 
-class SceneQueries:
+class SceneQueries(Pictures):
     """Queries of all instances of a scene.
 
     Shapes and results are in world space. Arguments broadcast and results have shapes as those of Blob, with the
@@ -73,16 +74,35 @@ class SceneQueries:
         Options are those of Blob.sweep(), with the skin in world units.
         """
         options = (culling_number(culling), ignore_leaving, skin)
-        return _core.scene_sweeps(self._core, *split(shape), displacement, options, mask, self._flags(only), threads)
+        return _core.scene_sweeps(self._core, *split(shape, Moving, "sweep()"), displacement, options, mask,
+                                  self._flags(only), threads)
 
-    def overlaps(self, shape: Volume, *, mask: int = ALL, only: Optional[ArrayLike] = None, threads: int = 1) -> YesNo:
-        """Returns whether any triangle touches each shape. Takes no ConvexVolume."""
-        return YesNo(_core.scene_touching(self._core, *split(shape), mask, self._flags(only), threads))
+    def candidates(self, box: Box, *, mask: int = ALL, threads: int = 1) -> Lists:
+        """Returns the instances whose boxes in the tree touch each box, for queries of your own: lists of CANDIDATE.
 
-    def overlapping_triangles(self, shape: Volume, *, mask: int = ALL, only: Optional[ArrayLike] = None,
-                              threads: int = 1) -> Lists:
-        """Returns the triangles that touch each shape, ascending by instance: lists of SCENE_TRIANGLE.
-
-        Takes no ConvexVolume.
+        These boxes are larger than their instances. Ascending by instance; of a tile each instance in it.
         """
-        return Lists(*_core.scene_touching_lists(self._core, *split(shape), mask, self._flags(only), threads))
+        return Lists(*_core.scene_candidate_lists(self._core, split(box, Box, "candidates()")[1], mask, threads))
+
+    def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, mask: int = ALL,
+                 only: Optional[ArrayLike] = None, threads: int = 1) -> Lists:
+        """Returns the contacts of each body with all instances, the deepest first: lists of SCENE_CONTACT.
+
+        They are those of Blob.contacts() with each instance by itself. margin: (...), 0 or more, in world units. Of
+        more contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
+        """
+        kind, fields = split(shape, Body, "contacts()")
+        flags = self._flags(only)
+        return Lists(*_core.scene_contact_lists(self._core, kind, fields, margin, most, mask, flags, threads))
+
+    def overlaps(self, shape: SceneVolume, *, mask: int = ALL, only: Optional[ArrayLike] = None,
+                 threads: int = 1) -> YesNo:
+        """Returns whether any triangle touches each shape."""
+        kind, fields = split(shape, SceneVolume, "overlaps() of a scene")
+        return YesNo(_core.scene_touching(self._core, kind, fields, mask, self._flags(only), threads))
+
+    def overlapping_triangles(self, shape: SceneVolume, *, mask: int = ALL, only: Optional[ArrayLike] = None,
+                              threads: int = 1) -> Lists:
+        """Returns the triangles that touch each shape, ascending by instance: lists of SCENE_TRIANGLE."""
+        kind, fields = split(shape, SceneVolume, "overlapping_triangles() of a scene")
+        return Lists(*_core.scene_touching_lists(self._core, kind, fields, mask, self._flags(only), threads))

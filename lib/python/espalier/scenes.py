@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Optional, Sequence
 
 import numpy as np
@@ -9,7 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .baked import Baked, bytes_of
+from .baking import BakeWarning
 from .blob import Blob
+from .borders import border_warning
 from .errors import BakeError, OpenError
 from .filters import flag_array
 from .scene_queries import ALL, SceneQueries
@@ -34,6 +37,10 @@ class Scene(Baked, SceneQueries):
         """Returns all instances: an array of INSTANCE."""
         return self._core.instances()
 
+    def is_on_common_lattice(self) -> NDArray[np.bool_]:
+        """Returns for each instance whether rays are rounded once for it and others, so that none passes between them."""
+        return self._core.on_common_lattice()
+
     def mesh(self, mesh: int) -> Blob:
         """Returns a mesh, whose bytes are those of the scene."""
         return Blob(self._core.mesh(mesh))
@@ -54,6 +61,13 @@ def open_scene(source: Any) -> Scene:
     if isinstance(opened, int):
         raise OpenError(opened)
     return Scene(opened)
+
+
+def verify_scene(source: Any) -> None:
+    """Tests whether a scene is what its header states, and raises ValueError with the first thing that is wrong."""
+    message = _core.verify_scene(bytes_of(source._core if isinstance(source, Scene) else source))
+    if message:
+        raise ValueError(message)
 
 
 def words(values: ArrayLike, name: str) -> NDArray[np.uint32]:
@@ -83,7 +97,10 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *
 
     blobs: Blob objects, scenes, which become tiles, or objects with bytes.
     places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob. masks, users: (n,), 32 bits
-    for queries and for the caller. Raises BakeError with the reason.
+    for queries and for the caller.
+
+    Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
+    tiles of a ground do, but are rounded apart.
     """
     rows, numbers = instance_rows(places, meshes, masks, users)
     cores = [blob._core if isinstance(blob, (Blob, Scene)) else blob for blob in blobs]
@@ -92,4 +109,7 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *
         raise BakeError(*baked)
     if isinstance(baked, int):
         raise OpenError(baked)
-    return Scene(baked)
+    scene = Scene(baked)
+    if message := border_warning(scene):
+        warnings.warn(message, BakeWarning, stacklevel=2)
+    return scene

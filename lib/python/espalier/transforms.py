@@ -53,6 +53,11 @@ def direction_to_local(transforms: ArrayLike, directions: ArrayLike) -> NDArray[
     return _core.directions_to_local(transforms, directions)
 
 
+def normal_to_world(transforms: ArrayLike, normals: ArrayLike) -> NDArray[np.float32]:
+    """Rotates normals, (..., 3), from the local space of transforms, (..., 8), into the world, without their scale."""
+    return _core.normals_to_world(transforms, normals)
+
+
 def direction_to_world(transforms: ArrayLike, directions: ArrayLike) -> NDArray[np.float32]:
     """Rotates and scales directions, (..., 3), from the local space of transforms, (..., 8), into the world."""
     return _core.directions_to_world(transforms, directions)

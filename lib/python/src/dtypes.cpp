@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include <espalier/approximate.hpp>
 #include <espalier/contact.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/original.hpp>
@@ -85,6 +86,23 @@ std::map<std::string, py::dtype> make_all() {
     all["remap"] = make({ESPALIER_FIELD(OriginalTriangle, file, "u4"), ESPALIER_FIELD(OriginalTriangle, mesh, "u4"),
                          ESPALIER_FIELD(OriginalTriangle, triangle, "u4"),
                          ESPALIER_FIELD(OriginalTriangle, first_corner, "u4")}, sizeof(OriginalTriangle));
+    all["length"] = make({Field{"value", "f4", offsetof(Result<float>, value)},
+                          Field{"status", "u1", offsetof(Result<float>, status)}}, sizeof(Result<float>));
+    using Kinds = Result<EdgeKinds>;
+    const auto kind = [](const char* name, std::size_t offset) { return Field{name, "u1", offsetof(Kinds, value) + offset}; };
+    all["edge_kinds"] = make({kind("ab", offsetof(EdgeKinds, ab)), kind("bc", offsetof(EdgeKinds, bc)),
+                              kind("ca", offsetof(EdgeKinds, ca)), Field{"status", "u1", offsetof(Kinds, status)}},
+                             sizeof(Kinds));
+    using Distances = Result<DistanceBounds>;
+    all["distance_bounds"] = make({Field{"lower", "f4", offsetof(Distances, value) + offsetof(DistanceBounds, lower)},
+                                   Field{"upper", "f4", offsetof(Distances, value) + offsetof(DistanceBounds, upper)},
+                                   Field{"status", "u1", offsetof(Distances, status)}}, sizeof(Distances));
+    using Boxes = Result<Box>;
+    all["box"] = make({Field{"min", "3f4", offsetof(Boxes, value) + offsetof(Box, min)},
+                       Field{"max", "3f4", offsetof(Boxes, value) + offsetof(Box, max)},
+                       Field{"status", "u1", offsetof(Boxes, status)}}, sizeof(Boxes));
+    all["candidate"] = make({Field{"instance", "u4", offsetof(InstanceId, index)},
+                             Field{"in_tile", "u4", offsetof(InstanceId, in_tile)}}, sizeof(InstanceId));
     all["winding"] = make({Field{"value", "f4", offsetof(Result<float>, value)},
                            Field{"status", "u1", offsetof(Result<float>, status)}}, sizeof(Result<float>));
     all["corners"] = make({Field{"corners", "(3,3)f4", offsetof(Corners, value)},
@@ -92,6 +110,10 @@ std::map<std::string, py::dtype> make_all() {
     all["contact"] = make({ESPALIER_FIELD(Contact, point, "3f4"), ESPALIER_FIELD(Contact, normal, "3f4"),
                            ESPALIER_FIELD(Contact, distance, "f4"), ESPALIER_FIELD(Contact, triangle, "u4"),
                            ESPALIER_FIELD(Contact, feature, "u1"), ESPALIER_FIELD(Contact, side, "u1")}, sizeof(Contact));
+    all["scene_contact"] = make({ESPALIER_IN_HIT(Contact, point, "3f4"), ESPALIER_IN_HIT(Contact, normal, "3f4"),
+                                 ESPALIER_IN_HIT(Contact, distance, "f4"), ESPALIER_IN_HIT(Contact, triangle, "u4"),
+                                 ESPALIER_IN_HIT(Contact, feature, "u1"), ESPALIER_IN_HIT(Contact, side, "u1"),
+                                 ESPALIER_INSTANCE(Contact)}, sizeof(InScene<Contact>));
     all["pair_contact"] = make({ESPALIER_FIELD(PairContact, a, "u4"), ESPALIER_FIELD(PairContact, b, "u4"),
                                 ESPALIER_FIELD(PairContact, status, "u1")}, sizeof(PairContact));
     all["pair_touch"] = make({ESPALIER_FIELD(PairTouch, points, "(6,3)f4"), ESPALIER_FIELD(PairTouch, normal, "3f4"),

@@ -10,6 +10,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <espalier/bake.hpp>
 #include <espalier/batches/lookups.hpp>
 #include <espalier/original.hpp>
 
@@ -91,6 +92,31 @@ py::array original_hits(const HeldBlob& self, const py::array& hits, const py::o
     return results;
 }
 
+/// Returns the table of a remap file, or the number of the refusal.
+py::object table_of(const HeldBlob& self, const py::object& file) {
+    const auto held = HeldBytes::of(file);
+    py::array table(dtype_of("remap"), std::vector<py::ssize_t>{static_cast<py::ssize_t>(self.blob.triangle_count())});
+    const OpenStatus status =
+        read_remap(held->bytes(), self.blob,
+                   std::span(static_cast<OriginalTriangle*>(table.mutable_data()), self.blob.triangle_count()));
+    if (status != OpenStatus::ok) return py::int_(static_cast<int>(status));
+    return table;
+}
+
+/// Returns the bytes of a remap file, which hold the table of the blob's bake.
+py::bytes file_of_table(const HeldBlob& self, const py::array& table) {
+    if (!table.dtype().equal(dtype_of("remap")) || (table.flags() & py::array::c_style) == 0)
+        throw py::type_error("remap must be the table of a bake");
+    BakeResult baked;
+    baked.status = BakeStatus::ok;
+    const auto bytes = self.bytes();
+    baked.bytes.assign(bytes.begin(), bytes.end());
+    const auto* first = static_cast<const OriginalTriangle*>(table.data());
+    baked.remap.assign(first, first + table.size());
+    const std::vector<std::byte> file = remap_file(baked);
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
 }  // namespace
 
 void bind_lookups(py::module_& module) {
@@ -99,6 +125,8 @@ void bind_lookups(py::module_& module) {
     module.def("corners", corners);
     module.def("all_triangles", all_triangles);
     module.def("original_hits", original_hits);
+    module.def("read_remap", table_of);
+    module.def("remap_file", file_of_table);
 }
 
 }  // namespace espalier::python

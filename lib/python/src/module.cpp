@@ -18,10 +18,15 @@ PYBIND11_MODULE(_core, module) {
     bind_overlaps(module);
     bind_sweeps(module);
     bind_contacts(module);
+    bind_edges(module);
+    bind_rounding(module);
+    bind_approximations(module);
+    bind_bounds(module);
     bind_pairs(module);
     bind_transforms(module);
     bind_baked_scenes(module);
     bind_moving_scenes(module);
     bind_scene_queries(module);
     bind_scene_pairs(module);
+    bind_scene_contacts(module);
 }

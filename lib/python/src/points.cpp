@@ -5,7 +5,7 @@
 #include "held_blob.hpp"
 #include "lists.hpp"
 #include "parts.hpp"
-#include "shape_batches.hpp"
+#include "shapes/batches.hpp"
 
 #include <algorithm>
 

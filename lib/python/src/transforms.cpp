@@ -76,6 +76,10 @@ void bind_transforms(py::module_& module) {
         return moved(transform, points,
                      [](const Transform& by, const Vec3& point) { return direction_to_local(by, point); });
     });
+    module.def("normals_to_world", [](const py::handle& transform, const py::handle& normals) {
+        return moved(transform, normals,
+                     [](const Transform& by, const Vec3& normal) { return normal_to_world(by, normal); });
+    });
     module.def("directions_to_world", [](const py::handle& transform, const py::handle& points) {
         return moved(transform, points,
                      [](const Transform& by, const Vec3& point) { return direction_to_world(by, point); });

@@ -71,12 +71,20 @@ HeldBlob mesh_of(const HeldScene& self, std::size_t mesh) {
     return {self.held, self.scene.meshes()[mesh]};
 }
 
+py::array on_common_lattice(const HeldScene& self) {
+    py::array_t<bool> results(static_cast<py::ssize_t>(self.scene.instance_count()));
+    for (std::uint32_t i = 0; i < self.scene.instance_count(); ++i)
+        results.mutable_data()[i] = is_on_common_lattice(self.scene, {i}).yes();
+    return results;
+}
+
 }  // namespace
 
 void bind_baked_scenes(py::module_& module) {
     py::class_<HeldScene>(module, "Scene", py::buffer_protocol())
         .def("instances", instances_of)
         .def("mesh", mesh_of)
+        .def("on_common_lattice", on_common_lattice)
         .def("facts",
              [](const HeldScene& self) {
                  const Box bounds = self.scene.bounds();
@@ -97,6 +105,11 @@ void bind_baked_scenes(py::module_& module) {
         });
     module.def("open_scene", [](const py::object& object) { return open_held(HeldBytes::of(object)); });
     module.def("bake_scene", bake);
+    module.def("verify_scene", [](const py::object& object) {
+        const auto held = HeldBytes::of(object);
+        const py::gil_scoped_release unlocked;
+        return verify_scene(held->bytes()).message;
+    });
 }
 
 }  // namespace espalier::python

@@ -123,6 +123,17 @@ py::array remove_all(HeldMovingScene& self, const Handles::Array& given) {
                        [](MovingScene& scene, InstanceHandle handle, std::uint32_t) { return remove(scene, handle); });
 }
 
+/// Returns the box of each instance in the tree.
+py::array boxes_of(const HeldMovingScene& self, const Handles::Array& given) {
+    const Handles handles(given);
+    py::array results(dtype_of("box"), shape_of(handles.statuses()));
+    auto* out = static_cast<Result<Box>*>(results.mutable_data());
+    shared(self, [&] {
+        for (std::size_t i = 0; i < handles.count(); ++i) out[i] = box_of(self.scene, handles.at(i));
+    });
+    return results;
+}
+
 using Words = py::array_t<std::uint32_t, py::array::c_style>;
 
 /// Sets the mask or the user's number of each instance.
@@ -232,6 +243,7 @@ void bind_moving_scenes(py::module_& module) {
         .def("remove", remove_all)
         .def("move", move_all)
         .def("set_words", set_words)
+        .def("boxes", boxes_of)
         .def("set_mesh", set_mesh)
         .def("repack", [](HeldMovingScene& self) { alone(self, [&] { repack(self.scene); }); })
         .def("end_step", [](HeldMovingScene& self) { alone(self, [&] { end_step(self.scene); }); });

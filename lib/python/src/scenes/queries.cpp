@@ -7,8 +7,8 @@
 #include "parts.hpp"
 #include "rays.hpp"
 #include "scenes/held_moving.hpp"
-#include "shape_batches.hpp"
-#include "sweeps.hpp"
+#include "shapes/batches.hpp"
+#include "shapes/sweeps.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -151,6 +151,26 @@ py::tuple touching_lists(const Scene& self, const std::string& kind, const py::t
                                           reading(self));
 }
 
+/// Returns (offsets, ids, statuses) of the instances whose boxes in the tree touch each box.
+template <class Scene>
+py::tuple candidate_lists(const Scene& self, const py::tuple& given, std::uint32_t mask, unsigned threads) {
+    return list_for_shapes<InstanceId>(
+        "Box", given, nullptr, dtype_of("candidate"), threads,
+        [&](const auto& box, std::size_t, Growing<InstanceId>& instances) requires requires {
+            for_each_candidate(
+                self.scene, box, [](InstanceId) { return Visit::next; }, mask);
+        } {
+            const std::size_t before = instances.count();
+            const QueryStatus status =
+                append(instances, [&](const auto& push) { return for_each_candidate(self.scene, box, push, mask); });
+            if (is_refused(status)) instances.cut(before);
+            const std::span<InstanceId> added = instances.from(before);
+            std::stable_sort(added.begin(), added.end(), [](InstanceId a, InstanceId b) { return a.index < b.index; });
+            return status;
+        },
+        reading(self));
+}
+
 template <class Scene>
 void bind_queries_of(py::module_& module) {
     module.def("scene_raycasts", raycasts<Scene>);
@@ -158,6 +178,7 @@ void bind_queries_of(py::module_& module) {
     module.def("scene_hit_lists", hit_lists<Scene>);
     module.def("scene_closest_points", closest_points<Scene>);
     module.def("scene_sweeps", sweeps<Scene>);
+    module.def("scene_candidate_lists", candidate_lists<Scene>);
     module.def("scene_touching", touching<Scene>);
     module.def("scene_touching_lists", touching_lists<Scene>);
 }

@@ -9,7 +9,7 @@
 #include "floats.hpp"
 #include "lists.hpp"
 #include "parts.hpp"
-#include "shapes.hpp"
+#include "shapes/fields.hpp"
 
 namespace espalier::python {
 

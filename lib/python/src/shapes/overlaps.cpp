@@ -3,7 +3,7 @@
 #include "dtypes.hpp"
 #include "held_blob.hpp"
 #include "lists.hpp"
-#include "shape_batches.hpp"
+#include "shapes/batches.hpp"
 
 #include <espalier/overlap.hpp>
 

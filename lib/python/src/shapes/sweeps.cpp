@@ -3,8 +3,8 @@
 #include "dtypes.hpp"
 #include "flags.hpp"
 #include "held_blob.hpp"
-#include "shape_batches.hpp"
-#include "sweeps.hpp"
+#include "shapes/batches.hpp"
+#include "shapes/sweeps.hpp"
 
 #include <espalier/sweep.hpp>
 
