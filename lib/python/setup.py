@@ -46,7 +46,7 @@ setup(
     license="MIT",
     python_requires=">=3.9",
     install_requires=["numpy>=1.21"],
-    packages=["espalier"],
+    packages=["espalier", "espalier.trimesh"],
     package_data={"espalier": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("espalier._core", [])] + ([Extension("espalier._import", [])] if READS_FILES else []),
     cmdclass={"build_ext": CMakeBuild},
