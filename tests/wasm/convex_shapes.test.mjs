@@ -4,6 +4,7 @@ import test from 'node:test';
 
 import { lumpyBody, questions } from './support/questions.mjs';
 import { espalier, throws } from './support/setup.mjs';
+import { codesOf } from './support/words.mjs';
 
 const { load, Status } = espalier;
 const library = await load();
@@ -39,13 +40,13 @@ test('a volume of six planes touches as the box', () => {
 
 test('a batch of hulls or volumes is a loop over them', () => {
     const hits = body.sweep({ kind: 'convexHull', vertices, offsets: vertexOffsets }, directions);
-    const touched = body.overlaps({ kind: 'convexVolume', planes, offsets: [...planeOffsets] }).status;
+    const touched = codesOf(body.overlaps({ kind: 'convexVolume', planes, offsets: [...planeOffsets] }));
     for (let i = 0; i < 100; ++i) {
         const one = vertices.subarray(3 * vertexOffsets[i], 3 * vertexOffsets[i + 1]);
         const hit = body.sweep({ kind: 'convexHull', vertices: one }, directions.subarray(3 * i, 3 * i + 3));
         assert.deepStrictEqual([hit.t[0], hit.status[0]], [hits.t[i], hits.status[i]]);
         const volume = { kind: 'convexVolume', planes: planes.subarray(4 * planeOffsets[i], 4 * planeOffsets[i + 1]) };
-        assert.strictEqual(body.overlaps(volume).status[0], touched[i]);
+        assert.strictEqual(codesOf(body.overlaps(volume))[0], touched[i]);
     }
     assert.deepStrictEqual([hits.status[20], touched[21]], [Status.INVALID_ARGUMENT, Status.INVALID_ARGUMENT]);
 });

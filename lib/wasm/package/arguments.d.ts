@@ -47,6 +47,11 @@ export interface FilterOptions {
     only?: Flags | null;
 }
 
+export interface AccuracyOptions {
+    /** A length in the blob's units. With one, a no is certain, and a yes may be off by about as much, for less work. */
+    accuracy?: number;
+}
+
 export interface SweepOptions {
     culling?: Culling;
     /** Ignores triangles that a shape touches at the start and leaves. */
@@ -55,6 +60,8 @@ export interface SweepOptions {
     skin?: number;
 }
 
+/** The points origin + t * direction, of any t. */
+export interface Ray { kind: 'ray'; origin: Vectors; direction: Vectors }
 export interface Segment { kind: 'segment'; from: Vectors; to: Vectors }
 export interface Sphere { kind: 'sphere'; center: Vectors; radius: Numbers }
 /** All points within a radius of a segment. */

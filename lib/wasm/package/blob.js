@@ -1,15 +1,21 @@
 // Blobs: facts and lookups by triangle.
-import { integers } from './arguments.js';
+import { integers, Strided } from './arguments.js';
 import { fieldsOf } from './memory/batch.js';
-import { ShapeQueries } from './shapes.js';
+import { EdgeQueries } from './edges.js';
+import { QueryError } from './errors.js';
 
 export const PROFILES = ['fast', 'balanced', 'small', 'tiny'];
 
-export class Blob extends ShapeQueries {
+const OK = 0;
+
+export class Blob extends EdgeQueries {
+    #instance;
+
     /// The figures of the bake, and the source of each triangle; null for a blob that was opened.
     constructor(instance, bytes, { report = null, remap = null } = {}) {
         super(instance, bytes, () => instance.records.blob.bytes,
               (view, address, length) => instance.functions.espalier_open(address, length, view));
+        this.#instance = instance;
         this.report = report;
         this.remap = remap;
     }
@@ -22,6 +28,9 @@ export class Blob extends ShapeQueries {
     }
     get isClosed() {
         return this.#number('is_closed') !== 0;
+    }
+    get isDeformable() {
+        return this.#number('is_deformable') !== 0;
     }
     get hasOriginalIds() {
         return this.#number('has_original_ids') !== 0;
@@ -46,11 +55,35 @@ export class Blob extends ShapeQueries {
             triangleCount: this.triangleCount, vertexCount: this.vertexCount,
             duplicateReferenceCount: this.#number('duplicate_reference_count'), size: this.#number('size'),
             checksum: this.#number('checksum'), depth: this.#number('depth'), profile: this.profile,
-            isClosed: this.isClosed, hasOriginalIds: this.hasOriginalIds,
+            isClosed: this.isClosed, isDeformable: this.isDeformable, hasOriginalIds: this.hasOriginalIds,
             hasMaterials: this.#number('has_materials') !== 0, hasEdgeFlags: this.#number('has_edge_flags') !== 0,
             maxError: this.maxError, bounds: this.bounds, latticeOrigin: Float32Array.from(origin),
             latticeStepExponent: stepExponent,
         };
+    }
+
+    /// Returns the corners of all triangles in baked order.
+    triangles() {
+        const { triangleCount } = this;
+        return this.corners(Uint32Array.from({ length: triangleCount }, (_, i) => i)).corners;
+    }
+
+    /// Returns the blob with its vertices at other positions, and the cost of its tree over that at rest.
+    refit(positions) {
+        const given = new Strided(positions, 3, 'positions');
+        return this.batch([], (batch) => {
+            const { functions, instance } = batch, bytes = this.bytes();
+            const copy = batch.allocate(bytes.length), blob = batch.allocateStructure('blob'), mesh = batch.allocateStructure('deformable');
+            instance.array(Uint8Array, copy, bytes.length).set(bytes);
+            functions.espalier_open(copy, bytes.length, blob);
+            batch.check(functions.espalier_create_deformable(blob, copy, functions.espalier_deformable_bytes(blob), mesh));
+            const result = batch.allocateStructure('refit_result');
+            functions.espalier_deformable_refit(result, mesh, batch.placeAll(given, 3), given.count);
+            const { status, position, quality } = instance.read('refit_result', result);
+            if (status !== OK) throw new QueryError(refusalOfRefit(functions.espalier_deformable_position_count(mesh), given.count, position, status, instance), status);
+            batch.check(functions.espalier_deformable_seal(mesh, copy, bytes.length));
+            return { blob: new Blob(this.#instance, batch.copy(Uint8Array, copy, bytes.length), { remap: this.remap }), quality };
+        });
     }
 
     corners(triangles) {
@@ -96,4 +129,9 @@ export class Blob extends ShapeQueries {
     #number(fact) {
         return this.use(({ functions }, blob) => functions[`espalier_blob_${fact}`](blob) >>> 0);
     }
+}
+
+function refusalOfRefit(wanted, given, position, status, instance) {
+    if (given !== wanted) return `the blob was baked from ${wanted} positions, not from ${given}`;
+    return `position ${position}: ${instance.describeQuery(status)}`;
 }

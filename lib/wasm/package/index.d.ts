@@ -1,11 +1,13 @@
 // Types of espalier: baked collision meshes, queried straight from their bytes.
 
 import type {
-    Body, Box, ConvexVolume, FilterOptions, Moving, Numbers, RayOptions, Segment, SweepOptions, Triangles, Vectors, Volume,
+    AccuracyOptions, Body, Box, Capsule, ConvexVolume, FilterOptions, Moving, Numbers, OrientedBox, Ray, RayOptions, Segment, Sphere,
+    SweepOptions, Triangle, Triangles, Vectors, Volume,
 } from './arguments.js';
 import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
-    ClosestPoints, Contacts, Corners, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, SweepHits, WindingNumbers, YesNo,
+    ClosestPoints, Contacts, Corners, DistanceBounds, EdgeKinds, Lengths, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, Slabs, SweepHits, WindingNumbers,
+    YesNo,
 } from './results.js';
 import type { MovingScene, MovingSceneOptions } from './scenes/moving_scene.js';
 import type { InstancesToBake, Scene } from './scenes/scene.js';
@@ -28,6 +30,7 @@ export interface BlobInfo {
     depth: number;
     profile: Profile;
     isClosed: boolean;
+    isDeformable: boolean;
     hasOriginalIds: boolean;
     hasMaterials: boolean;
     hasEdgeFlags: boolean;
@@ -53,6 +56,8 @@ export class Blob {
     readonly vertexCount: number;
     /** Whether contains() and signedDistance() answer. */
     readonly isClosed: boolean;
+    /** Whether refit() can move the vertices. */
+    readonly isDeformable: boolean;
     readonly hasOriginalIds: boolean;
     readonly profile: Profile;
     /** The largest distance between the baked surface and its float32 source. */
@@ -69,7 +74,7 @@ export class Blob {
     /** Returns the closest hit of each ray: the points origin + t * direction with tMin <= t <= tMax. */
     raycast(origins: Vectors, directions: Vectors, options?: RayOptions & FilterOptions): RayHits;
     /** Returns whether each ray hits any triangle, in less time than raycast(). */
-    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & FilterOptions): YesNo;
+    occluded(origins: Vectors, directions: Vectors, options?: RayOptions & FilterOptions & AccuracyOptions): YesNo;
     /** Returns the first hits of each ray, at most `most`, sorted by t. */
     closestHits(origins: Vectors, directions: Vectors, most: number, options?: RayOptions & FilterOptions): Lists<RayHits>;
     /** Returns all hits of each ray, in ascending order of triangles. */
@@ -79,6 +84,17 @@ export class Blob {
 
     /** Returns the closest point of the surface to each point, segment or box. */
     closestPoint(points: Vectors | Segment | Box, maxDistance?: number): ClosestPoints;
+    /**
+     * Returns a lower and an upper bound of the distance to each point, which differ by about the accuracy, a length: the
+     * larger it is, the less work.
+     */
+    distanceBounds(points: Vectors, accuracy: number, maxDistance?: number): DistanceBounds;
+    /**
+     * Returns how far rounding moves each query at most. With displacements the shape is that of a sweep, whose whole way
+     * counts. Lift a ray that leaves the surface by this: without, most such rays hit the wall that they start from.
+     */
+    roundingError(shape: Vectors | Ray | Segment | Sphere | Capsule | Box | OrientedBox | Triangle): Lengths;
+    roundingError(shape: Moving, displacements: Vectors): Lengths;
     /** Returns the closest point with a negative distance inside of a closed surface. */
     signedDistance(points: Vectors, maxDistance?: number): ClosestPoints;
     /** Returns the triangles closest to each point, at most `most`, sorted by distance. */
@@ -90,6 +106,8 @@ export class Blob {
 
     /** Returns whether any triangle touches each shape. */
     overlaps(shape: Volume | ConvexVolume): YesNo;
+    /** With an accuracy a no is certain, and a yes may be off by about as much, for less work. */
+    overlaps(shape: Sphere | Box, options: AccuracyOptions): YesNo;
     /** Returns the triangles that touch each shape, ascending. */
     overlappingTriangles(shape: Volume | ConvexVolume): Lists<Uint32Array>;
     /**
@@ -100,6 +118,26 @@ export class Blob {
     /** Returns the first contact of each shape as it moves by a displacement. */
     sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & FilterOptions): SweepHits;
 
+    /** Returns the kinds of the edges of triangles, between the corners of corners(). Without edge flags the status is NO_DATA. */
+    edgeKinds(triangles: Triangles): EdgeKinds;
+    /**
+     * Returns the normals to use for contacts on features of triangles: on an edge that is flat, or a valley on the side of
+     * the normal, that of the triangle. contacts() does this by itself.
+     */
+    fixInternalEdgeNormals(triangles: Triangles, features: Triangles | Uint8Array, normals: Vectors): Float32Array;
+    /** Bounds that a bake with `bounds` stored, tighter than the box. Throws QueryError for a blob without. */
+    boundingSphere(): Sphere;
+    orientedBounds(): OrientedBox;
+    kDopBounds(): Slabs;
+    /**
+     * Returns the blob with its vertices at other positions, without a bake: those of all baked meshes in a row. The quality
+     * is the cost of the tree over that at rest: from 1.5 on, bake again. Throws QueryError for a blob that was not baked
+     * for it, as the command and other languages do, and for positions that it does not take.
+     */
+    refit(positions: Vectors): { blob: Blob; quality: number };
+
+    /** Returns the corners of all triangles, nine numbers for each. */
+    triangles(): Float32Array;
     /** Returns the baked corners of triangles. */
     corners(triangles: Triangles): Corners;
     /** Returns the materials of triangles; 0 where the blob stores none. */
@@ -113,6 +151,10 @@ export class Blob {
 /** The library, loaded. */
 export interface Espalier {
     readonly version: string;
+    /** Returns one English sentence of the status of a query. */
+    describe(status: number): string;
+    /** Returns of each list of contacts() the contacts, at most four, that support its body best, the deepest first. */
+    reduceContacts<Items extends Contacts>(contacts: Lists<Items>): Lists<Items>;
     /** Bakes a mesh, or several into one blob. The arrays must not change until the promise is settled. */
     bake(meshes: Mesh | readonly Mesh[], options?: BakeOptions): Promise<Blob>;
     /** Opens a baked mesh: copies the bytes into the module's memory and checks all of them. */

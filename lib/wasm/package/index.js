@@ -2,8 +2,10 @@
 import { Strided } from './arguments.js';
 import { preparedBake, preparedJoin, resultOf } from './bake.js';
 import { Blob } from './blob.js';
+import { contactsOf, reduced } from './edges.js';
 import { VerifyError } from './errors.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
+import { Batch } from './memory/batch.js';
 import { Instance } from './memory/instance.js';
 import { Opened } from './memory/opened.js';
 import { preparedScene } from './scenes/baking.js';
@@ -14,7 +16,7 @@ export { Blob } from './blob.js';
 export { BakeError, EspalierError, MemoryError, OpenError, QueryError, VerifyError } from './errors.js';
 export { hasSimd } from './load.js';
 export * as pairs from './pairs.js';
-export { Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
+export { EdgeKind, Feature, Lists, NO_TRIANGLE, Side, Status, YesNo } from './results.js';
 export { MovingScene } from './scenes/moving_scene.js';
 export { Scene } from './scenes/scene.js';
 
@@ -33,6 +35,20 @@ class Espalier {
 
     get version() {
         return this.#instance.text(this.#instance.functions.espalier_version() >>> 0);
+    }
+
+    /// Returns one English sentence of a status.
+    describe(status) {
+        return this.#instance.describeQuery(status);
+    }
+
+    reduceContacts(lists) {
+        const batch = new Batch(this.#instance, 0, contactsOf(lists));
+        try {
+            return reduced(batch, lists);
+        } finally {
+            batch.release();
+        }
     }
 
     async bake(meshes, options) {

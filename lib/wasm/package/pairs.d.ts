@@ -1,6 +1,6 @@
 // Queries of two blobs, each at one place in the world or at many. Results are in world space.
 import type { Blob, Numbers, Places } from './index.js';
-import type { Lists, YesNo } from './results.js';
+import type { Contacts, Lists, YesNo } from './results.js';
 
 /** A blob at a place for each query, or at one that serves all. */
 export interface PlacedBlob extends Places {
@@ -65,3 +65,5 @@ export function distance(a: Placed, b: Placed, options?: PairOptions & { maxDist
 export function contacts(a: Placed, b: Placed, options?: PairOptions): Lists<PairContacts>;
 /** Returns where, how deep and in which direction each pair of triangles of contacts() touches. */
 export function touches(a: Placed, b: Placed, options?: PairOptions): Lists<PairTouches>;
+/** Returns the points of touches() as contacts of body b with the surface a, for reduceContacts(). */
+export function touchContacts(touches: Lists<PairTouches>): Lists<Contacts>;

@@ -3,7 +3,7 @@ import { Strided, visits } from './arguments.js';
 import { Blob } from './blob.js';
 import { refuseFilter } from './filters.js';
 import { fieldsOfPlaces } from './places.js';
-import { YesNo } from './results.js';
+import { Lists, YesNo } from './results.js';
 
 export function overlaps(a, b, options) {
     return answers('wasm_pair_overlaps', a, b, {}, options);
@@ -27,6 +27,27 @@ export function contacts(a, b, options) {
 
 export function touches(a, b, options) {
     return lists('pair_touch', 'wasm_pair_touches', a, b, options);
+}
+
+/// Returns the points of touches() as contacts of body b with the surface a, for reduceContacts().
+export function touchContacts({ offsets, items, status }) {
+    const before = new Uint32Array(items.count.length + 1);
+    items.count.forEach((count, i) => { before[i + 1] = before[i] + count; });
+    const total = before.at(-1);
+    const contacts = {
+        point: new Float32Array(3 * total), normal: new Float32Array(3 * total), distance: new Float32Array(total),
+        triangle: new Uint32Array(total), feature: new Uint8Array(total), side: new Uint8Array(total),
+    };
+    items.count.forEach((count, i) => {
+        for (let k = 0; k < count; ++k) {
+            const at = before[i] + k;
+            contacts.point.set(items.points.subarray(18 * i + 3 * k, 18 * i + 3 * k + 3), 3 * at);
+            contacts.normal.set(items.normal.subarray(3 * i, 3 * i + 3), 3 * at);
+            contacts.distance[at] = -items.depth[i];
+            contacts.triangle[at] = items.a[i];
+        }
+    });
+    return new Lists(offsets.map((offset) => before[offset]), contacts, status);
 }
 
 function answers(name, a, b, numbers, options) {

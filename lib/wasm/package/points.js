@@ -30,6 +30,14 @@ export class PointQueries extends RayQueries {
         });
     }
 
+    distanceBounds(points, accuracy, maxDistance = Infinity) {
+        return this.#ofPoints(points, (batch, given) => {
+            const bounds = batch.allocateRecords('distance_bounds_result'), packed = batch.placePacked(given, 3);
+            batch.functions.wasm_distance_bounds(bounds, batch.view, packed, batch.count, maxDistance, accuracy);
+            return batch.columns('distance_bounds_result', bounds);
+        });
+    }
+
     contains(points, options) {
         refuseFilter(options, 'contains');
         return this.#ofPoints(points, (batch, given) => {

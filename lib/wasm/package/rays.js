@@ -15,10 +15,25 @@ export class RayQueries extends Opened {
     }
 
     occluded(origins, directions, options) {
+        if (options?.accuracy !== undefined) return this.#nearlyOccluded(origins, directions, options);
         return this.#castFiltered(origins, directions, options, (batch, rays, only) => {
             const answers = batch.allocate(batch.count);
             if (only === 0) batch.fill('espalier_occluded_arrays', rays(0), answers, batch.count);
             else batch.functions.wasm_occluded_filtered(answers, batch.view, rays(0), batch.count, only);
+            return new YesNo(batch.copy(Uint8Array, answers));
+        });
+    }
+
+    #nearlyOccluded(origins, directions, { accuracy, tMin = 0, tMax = Infinity, culling = 'none', ...others }) {
+        refuseFilter(others, 'a ray with an accuracy');
+        const rays = {
+            origin: new Strided(origins, 3, 'origins'), direction: new Strided(directions, 3, 'directions'),
+            tMin: new Strided(tMin, 1, 'tMin'), tMax: new Strided(tMax, 1, 'tMax'),
+            culling: new Strided(cullingNumber(culling), 1, 'culling'),
+        };
+        return this.batch(Object.values(rays), (batch) => {
+            const answers = batch.allocate(batch.count);
+            batch.functions.wasm_occluded_approximate(answers, batch.view, batch.placeRecords('ray', rays), batch.count, accuracy);
             return new YesNo(batch.copy(Uint8Array, answers));
         });
     }

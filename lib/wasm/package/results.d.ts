@@ -17,6 +17,9 @@ export const Feature: {
     readonly VERTEX_A: 4; readonly VERTEX_B: 5; readonly VERTEX_C: 6;
 };
 
+/** The bend of the surface at an edge, seen from the front of its triangles. */
+export const EdgeKind: { readonly FLAT: 0; readonly CONVEX: 1; readonly CONCAVE: 2; readonly BOUNDARY: 3 };
+
 /** One element for each ray; `normal` has three numbers. A miss has an infinite t and NO_TRIANGLE. */
 export interface RayHits {
     t: Float32Array;
@@ -66,6 +69,34 @@ export interface Contacts {
     side: Uint8Array;
 }
 
+/** Lengths in the blob's units. A value counts where the status is OK. */
+export interface Lengths {
+    value: Float32Array;
+    status: Uint8Array;
+}
+
+/** Bounds of distances. */
+export interface DistanceBounds {
+    lower: Float32Array;
+    upper: Float32Array;
+    status: Uint8Array;
+}
+
+/** The kinds of the edges of triangles, each a number of EdgeKind. */
+export interface EdgeKinds {
+    ab: Uint8Array;
+    bc: Uint8Array;
+    ca: Uint8Array;
+    status: Uint8Array;
+}
+
+/** Slabs along 13 directions, of three numbers each: low <= dot(direction, corner) <= high for each corner. */
+export interface Slabs {
+    directions: Float32Array;
+    low: Float32Array;
+    high: Float32Array;
+}
+
 /** How often the surface winds around each point. A value counts where the status is OK. */
 export interface WindingNumbers {
     value: Float32Array;
@@ -106,6 +137,7 @@ export interface Corners {
  */
 export class YesNo {
     private constructor();
+    /** OK for a yes and for a no, else why it is neither. */
     readonly status: Uint8Array;
     readonly length: number;
     yes(query: number): boolean;

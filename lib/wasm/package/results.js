@@ -15,20 +15,28 @@ export const Side = Object.freeze({ FRONT: 0, BACK: 1 });
 /// The part of a triangle that a point lies on.
 export const Feature = Object.freeze({ FACE: 0, EDGE_AB: 1, EDGE_BC: 2, EDGE_CA: 3, VERTEX_A: 4, VERTEX_B: 5, VERTEX_C: 6 });
 
+/// The bend of the surface at an edge, seen from the front of its triangles.
+export const EdgeKind = Object.freeze({ FLAT: 0, CONVEX: 1, CONCAVE: 2, BOUNDARY: 3 });
+
 /// Answers that are yes, no, or neither: a refusal, or a work limit that was reached. Where a mistake is dangerous, test
 /// no(i), not !yes(i).
 export class YesNo {
-    constructor(status) {
-        this.status = status;
+    #codes;
+
+    /// Takes the numbers of the library: there, NOT_FOUND is a no.
+    constructor(codes) {
+        this.#codes = codes;
+        /// OK for a yes and for a no, else why it is neither.
+        this.status = codes.map((code) => (code === Status.NOT_FOUND ? Status.OK : code));
     }
     get length() {
         return this.status.length;
     }
     yes(query) {
-        return this.status[query] === Status.OK;
+        return this.#codes[query] === Status.OK;
     }
     no(query) {
-        return this.status[query] === Status.NOT_FOUND;
+        return this.#codes[query] === Status.NOT_FOUND;
     }
     valueOr(query, otherwise) {
         return this.yes(query) || (!this.no(query) && otherwise);

@@ -13,11 +13,12 @@ const FIELDS = {
     orientedBox: { center: 3, halfAxes: 9 },
     cone: { apex: 3, axis: 3, radius: 1 },
     triangle: { a: 3, b: 3, c: 3 },
+    segment: { from: 3, to: 3 },
 };
-export const VOLUMES = Object.keys(FIELDS);
+export const VOLUMES = ['sphere', 'capsule', 'box', 'orientedBox', 'cone', 'triangle'];
 const VOLUMES_OF_BLOBS = [...VOLUMES, 'convexVolume'];
 export const MOVING = ['sphere', 'capsule', 'box', 'orientedBox', 'convexHull'];
-const BODIES = ['sphere', 'capsule', 'orientedBox', 'convexHull'];
+export const BODIES = ['sphere', 'capsule', 'orientedBox', 'convexHull'];
 
 /// Shapes of any number of parts, and how many numbers each of those has.
 const OF_PARTS = { convexHull: { field: 'vertices', components: 3 }, convexVolume: { field: 'planes', components: 4 } };
@@ -56,9 +57,18 @@ function shapesOfParts(given, name, { field, components }) {
 export class ShapeQueries extends PointQueries {
     overlaps(shape, options) {
         refuseFilter(options, 'overlaps of a blob');
+        if (options?.accuracy !== undefined) return this.#nearlyOverlaps(shape, options.accuracy);
         return this.#ofShapes(shape, VOLUMES_OF_BLOBS, [], (batch, name, shapes) => {
             const answers = batch.allocate(batch.count);
             batch.functions[`wasm_overlaps_${name}`](answers, batch.view, shapes, batch.count);
+            return new YesNo(batch.copy(Uint8Array, answers));
+        });
+    }
+
+    #nearlyOverlaps(shape, accuracy) {
+        return this.#ofShapes(shape, ['sphere', 'box'], [], (batch, name, shapes) => {
+            const answers = batch.allocate(batch.count);
+            batch.functions[`wasm_overlaps_${name}_approximate`](answers, batch.view, shapes, batch.count, accuracy);
             return new YesNo(batch.copy(Uint8Array, answers));
         });
     }

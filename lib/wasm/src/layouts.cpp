@@ -5,11 +5,14 @@
 #include <iterator>
 #include <type_traits>
 
+#include <espalier/c/approximate.h>
 #include <espalier/c/bake.h>
 #include <espalier/c/batches/arrays.h>
 #include <espalier/c/batches/rays.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/bounds.h>
 #include <espalier/c/contact.h>
+#include <espalier/c/deformation.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/original.h>
 #include <espalier/c/pair.h>
@@ -106,6 +109,16 @@ RECORD(ray_hit, FIELD(t), FIELD(u), FIELD(v), FIELD(normal), FIELD(triangle), FI
 RECORD(closest_point_result, FIELD(point), FIELD(on_shape), FIELD(face_normal), FIELD(distance), FIELD(u), FIELD(v),
        FIELD(triangle), FIELD(status), FIELD(feature), FIELD(side))
 RECORD(float_result, FIELD(value), FIELD(status))
+RECORD(distance_bounds_result, FIELD_AS("lower", value.lower), FIELD_AS("upper", value.upper), FIELD(status))
+RECORD(edge_kinds_result, FIELD_AS("ab", value.ab), FIELD_AS("bc", value.bc), FIELD_AS("ca", value.ca), FIELD(status))
+RECORD(sphere_result, FIELD_AS("center", value.center), FIELD_AS("radius", value.radius), FIELD(status))
+RECORD(oriented_box_result, FIELD_AS("center", value.center), FIELD_AS("half_axes", value.half_axes), FIELD(status))
+RECORD(k_dop_result, FIELD_AS("low", value.lo), FIELD_AS("high", value.hi), FIELD(status))
+RECORD(box_result, FIELD_AS("min", value.min), FIELD_AS("max", value.max), FIELD(status))
+RECORD(deformable, FIELD(opaque_))
+RECORD(refit_result, FIELD(status), FIELD(position), FIELD(quality))
+RECORD(scene_candidate, INSTANCE)
+RECORD(scene_contact, HIT(point), HIT(normal), HIT(distance), HIT(triangle), HIT(feature), HIT(side), INSTANCE)
 RECORD(sweep_hit, FIELD(t), FIELD(point), FIELD(normal), FIELD(face_normal), FIELD(triangle), FIELD(status),
        FIELD(feature), FIELD(starts_overlapping))
 RECORD(sweep_options, FIELD(skin), FIELD(culling), FIELD(ignore_leaving))
@@ -183,7 +196,9 @@ struct Records {
 
 using AllRecords =
     Records<blob_table, filled_table, filled_lists_table, strided_vec3_table, ray_arrays_table, ray_hit_table,
-            closest_point_result_table, float_result_table, sweep_hit_table, sweep_options_table,
+            closest_point_result_table, float_result_table, distance_bounds_result_table, edge_kinds_result_table,
+            sphere_result_table, oriented_box_result_table, k_dop_result_table, box_result_table, deformable_table,
+            refit_result_table, scene_candidate_table, scene_contact_table, sweep_hit_table, sweep_options_table,
             original_triangle_table, original_triangle_result_table, original_hit_table, triangle_result_table,
             sphere_table, capsule_table, box_table, oriented_box_table, cone_table, convex_hull_table,
             convex_volume_table, triangle_table, segment_table, contact_table, transform_table, pair_contact_table,

@@ -94,6 +94,13 @@ extern "C" [[clang::export_name("wasm_moving_scene_instances")]] void wasm_movin
     for (std::uint32_t slot = 0; slot < end; ++slot) instances[slot] = instance_in(scene, slot);
 }
 
+/// Writes the box of each instance in the tree.
+extern "C" [[clang::export_name("wasm_moving_scene_boxes")]] void wasm_moving_scene_boxes(
+    espalier_box_result* boxes, const espalier_moving_scene* scene, const espalier_instance_handle* handles,
+    std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) boxes[i] = espalier_moving_scene_box_of(scene, handles[i]);
+}
+
 /// Writes where the bytes of a snapshot are.
 extern "C" [[clang::export_name("wasm_moving_scene_block")]] void wasm_moving_scene_block(
     espalier_bytes* block, const espalier_moving_scene* scene) {

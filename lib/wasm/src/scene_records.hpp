@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <espalier/c/contact.h>
 #include <espalier/c/scene.h>
 #include <espalier/c/scenes/moving_scene.h>
 #include <espalier/c/types.h>
@@ -13,6 +14,17 @@
 struct espalier_scene_triangle {
     espalier_instance_id instance;
     espalier_triangle_id triangle;
+};
+
+/// An instance near a box.
+struct espalier_scene_candidate {
+    espalier_instance_id instance;
+};
+
+/// A contact of an instance.
+struct espalier_scene_contact {
+    espalier_contact hit;
+    espalier_instance_id instance;
 };
 
 /// What the queries of a batch take into account, and in which order they list it.

@@ -53,7 +53,31 @@ espalier_visit add_triangle(espalier_instance_id instance, espalier_triangle_id 
     return espalier::wasm::add_to_room(&item, user);
 }
 
+espalier_visit add_candidate(espalier_instance_id instance, void* user) {
+    const espalier_scene_candidate item = {instance};
+    return espalier::wasm::add_to_room(&item, user);
+}
+
 }  // namespace
+
+/// Writes the instances whose boxes in the tree touch each box.
+extern "C" [[clang::export_name("wasm_scene_candidates")]] void wasm_scene_candidates(
+    espalier_filled_lists* filled, const espalier_scene* scene, const espalier_box* boxes,
+    espalier_query_status* statuses, std::size_t* offsets, std::size_t count, espalier_scene_candidate* candidates,
+    std::size_t capacity, const espalier_scene_selection* selection) {
+    *filled = collect<espalier_scene_candidate>(
+        count, {statuses, offsets, candidates, capacity}, *selection, [&](std::size_t i, auto& room) {
+            return espalier_scene_for_each_candidate(scene, &boxes[i], add_candidate, &room, selection->mask);
+        });
+}
+
+/// Writes whether rays are rounded once for each instance and others.
+extern "C" [[clang::export_name("wasm_scene_on_common_lattice")]] void wasm_scene_on_common_lattice(
+    espalier_yes_no* answers, const espalier_scene* scene) {
+    const std::uint32_t count = espalier_scene_instance_count(scene);
+    for (std::uint32_t i = 0; i < count; ++i)
+        answers[i] = espalier_scene_is_on_common_lattice(scene, {i, ESPALIER_NO_INSTANCE});
+}
 
 /// Returns the number of meshes, without those of tiles.
 extern "C" [[clang::export_name("wasm_scene_mesh_count")]] std::size_t wasm_scene_mesh_count(

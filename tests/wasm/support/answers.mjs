@@ -1,11 +1,11 @@
 // What the package answers to the questions, as words under the names of the files of C++. For Node and browsers.
-import { countedWords, endedWords, wordsOf, wordsOfLists } from './words.mjs';
+import { codesOf, countedWords, endedWords, wordsOf, wordsOfLists } from './words.mjs';
 
 function answerRays(blob, { origins, directions, limits }, words) {
     for (const culling of ['none', 'back', 'front']) {
         const rays = [origins, directions], options = { tMin: 0.05, tMax: limits, culling }, hits = blob.raycast(...rays, options);
         const answers = {
-            raycast: wordsOf('hit', hits), occluded: [...blob.occluded(...rays, options).status],
+            raycast: wordsOf('hit', hits), occluded: codesOf(blob.occluded(...rays, options)),
             original_hits: wordsOf('original', blob.originalHits(hits)), closest_hits: countedWords('hit', blob.closestHits(...rays, 3, options)),
             all_hits: endedWords('hit', blob.allHits(...rays, options)), crossings: endedWords('hit', blob.crossings(...rays, options)),
         };
@@ -16,7 +16,7 @@ function answerRays(blob, { origins, directions, limits }, words) {
 function answerPoints(blob, { origins }, words) {
     words.closest_point = wordsOf('nearest', blob.closestPoint(origins, 2.5));
     words.signed_distance = wordsOf('nearest', blob.signedDistance(origins, 2.5));
-    words.contains = [...blob.contains(origins).status];
+    words.contains = codesOf(blob.contains(origins));
     words.closest_triangles = countedWords('nearest', blob.closestTriangles(origins, 3, 2.5));
     words.winding_number = wordsOf('winding', blob.windingNumber(origins, 7));
 }
@@ -53,9 +53,9 @@ function answerShapes(blob, questions, words) {
     words.closest_to_boxes = wordsOf('nearest', blob.closestPoint({ kind: 'box', min: origins, max: directions }, 1.5));
     const shapes = shapesOf(questions);
     for (const name of [...VOLUMES, 'convex_volume']) {
-        const touches = blob.overlaps(shapes[name]), lists = blob.overlappingTriangles(shapes[name]);
+        const codes = codesOf(blob.overlaps(shapes[name])), lists = blob.overlappingTriangles(shapes[name]);
         words[name] = wordsOfLists('triangle', lists, {
-            begin: (to, i) => to.push(touches.status[i]),
+            begin: (to, i) => to.push(codes[i]),
             end: (to, i) => to.push(lists.status[i]),
         });
     }
@@ -69,7 +69,7 @@ export function filteredAnswers(blob, questions) {
     const only = Uint8Array.from({ length: blob.triangleCount }, (_, i) => Number(i % 3 !== 1));
     const rays = [origins, directions], options = { tMin: 0.05, tMax: limits, culling: 'front', only };
     const words = {
-        filtered_raycast: wordsOf('hit', blob.raycast(...rays, options)), filtered_occluded: [...blob.occluded(...rays, options).status],
+        filtered_raycast: wordsOf('hit', blob.raycast(...rays, options)), filtered_occluded: codesOf(blob.occluded(...rays, options)),
         filtered_closest_hits: countedWords('hit', blob.closestHits(...rays, 3, options)),
     };
     for (const name of MOVING) words[`filtered_sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { skin: 0.01, only }));

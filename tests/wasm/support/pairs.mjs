@@ -1,5 +1,5 @@
 // What the package answers about two blobs, as words under the names of the files of C++.
-import { endedWords, wordsOf } from './words.mjs';
+import { codesOf, endedWords, wordsOf } from './words.mjs';
 
 /// Returns the places of C++: one for each question.
 export function placesOf({ origins, directions, limits, radii }) {
@@ -13,8 +13,8 @@ export function pairAnswers(pairs, a, b, questions) {
     const second = { blob: b, ...placesOf(questions) }, few = { workLimit: 40 };
     const all = pairs.overlaps(first, second), some = pairs.overlaps(first, second, few);
     return {
-        pair_overlaps: [...all.status].flatMap((status, i) => [status, some.status[i]]),
-        pair_within: [...pairs.withinDistance(first, second, questions.limits).status],
+        pair_overlaps: codesOf(all).flatMap((code, i) => [code, codesOf(some)[i]]),
+        pair_within: codesOf(pairs.withinDistance(first, second, questions.limits)),
         pair_first_contact: wordsOf('pair', pairs.firstContact(first, second)),
         pair_distance: wordsOf('distance', pairs.distance(first, second, { maxDistance: 1.5 })),
         pair_contacts: endedWords('pair', pairs.contacts(first, second)),

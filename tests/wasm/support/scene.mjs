@@ -1,7 +1,7 @@
 // What the package answers about a scene, as words under the names of the files of C++.
 import { MOVING, shapesOf, VOLUMES } from './answers.mjs';
 import { placesOf } from './pairs.mjs';
-import { bits, wordsOf, wordsOfLists } from './words.mjs';
+import { bits, codesOf, wordsOf, wordsOfLists } from './words.mjs';
 
 /// Returns the instances of C++.
 export function instancesOf(questions) {
@@ -22,13 +22,13 @@ function queryAnswers(scene, questions, prefix, only) {
     const rowsOf = (kind, lists, begin) => wordsOfLists(kind, lists, { begin, end: (to, i) => to.push(lists.status[i]) });
     const words = {
         raycast: wordsOf('scene_hit', scene.raycast(origins, directions, options)),
-        occluded: [...scene.occluded(origins, directions, options).status],
+        occluded: codesOf(scene.occluded(origins, directions, options)),
         all_hits: rowsOf('scene_hit', scene.allHits(origins, directions, options)),
         closest_point: wordsOf('scene_nearest', scene.closestPoint(origins, 2.5, { mask })),
     };
     for (const name of VOLUMES) {
-        const touches = scene.overlaps(shapes[name], selection);
-        words[name] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], selection), (to, i) => to.push(touches.status[i]));
+        const codes = codesOf(scene.overlaps(shapes[name], selection));
+        words[name] = rowsOf('scene_triangle', scene.overlappingTriangles(shapes[name], selection), (to, i) => to.push(codes[i]));
     }
     for (const name of MOVING) {
         const sweeps = scene.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01, ...selection });

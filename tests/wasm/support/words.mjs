@@ -50,3 +50,6 @@ export function wordsOfLists(kind, lists, { begin = () => {}, end = () => {} }) 
     }
     return words;
 }
+
+/// The numbers that C++ has for the answers of a YesNo: there, NOT_FOUND is a no.
+export const codesOf = (answers) => Array.from(answers.status, (status, i) => (answers.no(i) ? 1 : status));

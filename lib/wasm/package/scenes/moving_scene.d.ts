@@ -22,6 +22,13 @@ export interface FoundHandles {
     status: Uint8Array;
 }
 
+/** Boxes in the tree, rounded outward. */
+export interface InstanceBoxes {
+    min: Float32Array;
+    max: Float32Array;
+    status: Uint8Array;
+}
+
 /** Pairs of slots: a < b. */
 export interface InstancePairs {
     a: Uint32Array;
@@ -101,6 +108,8 @@ export class MovingScene {
      * is. Give all instances of a step in one call, which renews the tree once.
      */
     move(handles: Handles, places: Places): Uint8Array;
+    /** Returns the boxes of instances in the tree. */
+    boxes(handles: Handles): InstanceBoxes;
     /** Sets the masks of instances and returns the status of each. */
     setMasks(handles: Handles, masks: Integers): Uint8Array;
     /** Sets the program's numbers of instances and returns the status of each. */

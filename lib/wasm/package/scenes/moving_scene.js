@@ -134,6 +134,15 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
         });
     }
 
+    boxes(handles) {
+        const named = fieldsOfHandles(handles);
+        return this.batch(Object.values(named), (batch) => {
+            const boxes = batch.allocateRecords('box_result');
+            batch.functions.wasm_moving_scene_boxes(boxes, this.#addresses.scene, batch.placeRecords('instance_handle', named), batch.count);
+            return batch.columns('box_result', boxes);
+        });
+    }
+
     repack() {
         this.#change([], ({ functions }, scene) => functions.espalier_moving_scene_repack(scene));
     }

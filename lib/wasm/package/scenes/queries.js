@@ -39,6 +39,12 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
         });
     }
 
+    candidates(box, options) {
+        refuseFilter(options, 'candidates');
+        return this.#ofShapes(box, ['box'], [], options, (batch, name, boxes, selection) =>
+            lists(batch, 'scene_candidate', 'wasm_scene_candidates', name, boxes, selection));
+    }
+
     overlaps(shape, options) {
         return this.#ofShapes(shape, VOLUMES, [], options, (batch, name, shapes, selection) => {
             const answers = batch.allocate(batch.count);

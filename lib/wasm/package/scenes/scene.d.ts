@@ -1,5 +1,5 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
-import type { FilterOptions, Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
+import type { Box, FilterOptions, Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
 import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from '../results.js';
 
 export interface MaskOptions {
@@ -23,6 +23,9 @@ export interface SceneSweepHits extends SweepHits, InstanceIds {}
 export interface SceneTriangles extends InstanceIds {
     triangle: Uint32Array;
 }
+
+/** Instances near boxes. */
+export interface SceneCandidates extends InstanceIds {}
 
 /** An integer of 32 bits for each instance, or one that serves all. */
 export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonly number[];
@@ -60,6 +63,11 @@ export interface SceneQueries {
     allHits(origins: Vectors, directions: Vectors, options?: RayOptions & SceneOptions): Lists<SceneRayHits>;
     /** Returns the closest point of any surface to each point. */
     closestPoint(points: Vectors, maxDistance?: number, options?: MaskOptions): SceneClosestPoints;
+    /**
+     * Returns the instances whose boxes in the tree touch each box, for queries of your own, in ascending order. These boxes
+     * are larger than their instances.
+     */
+    candidates(box: Box, options?: MaskOptions): Lists<SceneCandidates>;
     /** Returns whether any triangle touches each shape. */
     overlaps(shape: Volume, options?: SceneOptions): YesNo;
     /** Returns the triangles that touch each shape, in ascending order of instances. */
@@ -89,4 +97,6 @@ export class Scene {
     /** Releases the memory. All later queries throw QueryError. Freeing again does nothing. */
     free(): void;
     instances(): Instances;
+    /** Returns for each instance whether rays are rounded once for it and others, so that none passes between them. */
+    isOnCommonLattice(): YesNo;
 }

@@ -1,6 +1,7 @@
 // Baked scenes: many instances of blobs, each with a place in the world, in one file.
 import { flagsOf } from '../filters.js';
 import { Opened } from '../memory/opened.js';
+import { YesNo } from '../results.js';
 import { withSceneQueries } from './queries.js';
 
 export class Scene extends withSceneQueries(Opened, { sorts: false }) {
@@ -43,6 +44,16 @@ export class Scene extends withSceneQueries(Opened, { sorts: false }) {
             const instances = batch.allocateRecords('instance', count);
             batch.functions.wasm_scene_instances(instances, batch.view);
             return batch.columns('instance', instances, count);
+        });
+    }
+
+    /// Returns for each instance whether rays are rounded once for it and others.
+    isOnCommonLattice() {
+        const count = this.instanceCount;
+        return this.batch([], (batch) => {
+            const answers = batch.allocate(count);
+            batch.functions.wasm_scene_on_common_lattice(answers, batch.view);
+            return new YesNo(batch.copy(Uint8Array, answers, count));
         });
     }
 
