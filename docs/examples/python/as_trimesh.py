@@ -1,80 +1,63 @@
-"""Espalier in the shape of trimesh's back ends for rays, proximity and collisions. Needs no trimesh.
+"""Measures a part by espalier.trimesh: what rays hit, how thick it is, and what it collides with.
 
-    blob = bake_trimesh(mesh)                      # anything with .vertices and .faces
-    Rays(blob).intersects_location(origins, directions)
-    Proximity(blob).signed_distance(points)
+    as_trimesh.py [MESH]
+
+MESH is a file that trimesh reads. Without one, and without trimesh, the part is a tube that is made here.
 """
 
+import sys
+import types
 from typing import Any
 
 import numpy as np
 
-import espalier
-from espalier import Status
+import espalier.trimesh
 
 
-def bake_trimesh(mesh: Any, **options: Any) -> espalier.Blob:
-    """Bakes a mesh with `vertices` and `faces`."""
-    return espalier.bake(mesh.vertices, mesh.faces, original_ids=True, **options)
+def tube(sides: int = 64) -> Any:
+    """Returns a closed tube, 2 long, of the radii 0.75 and 1: anything with vertices and faces is a mesh."""
+    turn = np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    rings = [(1.0, -1.0), (1.0, 1.0), (0.75, 1.0), (0.75, -1.0)]
+    vertices = np.concatenate([np.stack([r * np.cos(turn), r * np.sin(turn), 0 * turn + z], -1) for r, z in rings])
+    ring, side = np.meshgrid(np.arange(4), np.arange(sides), indexing="ij")
+    at = lambda i, j: (i % 4) * sides + j % sides
+    a, b, c, d = at(ring, side), at(ring, side + 1), at(ring + 1, side + 1), at(ring + 1, side)
+    return types.SimpleNamespace(vertices=vertices, faces=np.stack([a, b, c, a, c, d], -1).reshape(-1, 3))
 
 
-class Rays:
-    """mesh.ray: triangles are those of the mesh. Each crossing of an edge counts once, as multiple hits."""
+def load(path: str) -> Any:
+    import trimesh
 
-    def __init__(self, blob: espalier.Blob) -> None:
-        self.blob = blob
-
-    def intersects_any(self, origins: Any, directions: Any) -> Any:
-        return self.blob.occluded(origins, directions).value_or(False)
-
-    def intersects_first(self, origins: Any, directions: Any) -> Any:
-        view = self.blob.raycast_sources(origins, directions)
-        return np.where(view.sources["status"] == Status.OK, view.sources["triangle"].astype(np.int64), -1)
-
-    def intersects_location(self, origins: Any, directions: Any, multiple_hits: bool = True) -> Any:
-        """Returns (locations, numbers of rays, numbers of triangles)."""
-        blob, origins, directions = self.blob, np.asarray(origins, np.float32), np.asarray(directions, np.float32)
-        lists = blob.crossings(origins, directions) if multiple_hits else blob.closest_hits(origins, directions, 1)
-        rays = lists.queries()
-        places = origins[rays].astype(float) + lists.items["t"].astype(float)[:, None] * directions[rays]
-        return places, rays, blob.original_hits(lists.items)["triangle"].astype(np.int64)
-
-    def contains_points(self, points: Any) -> Any:
-        return self.blob.contains(points).value_or(False)
+    return trimesh.load(path, force="mesh")
 
 
-class Proximity:
-    """trimesh.proximity.ProximityQuery."""
+def main(arguments: list[str]) -> None:
+    mesh = load(arguments[0]) if arguments else tube()
+    rays, query = espalier.trimesh.RayMeshIntersector(mesh), espalier.trimesh.ProximityQuery(mesh)
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    middle, size = (low + high) / 2, np.linalg.norm(high - low)
 
-    def __init__(self, blob: espalier.Blob) -> None:
-        self.blob = blob
+    # A fan of rays through the middle: where they enter and leave, and how much of the part they pass through.
+    angles = np.linspace(0, np.pi, 32, endpoint=False)
+    ways = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1)
+    places, numbers, _ = rays.intersects_location(ray_origins=middle - size * ways, ray_directions=ways)
+    print(f"{len(places)} crossings of {len(ways)} rays")
+    for number in range(3):
+        along = (places[numbers == number] - middle) @ ways[number]
+        print(f"  ray {number}: {np.round(along, 4)}")
 
-    def on_surface(self, points: Any) -> Any:
-        """Returns (closest points, distances, numbers of triangles)."""
-        found = self.blob.closest_point(points)
-        return found["point"], found["distance"], self.blob.original_triangles(found["triangle"])["triangle"]
+    # Distances: positive inside, as trimesh has them.
+    points = middle + np.linspace(0, 1, 5)[:, None] * [size / 2, 0, 0]
+    print("distances", np.round(query.signed_distance(points), 4))
 
-    def signed_distance(self, points: Any) -> Any:
-        """Positive inside, as trimesh has it. NaN for a surface that is not closed."""
-        found = self.blob.signed_distance(points)
-        return np.where(found["status"] == Status.OK, -found["distance"], np.nan)
+    # A copy beside it.
+    manager = espalier.trimesh.CollisionManager()
+    manager.add_object("part", mesh)
+    aside = np.eye(4)
+    aside[0, 3] = 1.5 * (high - low)[0]
+    print("collides with itself:", manager.in_collision_single(mesh))
+    print(f"a copy aside is {manager.min_distance_single(mesh, aside):.4f} away")
 
 
-class Collisions:
-    """trimesh.collision.CollisionManager: named blobs, each with a matrix (4, 4) of its place."""
-
-    def __init__(self) -> None:
-        self.objects: dict[str, tuple[espalier.Blob, Any]] = {}
-
-    def add_object(self, name: str, blob: espalier.Blob, transform: Any = np.eye(4)) -> None:
-        self.objects[name] = (blob, espalier.transform_from_matrix(transform))
-
-    def in_collision_single(self, blob: espalier.Blob, transform: Any = np.eye(4)) -> bool:
-        return any(self._with_each(espalier.pairs.overlaps, blob, transform, lambda answer: bool(answer.yes)))
-
-    def min_distance_single(self, blob: espalier.Blob, transform: Any = np.eye(4)) -> float:
-        return min(self._with_each(espalier.pairs.distance, blob, transform, lambda found: float(found["distance"])))
-
-    def _with_each(self, query: Any, blob: espalier.Blob, transform: Any, use: Any) -> Any:
-        place = espalier.transform_from_matrix(transform)
-        return (use(query(other, blob, at, place)) for other, at in self.objects.values())
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -63,7 +63,11 @@ hit = view.hits["status"] == espalier.Status.OK
 # %% Shadows and distance: rays from the places that were hit to the light, and the height of the knot above the ground.
 light = np.array([-4.0, -3.0, 9.0])
 normal = view.hits["normal"] * np.where(view.hits["side"] == espalier.Side.BACK, -1, 1)[..., None]
-lifted = np.where(hit[..., None], view.points, 0) + 4 * blob.max_error * normal
+places = np.where(hit[..., None], view.points, 0)
+# A ray to the light must not hit the ground that it starts from: both rays are rounded, by up to these lengths.
+rounded = (blob.rounding_error(espalier.Ray(eye, directions))["value"]
+           + blob.rounding_error(espalier.Ray(places, light - places))["value"])
+lifted = places + 2 * rounded[..., None] * normal
 shadow = blob.occluded(lifted, light - lifted, t_max=1.0, threads=0).value_or(False)
 slope = np.clip(np.einsum("ijk,ijk->ij", normal, (light - lifted) / np.linalg.norm(light - lifted, axis=-1, keepdims=True)), 0, 1)
 brightness = 0.25 + 0.75 * slope * ~shadow
