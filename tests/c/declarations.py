@@ -127,6 +127,13 @@ def cpp_functions():
     return found
 
 
+def baker_functions():
+    """Returns the functions of bake.hpp outside of classes."""
+    header = LIBRARY / "bake.hpp"
+    code = without(plain(header.read_text()), r"namespace detail \{")
+    yield from functions_in(without(code, r"\b(?:class|struct) (?:\[\[\w+\]\] )?(?:\w+ )?\{"), "", header, {})
+
+
 def classes(code):
     pattern = re.compile(r"\b(?:class|struct) (?:\[\[\w+\]\] )?(\w+) \{")
     return [(match[1], code[match.end():closed(code, match.end(), "{}") - 1]) for match in pattern.finditer(code)]
