@@ -18,7 +18,7 @@ test('edges have kinds and correct normals', () => {
     assert.deepStrictEqual([...new Set(kinds.ab.subarray(0, body.triangleCount))].every((kind) => kind <= EdgeKind.BOUNDARY), true);
     assert.deepStrictEqual([kinds.status[0], kinds.status.at(-1)], [Status.OK, Status.INVALID_ARGUMENT]);
     assert.deepStrictEqual([...body.fixInternalEdgeNormals(0, Feature.FACE, [1, 2, 3, 4, 5, 6])], [1, 2, 3, 4, 5, 6]);
-    throws(RangeError, /features/, () => body.fixInternalEdgeNormals(0, 7, [0, 0, 1]));
+    throws(() => body.fixInternalEdgeNormals(0, 7, [0, 0, 1]), RangeError, /features/);
 });
 
 test('reduced contacts are some of those that were given, the deepest first', () => {
@@ -36,7 +36,7 @@ test('reduced contacts are some of those that were given, the deepest first', ()
     const touches = pairs.touches(body, { blob: body, translation: [0.5, 0, 0] }), points = pairs.touchContacts(touches);
     assert.strictEqual(points.items.distance.length, touches.items.count.reduce((sum, count) => sum + count, 0));
     assert.ok(library.reduceContacts(points).end(0) <= 4);
-    throws(TypeError, /lists/, () => library.reduceContacts(body.closestTriangles(near, 2)));
+    throws(() => library.reduceContacts(body.closestTriangles(near, 2)), TypeError, /lists/);
 });
 
 test('rounding moves queries by little, and sweeps by more', () => {
@@ -48,7 +48,7 @@ test('rounding moves queries by little, and sweeps by more', () => {
         assert.strictEqual(value.length, 200);
     }
     assert.ok(swept.value[0] >= spheres.value[0]);
-    throws(RangeError, /kind of a shape/, () => body.roundingError({ kind: 'convexHull', vertices: near }));
+    throws(() => body.roundingError({ kind: 'convexHull', vertices: near }), RangeError, /kind of a shape/);
 });
 
 test('accuracies lose no yes', () => {
@@ -73,7 +73,7 @@ test('stored bounds hold all corners', async () => {
     }
     assert.strictEqual(body.orientedBounds().halfAxes.length, 9);
     const plain = await library.bake(lumpyBody());
-    throws(QueryError, /./, () => plain.boundingSphere());
+    throws(() => plain.boundingSphere(), QueryError, /./);
 });
 
 test('candidates and boxes of instances', async () => {
