@@ -61,11 +61,11 @@ class MovingScene(SceneQueries):
         for each in self._blobs:
             if not isinstance(each, Blob):
                 raise TypeError(f"blobs must be Blob objects, not {type(each).__name__}; scenes are given as tiles")
-        for each in self._tiles:
-            if not isinstance(each, Scene):
-                raise TypeError(f"tiles must be Scene objects, not {type(each).__name__}")
+        for tile in self._tiles:
+            if not isinstance(tile, Scene):
+                raise TypeError(f"tiles must be Scene objects, not {type(tile).__name__}")
 
-    def _cores(self) -> tuple[list[_core.Blob], list[_core.Scene]]:
+    def _cores(self) -> tuple[list[Any], list[Any]]:
         return [blob._core for blob in self._blobs], [tile._core for tile in self._tiles]
 
     @property
