@@ -1,6 +1,6 @@
 // Uses every declaration of index.d.ts and of the files that it names.
 import {
-    BakeError, Blob, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
+    BakeError, Blob, EdgeKind, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
     VerifyError, YesNo, type BakedPairs, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type CollectedPairs, type Contacts,
     type ConvexHull, type ConvexVolume, type Corners, type Espalier, type Flags, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
     type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
@@ -104,6 +104,18 @@ const corners: Corners = blob.corners(hits.triangle);
 const sources: OriginalHits = blob.originalHits(hits);
 const materials: Uint16Array = blob.materials([0, 1]);
 blob.originalTriangles(0);
+const kept = library.reduceContacts(blob.contacts({ kind: 'sphere', center: origins, radius: 1 }, 16));
+const ofTouches = library.reduceContacts(pairs.touchContacts(pairs.touches(blob, other)));
+const bends: number[] = [...blob.edgeKinds([0, 1]).ab, ...blob.fixInternalEdgeNormals(0, Feature.EDGE_AB, origins), EdgeKind.FLAT];
+const rounded: Float32Array[] = [blob.roundingError(origins), blob.roundingError({ kind: 'ray', origin: origins, direction: origins }),
+    blob.roundingError({ kind: 'box', min: origins, max: origins }, origins)].map(({ value }) => value);
+const coarse: boolean[] = [blob.occluded(origins, origins, { accuracy: 1 }).yes(0),
+    blob.overlaps({ kind: 'sphere', center: origins, radius: 1 }, { accuracy: 1 }).yes(0), blob.distanceBounds(origins, 1).lower[0] > 0];
+const bounding = [blob.boundingSphere().radius, blob.orientedBounds().center, blob.kDopBounds().low, blob.triangles(), library.describe(Status.OK)];
+const { blob: pose, quality } = blob.refit(origins);
+if (blob.isDeformable) console.log(pose.triangleCount, quality, kept.items.distance, ofTouches.length, bends, rounded, coarse, bounding);
+const nearBox = [scene, moving].map((each) => each.candidates({ kind: 'box', min: origins, max: origins }).items.instance);
+console.log(nearBox, moving.boxes(handles).min, scene.isOnCommonLattice().no(0));
 blob.free();
 const errors: EspalierError[] = [];
 for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
