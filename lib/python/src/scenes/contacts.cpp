@@ -118,9 +118,9 @@ QueryStatus append_deepest(const Scene& scene, const Body& body, float margin, s
     if (!(margin >= 0.0f) || std::isinf(margin)) return QueryStatus::invalid_argument;
     const auto [box, refusal] = box_around(body);
     if (is_refused(refusal)) return refusal;
+    const Box around = widened(box, margin);
     Growing<InstanceId> near;
-    QueryStatus status =
-        append(near, [&](const auto& push) { return for_each_candidate(scene, widened(box, margin), push, mask); });
+    QueryStatus status = append(near, [&](const auto& push) { return for_each_candidate(scene, around, push, mask); });
     const std::size_t before = all.count();
     bool is_full = false;
     for (const InstanceId instance : near.from(0)) {
