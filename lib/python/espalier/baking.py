@@ -12,8 +12,7 @@ from . import _core
 from .blob import PROFILES, Blob
 from .errors import BakeError
 from .integers import integer_array
-from .mesh_files import Path, read_files
-from .meshes import Mesh
+from .mesh_files import Mesh, Path, read_files
 
 EFFORTS = ("fast", "normal", "best")
 BUILDERS = ("binned_sah", "sweep_sah", "spatial_splits", "agglomerative", "linear", "insertion")

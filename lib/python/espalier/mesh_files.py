@@ -1,4 +1,4 @@
-"""Reading the meshes of files, by the reader of the command."""
+"""Meshes as arrays, and those of files, by the reader of the command."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ import sys
 import warnings
 from typing import Any, NamedTuple, Optional, Sequence, Union
 
+from numpy.typing import ArrayLike
+
 from .errors import MeshFileError
-from .meshes import Mesh
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -16,6 +17,23 @@ _STATUSES = ("ok", "invalid_options", "file_access", "invalid_input", "unsupport
 _AXES = ("x", "y", "z")
 # Ratios, so that each is the double that the command takes.
 _UNITS = {"m": 1.0, "km": 1000.0, "cm": 1 / 100, "mm": 1 / 1000, "um": 1 / 1e6, "in": 254 / 1e4, "ft": 3048 / 1e4}
+
+
+class Mesh(NamedTuple):
+    """A mesh of several that are baked into one blob."""
+
+    positions: ArrayLike
+    """(n, 3), in the source's units"""
+    triangles: ArrayLike
+    """(m, 3): numbers of positions, counter-clockwise when seen from the front"""
+    materials: Optional[ArrayLike] = None
+    """(m,): 0 to 65535"""
+    name: str = ""
+    """for messages"""
+    file: int = 0
+    """for the sources of hits"""
+    mesh: int = 0
+    """for the sources of hits"""
 
 
 class MeshFileWarning(UserWarning):
