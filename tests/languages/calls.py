@@ -51,7 +51,7 @@ STRUCTURE = "a structure or an array, whose fields are read"
 # Why a language has no counterpart: patterns of the calls of C++, as the test lists them.
 REASONS = [
     ((P, J), WHOLE_NUMBERS, r".*Lattice(Box|Segment|Point).*|to_lattice\(.*"),
-    ((P, J), ONE_LATTICE, r".*RoundedRay.*|round_ray\(.*|lattice_of\(.*|BakedScene::common_lattice\(\)"),
+    ((P, J), ONE_LATTICE, r".*RoundedRay.*|round_ray\(.*|lattice_of\(.*|(Baked|Moving)Scene::common_lattice\(\)"),
     # With an accuracy, the counters are an argument that can be left out.
     ((P, J), COUNTERS, r"(?!.*Accuracy).*(QueryCounters|PairCounters|SceneCounters).*"),
     ((J,), HELD_BY_ESPALIER, r"describe\(QueryStatus\)"),

@@ -291,6 +291,15 @@ def test_queries_and_changes_of_many_threads(scene, random):
     assert set(answers) == set(expected)
 
 
+def test_instances_moved_by_whole_steps_of_the_world_are_on_its_lattice():
+    tile = espalier.bake([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], step_exponent=-10)
+    scene = espalier.MovingScene([tile], 3, -10)
+    handles = scene.insert(espalier.transform(translation=[(0, 0, 0), (1, 0, 0), (1, 0, 2**-12)]))
+    assert scene.is_on_common_lattice(handles).tolist() == [True, True, False]
+    scene.remove(handles[:1])
+    assert scene.is_on_common_lattice(handles).tolist() == [False, True, False]
+
+
 def test_messages(blob, scene):
     handles = scene.handles()
     for call, error, message in (

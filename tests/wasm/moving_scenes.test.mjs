@@ -42,6 +42,15 @@ test('instances come and move and go', () => {
     assert.deepStrictEqual([...scene.move(one(handles, 1), {})], [Status.STALE_HANDLE]);
 });
 
+test('instances that are moved by whole steps of the world are on its lattice', async () => {
+    const tile = await library.bake({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] }, { stepExponent: -10 });
+    const scene = library.createMovingScene([tile], 3), handles = scene.insert({ translation: [0, 0, 0, 1, 0, 0, 1, 0, 2 ** -12] });
+    const answers = scene.isOnCommonLattice(handles);
+    assert.deepStrictEqual([0, 1, 2].map((i) => answers.yes(i)), [true, true, false]);
+    scene.remove(one(handles, 0));
+    assert.deepStrictEqual([...scene.isOnCommonLattice(handles).status], [Status.STALE_HANDLE, Status.OK, Status.OK]);
+});
+
 test('masks and users belong to instances', () => {
     const { scene, handles } = row();
     assert.deepStrictEqual([1, 2].map((mask) => scene.raycast(...rayAt(5), { mask }).t[0]), [Infinity, 9]);

@@ -127,6 +127,13 @@ class MovingScene(SceneQueries):
         """Returns the boxes of instances in the tree, rounded outward: an array of BOX. handles: (...), of HANDLE."""
         return self._core.boxes(_handle_rows(handles))
 
+    def is_on_common_lattice(self, handles: ArrayLike) -> NDArray[np.bool_]:
+        """Returns whether rays are rounded once for each instance and others, so that none passes between them.
+
+        handles: (...), of HANDLE. False for one that is stale.
+        """
+        return self._core.on_common_lattice(_handle_rows(handles))
+
     def insert(self, places: ArrayLike, meshes: ArrayLike = 0, *, masks: Optional[ArrayLike] = None,
                users: Optional[ArrayLike] = None) -> NDArray[Any]:
         """Inserts instances and returns their handles, (n,): an array of HANDLE.

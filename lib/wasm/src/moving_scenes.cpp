@@ -94,6 +94,18 @@ extern "C" [[clang::export_name("wasm_moving_scene_instances")]] void wasm_movin
     for (std::uint32_t slot = 0; slot < end; ++slot) instances[slot] = instance_in(scene, slot);
 }
 
+/// Writes whether rays are rounded once for each instance and others.
+extern "C" [[clang::export_name("wasm_moving_scene_on_common_lattice")]] void wasm_moving_scene_on_common_lattice(
+    espalier_yes_no* answers, const espalier_moving_scene* scene, const espalier_instance_handle* handles,
+    std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const espalier_query_status status = espalier_moving_scene_box_of(scene, handles[i]).status;  // of a stale one
+        answers[i] = {status};
+        if (status == ESPALIER_QUERY_OK)
+            answers[i] = espalier_moving_scene_is_on_common_lattice(scene, {handles[i].slot, ESPALIER_NO_INSTANCE});
+    }
+}
+
 /// Writes the box of each instance in the tree.
 extern "C" [[clang::export_name("wasm_moving_scene_boxes")]] void wasm_moving_scene_boxes(
     espalier_box_result* boxes, const espalier_moving_scene* scene, const espalier_instance_handle* handles,

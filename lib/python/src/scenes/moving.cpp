@@ -134,6 +134,20 @@ py::array boxes_of(const HeldMovingScene& self, const Handles::Array& given) {
     return results;
 }
 
+/// Returns whether rays are rounded once for each instance and others; false for a handle that is stale.
+py::array on_common_lattice(const HeldMovingScene& self, const Handles::Array& given) {
+    const Handles handles(given);
+    py::array results(py::dtype::of<bool>(), shape_of(handles.statuses()));
+    auto* out = static_cast<bool*>(results.mutable_data());
+    shared(self, [&] {
+        for (std::size_t i = 0; i < handles.count(); ++i) {
+            const InstanceHandle handle = handles.at(i);
+            out[i] = box_of(self.scene, handle) && is_on_common_lattice(self.scene, InstanceId{handle.slot}).yes();
+        }
+    });
+    return results;
+}
+
 using Words = py::array_t<std::uint32_t, py::array::c_style>;
 
 /// Sets the mask or the user's number of each instance.
@@ -244,6 +258,7 @@ void bind_moving_scenes(py::module_& module) {
         .def("move", move_all)
         .def("set_words", set_words)
         .def("boxes", boxes_of)
+        .def("on_common_lattice", on_common_lattice)
         .def("set_mesh", set_mesh)
         .def("repack", [](HeldMovingScene& self) { alone(self, [&] { repack(self.scene); }); })
         .def("end_step", [](HeldMovingScene& self) { alone(self, [&] { end_step(self.scene); }); });

@@ -2,6 +2,7 @@
 import type { Places } from '../arguments.js';
 import type { Blob } from '../index.js';
 import type { PairOptions } from '../pairs.js';
+import type { YesNo } from '../results.js';
 import type { Instances, InstancesToBake, Integers, Scene, SceneQueries } from './scene.js';
 
 export interface MovingSceneOptions {
@@ -110,6 +111,8 @@ export class MovingScene {
     move(handles: Handles, places: Places): Uint8Array;
     /** Returns the boxes of instances in the tree. */
     boxes(handles: Handles): InstanceBoxes;
+    /** Returns whether rays are rounded once for each instance and others, so that none passes between them. */
+    isOnCommonLattice(handles: Handles): YesNo;
     /** Sets the masks of instances and returns the status of each. */
     setMasks(handles: Handles, masks: Integers): Uint8Array;
     /** Sets the program's numbers of instances and returns the status of each. */

@@ -5,6 +5,7 @@ import { OpenError, QueryError } from '../errors.js';
 import { flagsOf, refuseFilter } from '../filters.js';
 import { Held, Memory, releaseAll } from '../memory/held.js';
 import { fieldsOfPlaces } from '../places.js';
+import { YesNo } from '../results.js';
 import { fieldsOfHandles, fieldsOfInstances } from './instances.js';
 import { collectPairs } from './pairs.js';
 import { withSceneQueries } from './queries.js';
@@ -140,6 +141,16 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
             const boxes = batch.allocateRecords('box_result');
             batch.functions.wasm_moving_scene_boxes(boxes, this.#addresses.scene, batch.placeRecords('instance_handle', named), batch.count);
             return batch.columns('box_result', boxes);
+        });
+    }
+
+    isOnCommonLattice(handles) {
+        const named = fieldsOfHandles(handles);
+        return this.batch(Object.values(named), (batch) => {
+            const answers = batch.allocate(batch.count);
+            batch.functions.wasm_moving_scene_on_common_lattice(answers, this.#addresses.scene,
+                batch.placeRecords('instance_handle', named), batch.count);
+            return new YesNo(batch.copy(Uint8Array, answers));
         });
     }
 
