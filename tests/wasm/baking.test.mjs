@@ -137,8 +137,8 @@ test('joined borders carry a ball over the seam', async () => {
     const ground = (x) => ({ positions: [x, -4, 0, x + 4, -4, 0, x + 4, 4, 0, x, 4, 0], triangles: [0, 1, 2, 0, 2, 3] });
     const options = { stepExponent: -8, flatAngle: 5 };
     const tiles = [await library.bake(ground(-4), options), await library.bake(ground(8), options)], translations = [0, 0, 0, -8, 0, 0];
-    const leaning = ([left, right]) => [...left.contacts({ kind: 'sphere', center: [0.1, 0, 0.24], radius: 0.25 }, 4, 0.05).normal.filter((_, i) => i % 3 === 0),
-        ...right.contacts({ kind: 'sphere', center: [8.1, 0, 0.24], radius: 0.25 }, 4, 0.05).normal.filter((_, i) => i % 3 === 0)].some((x) => x !== 0);
+    const leaning = ([left, right]) => [...left.contacts({ kind: 'sphere', center: [0.1, 0, 0.24], radius: 0.25 }, 4, 0.05).items.normal.filter((_, i) => i % 3 === 0),
+        ...right.contacts({ kind: 'sphere', center: [8.1, 0, 0.24], radius: 0.25 }, 4, 0.05).items.normal.filter((_, i) => i % 3 === 0)].some((x) => x !== 0);
     assert.ok(leaning(tiles));
     assert.ok(!leaning(await library.joinBorders(tiles, translations)));
     await rejects(library.joinBorders(tiles, [0, 0, 0, 0.001, 0, 0]), BakeError, /blob 1 does not lie/);
