@@ -58,7 +58,8 @@ struct Contact {
 /// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(). A hull is refused as by
 /// sweep(), and from 2^29 lattice steps on (out_of_range); one that is farther away than the margin has no contacts.
 /// Cost: expected O(log n + k * places) for k triangles, times the edges of a hull, whose faces are found in
-/// O(vertices^2); and of a closed surface that of contains(). With up to 4 places the nearest are looked for first, so
+/// O(vertices^2); and of a closed surface that of contains(). With edge flags, a place on an internal edge or corner
+/// costs the ways down to the triangles around it. With up to 4 places the nearest are looked for first, so
 /// that a large margin costs little more than closest_point().
 Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
 Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;

@@ -42,11 +42,14 @@ public:
         const std::uint64_t duplicates = blob_.duplicate_reference_count();
         return for_walks(1 + other_walks + duplicates, duplicates);
     }
-    /// For contacts: whether the middle is inside, the closest point of it, then a list. Small code searches the leaf
-    /// of each triangle of the list.
+    /// For contacts: whether the middle is inside, the closest point of it, then a list. With edge flags the closest
+    /// point of the middle once more, and each triangle of the list looks for those at its edges and corners, and for
+    /// those at its place. Small code searches the leaf of each triangle of the list.
     [[nodiscard]] const Blob& for_contacts() const {
         const std::uint64_t duplicates = blob_.duplicate_reference_count();
-        return for_walks(3 + 2 * duplicates, 2 * duplicates + (detail::small_code ? blob_.triangle_count() : 0));
+        const std::uint64_t around = blob_.has_edge_flags() ? 1 + 7 * std::uint64_t{blob_.triangle_count()} : 0;
+        return for_walks(3 + around + 2 * duplicates,
+                         2 * duplicates + (detail::small_code ? blob_.triangle_count() : 0));
     }
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
     /// one way down. With duplicate references many pairs may be, each before a walk that counts.
