@@ -1,10 +1,12 @@
-// Bodies as find_contacts() takes them: each has its middle, how far it reaches from there in a direction, what of it
-// is nearest to the surface and how far the rest reaches from that (at least and at most), a box or shape around it and
-// its margin, and its kernel.
+// Bodies as find_contacts() takes them. The search is compiled once for all of them: a copy for each shape would take
+// 18 KB of code and save nothing that can be measured.
 #pragma once
+
+#include <type_traits>
 
 #include <espalier/distance.hpp>
 #include <espalier/shapes.hpp>
+#include <runtime/answers/answer.hpp>
 #include <runtime/contacts/hull_body.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/lattice/rounder.hpp>
@@ -14,25 +16,79 @@ namespace espalier::detail::contacts {
 /// No vector is longer than that.
 inline float sum_of_coordinates(const Vec3& a) { return absolute(a.x) + absolute(a.y) + absolute(a.z); }
 
+/// What the search asks of a body, rounded for a blob.
+struct Body {
+    Integer3 middle;    ///< in units of 2^-fraction_bits lattice steps
+    int fraction_bits;  ///< of the middle
+    float radius;       ///< lattice steps; 0 for shapes without one
+
+    // Of the caller's shape, in the caller's units:
+    const void* shape;
+    Vec3 shape_middle;
+    float least_reach;  ///< how far it reaches, at least, from what of it nearest() measures
+    float most_reach;   ///< and at most
+
+    struct Functions {
+        void (*touch)(Body& self, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                      Touches& touches);
+        /// How far it reaches from its middle against a unit vector.
+        float (*reach_of)(const void* shape, const Vec3& way);
+        ClosestPoint (*nearest)(const Blob& blob, const void* shape, float within);
+        /// Hands over the triangles that are no farther away than the margin, and maybe others.
+        QueryStatus (*find_near)(const BlobData& blob, const void* shape, float margin, Each& answer);
+    };
+    const Functions* functions;
+
+    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
+        return relative_to(middle, fraction_bits, triangle);
+    }
+    /// Writes how it touches a triangle, or is no farther from it than `reach`, in lattice steps without the radius.
+    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
+        functions->touch(*this, triangle, side, reach, touches);
+    }
+
+protected:
+    template <class OwnBody, class Shape>
+    void refer_to(const Shape& own) {
+        static constexpr Functions of_body = {
+            [](Body& self, const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
+                static_cast<OwnBody&>(self).touch_triangle(triangle, side, reach, touches);
+            },
+            [](const void* of, const Vec3& way) { return OwnBody::reach_of(*static_cast<const Shape*>(of), way); },
+            [](const Blob& blob, const void* of, float within) {
+                return OwnBody::nearest(blob, *static_cast<const Shape*>(of), within);
+            },
+            [](const BlobData& blob, const void* of, float margin, Each& answer) {
+                const auto grown = OwnBody::grown(*static_cast<const Shape*>(of), margin);
+                return find_overlaps_of<std::remove_const_t<decltype(grown)>>(blob, &grown, answer, exactly);
+            }};
+        functions = &of_body;
+        shape = &own;
+        shape_middle = OwnBody::middle_of(own);
+        least_reach = OwnBody::least_reach_of(own);
+        most_reach = OwnBody::most_reach_of(own);
+    }
+};
+
 /// A sphere.
-struct SphereBody {
+struct SphereBody : Body {
     RoundedPoint center;
-    float radius;  ///< lattice steps
 
     QueryStatus round(const BlobData& blob, const Sphere& sphere, float margin) {
+        refer_to<SphereBody>(sphere);
         radius = radius_in_steps(blob, sphere.radius);
-        return round_point(blob, sphere.center, sphere.radius + margin, center);
+        const QueryStatus status = round_point(blob, sphere.center, sphere.radius + margin, center);
+        middle = {center.origin[0], center.origin[1], center.origin[2]};
+        fraction_bits = center.fraction_bits;
+        return status;
     }
-    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const { return relative_to(center, triangle); }
-    [[nodiscard]] int fraction_bits() const { return center.fraction_bits; }
-    void touch(const LatticeTriangle& triangle, const FacingSide& side, float, Touches& touches) const {
+    void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float, Touches& touches) const {
         touch_point(center, triangle, side, touches);
     }
     static Vec3 middle_of(const Sphere& sphere) { return sphere.center; }
     static float reach_of(const Sphere& sphere, const Vec3&) { return sphere.radius; }
-    static float least_margin(const Sphere& sphere) { return -sphere.radius; }
-    static float least_reach(const Sphere& sphere) { return sphere.radius; }
-    static float most_reach(const Sphere& sphere) { return sphere.radius; }
+    static float least_reach_of(const Sphere& sphere) { return sphere.radius; }
+    static float most_reach_of(const Sphere& sphere) { return sphere.radius; }
     static ClosestPoint nearest(const Blob& blob, const Sphere& sphere, float within) {
         return closest_point(blob, sphere.center, within);
     }
@@ -40,22 +96,20 @@ struct SphereBody {
 };
 
 /// A capsule.
-struct CapsuleBody {
+struct CapsuleBody : Body {
     RoundedSegment segment;
-    Integer3 doubled_middle;
-    float radius;
 
     QueryStatus round(const BlobData& blob, const Capsule& capsule, float) {
+        refer_to<CapsuleBody>(capsule);
         radius = radius_in_steps(blob, capsule.radius);
         const QueryStatus status = round_segment(blob, {capsule.from, capsule.to}, segment);
-        if (status == QueryStatus::ok) doubled_middle = segment.from + segment.to;
+        if (status == QueryStatus::ok) {
+            middle = segment.from + segment.to;
+            fraction_bits = segment.fraction_bits + 1;
+        }
         return status;
     }
-    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
-        return relative_to(doubled_middle, fraction_bits(), triangle);
-    }
-    [[nodiscard]] int fraction_bits() const { return segment.fraction_bits + 1; }
-    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
+    void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_segment(segment, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const Capsule& capsule) {
@@ -67,9 +121,8 @@ struct CapsuleBody {
         const Vec3 half = {0.5f * b.x - 0.5f * a.x, 0.5f * b.y - 0.5f * a.y, 0.5f * b.z - 0.5f * a.z};
         return capsule.radius + absolute(half.x * way.x + half.y * way.y + half.z * way.z);
     }
-    static float least_margin(const Capsule& capsule) { return -capsule.radius; }
-    static float least_reach(const Capsule& capsule) { return capsule.radius; }
-    static float most_reach(const Capsule& capsule) { return capsule.radius; }
+    static float least_reach_of(const Capsule& capsule) { return capsule.radius; }
+    static float most_reach_of(const Capsule& capsule) { return capsule.radius; }
     static ClosestPoint nearest(const Blob& blob, const Capsule& capsule, float within) {
         return closest_point(blob, Segment{capsule.from, capsule.to}, within);
     }
@@ -79,11 +132,12 @@ struct CapsuleBody {
 };
 
 /// An oriented box.
-struct OrientedBoxBody {
+struct OrientedBoxBody : Body {
     BoxBody box;
-    static constexpr float radius = 0.0f;
 
     QueryStatus round(const BlobData& blob, const OrientedBox& world, float margin) {
+        refer_to<OrientedBoxBody>(world);
+        radius = 0.0f;
         float center[3], half[3][3], spread[3] = {};
         Rounder rounder(blob);
         for (int i = 0; i < 3; ++i) {
@@ -113,13 +167,11 @@ struct OrientedBoxBody {
         }
         for (int i = 0; i < 3; ++i)
             box.face[i] = direction_of(wide_cross(units[i == 2 ? 0 : i + 1], units[i == 0 ? 2 : i - 1]));
+        middle = box.center;
+        fraction_bits = box.fraction_bits;
         return QueryStatus::ok;
     }
-    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
-        return relative_to(box.center, box.fraction_bits, triangle);
-    }
-    [[nodiscard]] int fraction_bits() const { return box.fraction_bits; }
-    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
+    void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_box(box, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const OrientedBox& world) { return world.center; }
@@ -127,9 +179,8 @@ struct OrientedBoxBody {
     static ClosestPoint nearest(const Blob& blob, const OrientedBox& world, float within) {
         return closest_point(blob, world.center, within);
     }
-    static float least_margin(const OrientedBox&) { return 0.0f; }
-    static float least_reach(const OrientedBox&) { return 0.0f; }
-    static float most_reach(const OrientedBox& world) {
+    static float least_reach_of(const OrientedBox&) { return 0.0f; }
+    static float most_reach_of(const OrientedBox& world) {
         float sum = 0.0f;
         for (const Vec3& half : world.half_axes) sum += sum_of_coordinates(half);
         return sum;
@@ -156,13 +207,14 @@ struct OrientedBoxBody {
 };
 
 /// A convex hull.
-struct ConvexHullBody {
+struct ConvexHullBody : Body {
     HullBody hull;
     bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
-    static constexpr float radius = 0.0f;
 
     ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
         if (world.vertices.empty()) return QueryStatus::not_found;
+        refer_to<ConvexHullBody>(world);
+        radius = 0.0f;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
         Rounder rounder(blob);
         for (const Vec3& vertex : world.vertices) {
@@ -184,13 +236,11 @@ struct ConvexHullBody {
             ++count;
         }
         set_vertices(hull, hull.vertex, count, bits);
+        middle = hull.middle;
+        fraction_bits = hull.fraction_bits;
         return QueryStatus::ok;
     }
-    [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
-        return relative_to(hull.middle, hull.fraction_bits, triangle);
-    }
-    [[nodiscard]] int fraction_bits() const { return hull.fraction_bits; }
-    void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
+    void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
         if (!has_faces) find_faces(hull);
         has_faces = true;
         touch_hull(hull, triangle, side, reach, touches);
@@ -210,9 +260,8 @@ struct ConvexHullBody {
     static ClosestPoint nearest(const Blob& blob, const ConvexHull& world, float within) {
         return closest_point(blob, middle_of(world), within);
     }
-    static float least_margin(const ConvexHull&) { return 0.0f; }
-    static float least_reach(const ConvexHull&) { return 0.0f; }
-    static float most_reach(const ConvexHull& world) {
+    static float least_reach_of(const ConvexHull&) { return 0.0f; }
+    static float most_reach_of(const ConvexHull& world) {
         const Vec3 middle = middle_of(world);
         float most = 0.0f;
         for (const Vec3& vertex : world.vertices) most = maximum(most, sum_of_coordinates(vertex - middle));

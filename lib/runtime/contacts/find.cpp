@@ -1,6 +1,4 @@
 // The contacts of a body: the triangles near it, one after the other, and the deepest of their places.
-#include <type_traits>
-
 #include <espalier/contact.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/overlap.hpp>
@@ -16,6 +14,7 @@
 namespace espalier {
 
 using namespace detail;
+using detail::contacts::Body;
 using detail::contacts::CapsuleBody;
 using detail::contacts::ConvexHullBody;
 using detail::contacts::FacingSide;
@@ -67,27 +66,21 @@ private:
 };
 
 /// Takes triangles from the walk.
-template <class Body>
 struct ContactsOf : Each {
     Body& body;
     const Blob& owner;
-    Vec3 middle;  ///< of the caller's body, as radius and margin
-    float radius;
-    float margin;
+    float margin;        ///< in the caller's units
     float margin_steps;  ///< lattice steps
     SortedContacts& sorted;
     float deepest = infinity;  ///< the least distance of the body and a triangle, before any correction
 
-    ContactsOf(const Blob& of_blob, Body& of_body, Vec3 around, float of_radius, float within,
-               const TriangleVisitor& by_id, SortedContacts& into)
+    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, SortedContacts& into)
         : Each(data_of(of_blob), by_id),
           body(of_body),
           owner(of_blob),
-          middle(around),
-          radius(of_radius),
           margin(within),
+          margin_steps(radius_in_steps(data_of(of_blob), within)),
           sorted(into) {
-        margin_steps = radius_in_steps(data_of(of_blob), within);
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
             return static_cast<ContactsOf&>(self).add(index, triangle);
         };
@@ -127,16 +120,16 @@ private:
     /// FacingSide::find_nearest_side. Where only a joined edge or corner is nearest and the middle is far beside it,
     /// the surface goes on below the middle in another blob.
     bool find_side_of_nearest(const Vec3& face, bool& is_behind) {
-        if (nearest_.status == QueryStatus::not_open) nearest_ = closest_point(owner, middle);
+        if (nearest_.status == QueryStatus::not_open) nearest_ = closest_point(owner, body.shape_middle);
         if (!(contacts::dot(face, nearest_.face_normal) > 0.5f)) return true;
         is_behind = nearest_.side == Side::back;
         using contacts::operator-;
         return !is_behind || !internal_features(owner, nearest_.triangle).have(nearest_.feature, true) ||
-               contacts::dot(nearest_.face_normal, nearest_.point - middle) > 0.7f * nearest_.distance;
+               contacts::dot(nearest_.face_normal, nearest_.point - body.shape_middle) > 0.7f * nearest_.distance;
     }
     /// Of the body's surface, from a distance of its core in steps. A huge radius is more steps than a float holds.
     [[nodiscard]] float to_world_distance(float of_core) const {
-        return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - radius, margin);  // decided before
+        return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - body.least_reach, margin);  // decided before
     }
 
     /// The cosine from which on a normal clearly leaves a triangle on one side.
@@ -148,10 +141,9 @@ private:
 constexpr std::size_t most_few = 4;
 
 /// Finds the exit of a closed surface for a body whose middle is inside; not_found for others.
-template <class Body, class Shape>
-QueryStatus find_exit(const Blob& blob, const Shape& shape, Contact& contact) {
+QueryStatus find_exit(const Blob& blob, const Body& body, Contact& contact) {
     if (!blob.is_closed()) return QueryStatus::not_found;
-    const Vec3 middle = Body::middle_of(shape);
+    const Vec3 middle = body.shape_middle;
     if (!contains(blob, middle).yes()) return QueryStatus::not_found;
     const ClosestPoint nearest = closest_point(blob, middle);
     if (nearest.status != QueryStatus::ok || nearest.distance == 0.0f) return QueryStatus::not_found;
@@ -164,64 +156,63 @@ QueryStatus find_exit(const Blob& blob, const Shape& shape, Contact& contact) {
     const Vec3 outward = nearest.face_normal * (nearest.side == Side::back ? 1.0f : -1.0f);
     contact.normal = nearest.feature == Feature::face ? outward : contacts::direction_of(nearest.point - middle);
     if (contacts::largest(contact.normal) == 0.0f) contact.normal = outward;  // far from the origin they round alike
-    contact.distance = -(nearest.distance + Body::reach_of(shape, contact.normal));
+    contact.distance = -(nearest.distance + body.functions->reach_of(body.shape, contact.normal));
     return QueryStatus::ok;
 }
 
 /// Returns a margin, at most the given one, within which a body probably has a contact: of a few contacts the nearest
 /// are then found without those that are far away.
-template <class Body, class Shape>
-float first_margin(const Blob& blob, const Shape& shape, float margin) {
-    const float reach = Body::most_reach(shape);
-    const ClosestPoint nearest = Body::nearest(blob, shape, (reach + margin) * (1.0f + 0x1p-16f));
+float first_margin(const Blob& blob, const Body& body, float margin) {
+    const float reach = body.most_reach;
+    const ClosestPoint nearest = body.functions->nearest(blob, body.shape, (reach + margin) * (1.0f + 0x1p-16f));
     if (nearest.status != QueryStatus::ok) return margin;
     // Of a sphere and a capsule that is the distance, below 0 the depth.
-    const float least = maximum(nearest.distance - reach, Body::least_margin(shape));
-    const float most = maximum(nearest.distance - Body::least_reach(shape), least);
+    const float least = maximum(nearest.distance - reach, -body.least_reach);
+    const float most = maximum(nearest.distance - body.least_reach, least);
     const float step = scale_by_power_of_two(1.0f, data_of(blob).step_exponent);
     return minimum(least + (most - least) * (1.0f / 16.0f) + nearest.distance * 0x1p-12f + step, margin);
 }
 
-template <class Body, class Shape>
-Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std::span<Contact> contacts) {
-    Filled filled;
-    if (!blob) return filled;
-    filled.status = QueryStatus::invalid_argument;
-    if (!is_radius(margin) || !is_finite(margin)) return filled;
-    Body body;
-    const QueryStatus rounded = body.round(data_of(blob), shape, margin);
-    if (is_refused(rounded)) return {0, {}, rounded};
-    if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
+Filled find_contacts_of_body(const Blob& blob, Body& body, float margin, std::span<Contact> contacts) {
     Contact exit;
-    if (find_exit<Body>(blob, shape, exit) == QueryStatus::ok) {
+    if (find_exit(blob, body, exit) == QueryStatus::ok) {
         SortedContacts sorted(contacts);
         sorted.add(exit);
         return sorted.filled();
     }
     // A margin that is small beside the body adds few.
-    const bool is_wide = margin > 0.25f * Body::most_reach(shape);
-    float within = is_wide && contacts.size() <= most_few ? first_margin<Body>(blob, shape, margin) : margin;
+    const bool is_wide = margin > 0.25f * body.most_reach;
+    float within = is_wide && contacts.size() <= most_few ? first_margin(blob, body, margin) : margin;
     for (;;) {
-        const auto grown = Body::grown(shape, within);
         SortedContacts sorted(contacts);
         // Where the leaf is not at hand, on small cores, the triangle is searched.
-        ContactsOf<Body>* self = nullptr;
+        ContactsOf* self = nullptr;
         const auto search = [&](TriangleId triangle) {
             return self->add(triangle.index, find_triangle(data_of(blob), triangle.index));
         };
-        ContactsOf<Body> answer(blob, body, Body::middle_of(shape), Body::least_reach(shape), margin, search, sorted);
+        ContactsOf answer(blob, body, margin, search, sorted);
         self = &answer;
-        const QueryStatus status =
-            find_overlaps_of<std::remove_const_t<decltype(grown)>>(data_of(blob), &grown, answer, exactly);
+        const QueryStatus status = body.functions->find_near(data_of(blob), body.shape, within, answer);
         if (is_refused(status)) return {0, {}, status};
         // Any triangle that was not met is farther away than `within`, but for rounding.
-        if (!(within < margin) || sorted.are_full_within(within - (within + Body::most_reach(shape)) * 0x1p-16f)) {
+        if (!(within < margin) || sorted.are_full_within(within - (within + body.most_reach) * 0x1p-16f)) {
             sorted.limit_depth(answer.deepest);
             return sorted.filled();
         }
-        const float next = within + maximum(absolute(within), 0.25f * Body::most_reach(shape));
+        const float next = within + maximum(absolute(within), 0.25f * body.most_reach);
         within = next > within ? minimum(next, margin) : margin;
     }
+}
+
+template <class BodyOfShape, class Shape>
+Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std::span<Contact> contacts) {
+    if (!blob) return {};
+    if (!is_radius(margin) || !is_finite(margin)) return {0, {}, QueryStatus::invalid_argument};
+    BodyOfShape body;
+    const QueryStatus rounded = body.round(data_of(blob), shape, margin);
+    if (is_refused(rounded)) return {0, {}, rounded};
+    if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
+    return find_contacts_of_body(blob, body, margin, contacts);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct SeenTriangle {
     Vec3 face;         ///< the unit normal, zero without area
     Vec3 front;        ///< the same, but without area any direction across
 
-    SeenTriangle(const LatticeTriangle& triangle, const Integer3& middle, int fraction_bits)
+    ESPALIER_NOINLINE SeenTriangle(const LatticeTriangle& triangle, const Integer3& middle, int fraction_bits)
         : face(face_normal_of(triangle)), front(front_of(triangle)) {
         for (int i = 0; i < 3; ++i) {
             corner[i] = to_vector(corner_on_grid(triangle, i, fraction_bits) - middle) * power_of_two(-fraction_bits);

@@ -5,6 +5,7 @@
 #include <espalier/lattice.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
+#include <runtime/contacts/bodies.hpp>
 #include <runtime/contacts/nearest_pair.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/traversal/find_triangle.hpp>
@@ -65,11 +66,10 @@ struct SeenFromMiddle {
     Vec3 face;
     bool is_behind;  ///< the middle is behind its plane
 
-    template <class Body>
     SeenFromMiddle(const Body& body, const LatticeTriangle& triangle) : face(face_normal_of(triangle)) {
         const OriginRelative seen = body.seen(triangle);
         is_behind = is_origin_behind(seen);
-        corner[0] = to_vector(seen.a) * power_of_two(-body.fraction_bits());
+        corner[0] = to_vector(seen.a) * power_of_two(-body.fraction_bits);
         corner[1] = corner[0] + to_vector(seen.ab);
         corner[2] = corner[0] + to_vector(seen.ac);
     }
@@ -81,7 +81,6 @@ struct SeenFromMiddle {
 };
 
 /// The surface around one triangle that a body touches, for places on its internal features.
-template <class Body>
 class SurfaceAround {
 public:
     SurfaceAround(const BlobData& blob, Body& body, std::uint32_t index, const LatticeTriangle& triangle,

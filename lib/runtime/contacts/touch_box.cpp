@@ -24,7 +24,7 @@ void try_direction(const Vec3& axis, const BoxBody& box, const SeenTriangle& see
 }
 
 template <class Best>
-void separate(const BoxBody& box, const SeenTriangle& seen, Best& best) {
+ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Best& best) {
     try_unit_axis(seen.front, box, seen, best);
     bool is_flat = false;
     for (const Vec3& face : box.face) {

@@ -42,7 +42,7 @@ void for_each_edge(const HullBody& hull, Function function) {
 template <class Best>
 class Separating {
 public:
-    Separating(const HullBody& hull, const TriangleBeside& triangle, Best& best)
+    ESPALIER_NOINLINE Separating(const HullBody& hull, const TriangleBeside& triangle, Best& best)
         : hull_(hull), triangle_(triangle), best_(best) {
         for (const float sense : {1.0f, -1.0f}) try_way(triangle.front * sense);
         for (unsigned face = 0; face < hull.face_count; ++face) try_face(face);
