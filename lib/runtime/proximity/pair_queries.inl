@@ -10,6 +10,8 @@
 /// Bounds on the squared distances of triangles, seen from the start of the segment or the lowest corner of the box.
 class PairBounds {
 public:
+    static constexpr bool is_costly = true;
+
     /// `reach` is at least the sum of the absolute coordinates of any point of the asset and of the shape, from there.
     PairBounds(const DistantShape& shape, float reach) : reach_(splat(reach)), is_box_(shape.is_box) {
         const float* const from = shape.segment.from_steps;

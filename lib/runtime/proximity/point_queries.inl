@@ -9,14 +9,21 @@
 #include <runtime/proximity/overlap_candidates.inl>
 #include <runtime/proximity/point_bounds.inl>
 
-/// Calls `on_group(first slot, corners)` for a leaf's triangles, seen from a point.
-template <unsigned groups, class Leaf, class OnGroup>
+/// Calls `on_group(first slot, corners)` for a leaf's triangles, seen from a point. The table has room for the vertices
+/// of this leaf, or of `any_leaf`.
+template <unsigned groups, bool any_leaf = false, class Leaf, class OnGroup>
 ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const float* steps, OnGroup on_group) {
     Table<groups> coordinates[3];
+    unsigned used = Table<groups>::groups_of(leaf.vertex_count);
+    if constexpr (any_leaf) {
+        used = (leaf.vertex_count + lanes - 1) / lanes;
+        for (auto& table : coordinates)
+            for (unsigned group = 0; group < groups; ++group) table.set(group, splat(0.0f));
+    }
     for (unsigned k = 0; k < 3; ++k) {
         const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
         const Floats from = splat(steps[k]);
-        for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
+        for (unsigned group = 0; group < used; ++group) {
             coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
         }
     }
@@ -72,6 +79,7 @@ struct SphereShape {
 
 /// Bounds on the squared distances of triangles from the point that they are seen from.
 struct PointBounds {
+    static constexpr bool is_costly = false;
     static Floats quick(const BoxesFromPoint& boxes) { return squared_distance(boxes.low, boxes.high); }
     /// `nearest` is about what their sides give.
     static Floats tight(const CornersFromPoint& t, const BoxesFromPoint& boxes, Floats& nearest) {
@@ -89,12 +97,16 @@ struct LeafDistances {
     float lower[room];
     float to_sides[room];
 
+    /// Costly bounds hide what a larger table takes: one function for all leaves is a sixth of the code.
+    template <class Bounds>
+    static constexpr bool any_leaf = Bounds::is_costly && lanes > 4;
+
     /// Which triangles these are; the others' places stay as they are.
     template <unsigned groups, class Bounds>
     ESPALIER_NOINLINE typename Leaf::Slots fill(const Leaf& leaf, const float* from, const Bounds& bounds,
                                                 float limit) {
         typename Leaf::Slots near = 0;
-        for_each_group_of<groups>(leaf, from, [&](unsigned first, const CornersFromPoint& t) {
+        for_each_group_of<groups, any_leaf<Bounds>>(leaf, from, [&](unsigned first, const CornersFromPoint& t) {
             const BoxesFromPoint boxes(t);
             const Floats to_box = bounds.quick(boxes);
             // mutant(never) work: tests triangles whose boxes are too far, with the same result
@@ -115,7 +127,9 @@ template <class Leaf, class Bounds, class Decide>
 ESPALIER_ALWAYS_INLINE inline Visit decide_nearest_first(const Leaf& leaf, const float* from, const Bounds& bounds,
                                                          const Answer& answer, Decide decide) {
     LeafDistances<Leaf> distances;
-    auto near = with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
+    constexpr bool any_leaf = LeafDistances<Leaf>::template any_leaf<Bounds>;
+    const unsigned vertex_count = any_leaf ? Leaf::max_vertices : leaf.vertex_count;
+    auto near = with_table_groups<Leaf::max_vertices>(vertex_count, [&](auto groups) {
         return distances.template fill<groups>(leaf, from, bounds, answer.limit);
     });
     if (near == 0) return Visit::next;
