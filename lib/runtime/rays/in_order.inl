@@ -29,18 +29,22 @@ struct AnyKeptHit {
     }
 };
 
-/// Hits in storage order, handed to a callable: all, or those that are crossings. Their index is that of the reference.
-template <class OnHit, bool crossings_only>
+/// Whether a hit matters. A pointer, not a type: the walk is then compiled once for all hits and for crossings, and a
+/// program that asks for hits alone does not link what decides on crossings.
+using KeepsHit = bool (*)(const LatticeRay& ray, const LatticeTriangle& triangle);
+
+/// Hits in storage order, handed to a callable. Their index is that of the reference.
+template <class OnHit>
 struct EveryHit {
     OnHit on_hit;
+    KeepsHit keeps;  ///< null: all
     Limit limit;
 
     template <class Leaf>
     ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
         FoundHit found;
         if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
-        if constexpr (crossings_only)
-            if (!is_crossing(ray, leaf.triangle(slot))) return Visit::next;
+        if (keeps != nullptr && !keeps(ray, leaf.triangle(slot))) return Visit::next;
         found.index = storage_index(leaf, slot);
         return on_hit(ray, found);
     }
@@ -64,18 +68,20 @@ struct EveryHitShape : RayShape<Leaf> {
 namespace {
 
 /// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
-template <class Leaf, bool crossings_only, class Caller, class OnHit>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& world, OnHit on_hit) {
+template <class Leaf, class Caller, class OnHit>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& world, KeepsHit keeps,
+                                                        OnHit on_hit) {
     PreparedRayOf<typename Leaf::Node> prepared;
     if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);
-    Query<EveryHitShape<Leaf>, EveryHit<OnHit, crossings_only>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
-                                                                               {on_hit, window_limit(prepared.ray)}};
+    Query<EveryHitShape<Leaf>, EveryHit<OnHit>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
+                                                               {on_hit, keeps, window_limit(prepared.ray)}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
-template <bool crossings_only, class Caller, class OnHit>
-ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
+template <class Caller, class OnHit>
+ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, KeepsHit keeps,
+                                                    OnHit on_hit) {
     return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return every_hit_in<Leaf, crossings_only>(blob, world, on_hit);
+        return every_hit_in<Leaf>(blob, world, keeps, on_hit);
     });
 }
 
@@ -102,17 +108,18 @@ ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, cons
     return find_any_hit<AnyKeptHit<Caller>>(blob, world, filter);
 }
 
-template <bool crossings_only, class Caller>
-ESPALIER_ALWAYS_INLINE inline QueryStatus list_every_hit(const BlobData& blob, const Caller& world,
-                                                         const Visitor<const RayHit&>& visit) {
-    const YesNo is_stopped =
-        visit_every_hit<crossings_only>(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
-            if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
-                return Visit::next;
-            return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
-        });
+template <class Caller>
+ESPALIER_NOINLINE QueryStatus list_every_hit(const BlobData& blob, const Caller& world, KeepsHit keeps,
+                                             const Visitor<const RayHit&>& visit) {
+    const YesNo is_stopped = visit_every_hit(blob, world, keeps, [&](const LatticeRay& ray, const FoundHit& found) {
+        if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
+            return Visit::next;
+        return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
+    });
     return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
 }
+
+bool is_crossing_at(const LatticeRay& ray, const LatticeTriangle& triangle) { return is_crossing(ray, triangle); }
 
 }  // namespace
 
@@ -125,18 +132,18 @@ ESPALIER_QUERY_OF_SET YesNo any_hit_on_lattice(const BlobData& blob, const RayOn
 }
 
 ESPALIER_QUERY_OF_SET QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
-    return list_every_hit<false>(blob, world, visit);
+    return list_every_hit(blob, world, nullptr, visit);
 }
 ESPALIER_QUERY_OF_SET QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
-    return list_every_hit<true>(blob, world, visit);
+    return list_every_hit(blob, world, is_crossing_at, visit);
 }
 ESPALIER_QUERY_OF_SET QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
                                                        Visitor<const RayHit&> visit) {
-    return list_every_hit<false>(blob, ray, visit);
+    return list_every_hit(blob, ray, nullptr, visit);
 }
 ESPALIER_QUERY_OF_SET QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray,
                                                             Visitor<const RayHit&> visit) {
-    return list_every_hit<true>(blob, ray, visit);
+    return list_every_hit(blob, ray, is_crossing_at, visit);
 }
 
 /// Also one that passes through a small box.
