@@ -16,11 +16,11 @@ namespace espalier::detail::contacts {
 /// No vector is longer than that.
 inline float sum_of_coordinates(const Vec3& a) { return absolute(a.x) + absolute(a.y) + absolute(a.z); }
 
-/// What the search asks of a body, rounded for a blob.
+/// What the search needs of a body, rounded for a blob.
 struct Body {
-    Integer3 middle;    ///< in units of 2^-fraction_bits lattice steps
-    int fraction_bits;  ///< of the middle
-    float radius;       ///< lattice steps; 0 for shapes without one
+    const Integer3* middle;  ///< its own, in units of 2^-fraction_bits lattice steps
+    int fraction_bits;       ///< of the middle
+    float radius;            ///< lattice steps; 0 for shapes without one
 
     // Of the caller's shape, in the caller's units:
     const void* shape;
@@ -39,8 +39,10 @@ struct Body {
     };
     const Functions* functions;
 
+    Body() = default;
+    Body(const Body&) = delete;  // `middle` is within
     [[nodiscard]] OriginRelative seen(const LatticeTriangle& triangle) const {
-        return relative_to(middle, fraction_bits, triangle);
+        return relative_to(*middle, fraction_bits, triangle);
     }
     /// Writes how it touches a triangle, or is no farther from it than `reach`, in lattice steps without the radius.
     void touch(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
@@ -73,12 +75,14 @@ protected:
 /// A sphere.
 struct SphereBody : Body {
     RoundedPoint center;
+    Integer3 origin;
 
     QueryStatus round(const BlobData& blob, const Sphere& sphere, float margin) {
         refer_to<SphereBody>(sphere);
         radius = radius_in_steps(blob, sphere.radius);
         const QueryStatus status = round_point(blob, sphere.center, sphere.radius + margin, center);
-        middle = {center.origin[0], center.origin[1], center.origin[2]};
+        origin = {center.origin[0], center.origin[1], center.origin[2]};
+        middle = &origin;
         fraction_bits = center.fraction_bits;
         return status;
     }
@@ -98,13 +102,15 @@ struct SphereBody : Body {
 /// A capsule.
 struct CapsuleBody : Body {
     RoundedSegment segment;
+    Integer3 doubled_middle;
 
     QueryStatus round(const BlobData& blob, const Capsule& capsule, float) {
         refer_to<CapsuleBody>(capsule);
         radius = radius_in_steps(blob, capsule.radius);
         const QueryStatus status = round_segment(blob, {capsule.from, capsule.to}, segment);
         if (status == QueryStatus::ok) {
-            middle = segment.from + segment.to;
+            doubled_middle = segment.from + segment.to;
+            middle = &doubled_middle;
             fraction_bits = segment.fraction_bits + 1;
         }
         return status;
@@ -167,7 +173,7 @@ struct OrientedBoxBody : Body {
         }
         for (int i = 0; i < 3; ++i)
             box.face[i] = direction_of(wide_cross(units[i == 2 ? 0 : i + 1], units[i == 0 ? 2 : i - 1]));
-        middle = box.center;
+        middle = &box.center;
         fraction_bits = box.fraction_bits;
         return QueryStatus::ok;
     }
@@ -236,7 +242,7 @@ struct ConvexHullBody : Body {
             ++count;
         }
         set_vertices(hull, hull.vertex, count, bits);
-        middle = hull.middle;
+        middle = &hull.middle;
         fraction_bits = hull.fraction_bits;
         return QueryStatus::ok;
     }

@@ -129,7 +129,8 @@ private:
     }
     /// Of the body's surface, from a distance of its core in steps. A huge radius is more steps than a float holds.
     [[nodiscard]] float to_world_distance(float of_core) const {
-        return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - body.least_reach, margin);  // decided before
+        return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - body.least_reach,
+                       margin);  // decided before
     }
 
     /// The cosine from which on a normal clearly leaves a triangle on one side.

@@ -99,7 +99,7 @@ struct LeafDistances {
 
     /// Costly bounds hide what a larger table takes: one function for all leaves is a sixth of the code.
     template <class Bounds>
-    static constexpr bool any_leaf = Bounds::is_costly && lanes > 4;
+    static constexpr bool any_leaf = Bounds::is_costly&& lanes > 4;
 
     /// Which triangles these are; the others' places stay as they are.
     template <unsigned groups, class Bounds>
@@ -129,9 +129,8 @@ ESPALIER_ALWAYS_INLINE inline Visit decide_nearest_first(const Leaf& leaf, const
     LeafDistances<Leaf> distances;
     constexpr bool any_leaf = LeafDistances<Leaf>::template any_leaf<Bounds>;
     const unsigned vertex_count = any_leaf ? Leaf::max_vertices : leaf.vertex_count;
-    auto near = with_table_groups<Leaf::max_vertices>(vertex_count, [&](auto groups) {
-        return distances.template fill<groups>(leaf, from, bounds, answer.limit);
-    });
+    auto near = with_table_groups<Leaf::max_vertices>(
+        vertex_count, [&](auto groups) { return distances.template fill<groups>(leaf, from, bounds, answer.limit); });
     if (near == 0) return Visit::next;
     auto first = static_cast<unsigned>(std::countr_zero(near));
     // mutant(- -> right side dropped 1) equivalent: compares the first with itself too

@@ -30,7 +30,7 @@ struct AnyKeptHit {
 };
 
 /// Whether a hit matters. A pointer, not a type: the walk is then compiled once for all hits and for crossings, and a
-/// program that asks for hits alone does not link what decides on crossings.
+/// program that lists hits alone does not link what decides on crossings.
 using KeepsHit = bool (*)(const LatticeRay& ray, const LatticeTriangle& triangle);
 
 /// Hits in storage order, handed to a callable. Their index is that of the reference.
