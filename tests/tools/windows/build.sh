@@ -11,6 +11,6 @@ if [[ ! -e $build/make_blobs.exe ]]; then
     exit 77
 fi
 bash "$here/../../../lib/cmake/toolchains/header_libraries.sh" "$build/headers"
-"$cmake" -DESPALIER_TOOLS=ON -DESPALIER_COMMAND_PARTS= -DCMAKE_FIND_ROOT_PATH="$build/headers" "$build" >"$build/configure.log" 2>&1 ||
+"$cmake" -DESPALIER_TOOLS=ON -DESPALIER_IMPORT=ON -DESPALIER_COMMAND_PARTS= -DCMAKE_FIND_ROOT_PATH="$build/headers" "$build" >"$build/configure.log" 2>&1 ||
     { cat "$build/configure.log"; exit 1; }
 "$cmake" --build "$build" --target espalier_command --parallel 2 >"$build/build.log" 2>&1 || { tail -n 60 "$build/build.log"; exit 1; }
