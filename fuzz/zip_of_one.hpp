@@ -19,7 +19,7 @@ inline std::uint32_t zip_checksum(std::string_view bytes) {
 inline std::string zip_of_one(std::string_view name, std::string_view bytes) {
     const auto number = [](std::uint64_t value, int size) {
         std::string result;
-        for (int i = 0; i < size; ++i) result += static_cast<char>(value >> 8 * i & 0xFF);
+        for (int i = 0; i < size; ++i, value >>= 8) result += static_cast<char>(value & 0xFF);
         return result;
     };
     const std::string sizes = number(zip_checksum(bytes), 4) + number(bytes.size(), 4) + number(bytes.size(), 4);
