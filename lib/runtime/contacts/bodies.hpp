@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <espalier/distance.hpp>
+#include <espalier/overlap.hpp>
 #include <espalier/shapes.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/contacts/hull_body.hpp>
