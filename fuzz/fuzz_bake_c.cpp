@@ -161,7 +161,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::span bytes(static_cast<const std::byte*>(baked->bytes), baked->byte_count);
         if (const VerifyReport report = verify(bytes); !report) fuzz::fail("verify", report.message);
         fail_if(baked->report->bytes != baked->byte_count, "another number of bytes in the report");
-        fail_if(!(baked->report->conversion_error >= 0.0), "an error that is negative or NaN");
+        fail_if(!(baked->report->max_error >= 0.0), "an error that is negative or NaN");
     } else {
         fail_if(baked->bytes != nullptr || baked->remap != nullptr, "a blob that was refused");
     }

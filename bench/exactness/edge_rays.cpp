@@ -192,7 +192,7 @@ SnappedMesh snap_mesh(const Mesh& mesh, unsigned bits) {
     const MeshView view = mesh.view();
     BakeOptions options;
     BakeReport report;
-    const auto source = baker::check_input({&view, 1}, options, report);
+    const auto source = baker::check_input({&view, 1}, {}, options, report);
     if (!source) throw std::runtime_error(mesh.name + ": " + source.refusal().message);
     const auto lattice = baker::lattice_for_bits(baker::bounds_of(*source), bits);
     if (!lattice) throw std::runtime_error(mesh.name + ": " + lattice.refusal().message);

@@ -11,6 +11,7 @@
 #include <espalier/lattice.hpp>
 
 #include <baker/bake_with.hpp>
+#include <baker/base/float_rounding.hpp>
 #include <baker/build/build.hpp>
 #include <baker/collapse/collapse.hpp>
 #include <baker/collapse/leaf_size.hpp>
@@ -23,7 +24,9 @@
 #include <baker/error/fit_lattice.hpp>
 #include <baker/input/check_input.hpp>
 #include <baker/optimise/reinsertion.hpp>
+#include <baker/policy.hpp>
 #include <baker/progress.hpp>
+#include <baker/quantise/choose_origin.hpp>
 #include <baker/quantise/closed.hpp>
 #include <baker/quantise/lattice.hpp>
 #include <baker/sections/optional_sections.hpp>
@@ -65,7 +68,10 @@ void fill_in(BakeReport& report, const LatticeMesh& mesh, const WideTree& wide, 
 std::vector<std::vector<LatticePoint>> place_poses(const BakeOptions& options, const Lattice& lattice) {
     std::vector<std::vector<LatticePoint>> poses;
     if (!options.deformation) return poses;
-    for (const std::vector<Vec3>& pose : options.deformation->poses) poses.push_back(place(pose, lattice));
+    for (const std::vector<Vec3>& pose : options.deformation->poses) {
+        poses.emplace_back();
+        for (const Vec3& position : pose) poses.back().push_back(place(to_float64(position), lattice));
+    }
     return poses;
 }
 
@@ -104,7 +110,7 @@ BakeResult bake_in_stages(const TreeMaker& make_tree, std::span<const MeshView> 
     if (const auto refusal = check_options(options)) return refused(*refusal);
 
     progress.begin(stages::check);
-    const auto source = check_input(meshes, options, report);
+    const auto source = check_input(meshes, choose_origin(meshes, options), options, report);
     if (!source) return refused(source.refusal());
 
     progress.begin(stages::snap);
@@ -148,6 +154,8 @@ BakeResult bake_in_stages(const TreeMaker& make_tree, std::span<const MeshView> 
     fill_in(report, mesh, wide, properties, sections, result.bytes.size());
     if (options.deformation) fill_in_motion(report, mesh, result.bytes);
     add_warnings(*source, bounds, mesh.lattice, options.deformation ? LostClosed::left_out : lost_closed, report);
+    if (options.policy)
+        if (const auto refusal = judge(*options.policy, report)) return refused(*refusal);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.status = BakeStatus::ok;
     return result;

@@ -19,7 +19,11 @@ std::string counted(std::uint64_t count, const char* singular) {
     return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
 }
 
-std::string step_text(const BakeReport& report) {
+std::string step_text(const Source& source, const BakeReport& report) {
+    if (source.is_float64)
+        return "the lattice step " + short_number_text(report.lattice.step) +
+               " is finer than the spacing of float32 this far from the origin, to which lattice points are rounded: "
+               "choose an origin near the mesh, or let the baker choose one.";
     return "the lattice step " + short_number_text(report.lattice.step) +
            " is finer than the spacing of the source's own floats at its coordinates: fewer bits or a coarser "
            "tolerance "
@@ -66,7 +70,8 @@ void add_warnings(const Source& source, const SourceBounds& bounds, const Lattic
     const auto add = [&report](BakeWarning::Kind kind, std::string message) {
         report.warnings.push_back({kind, std::move(message)});
     };
-    if (is_below_float_spacing(lattice, bounds)) add(BakeWarning::Kind::step_below_float_spacing, step_text(report));
+    if (is_below_float_spacing(lattice, bounds))
+        add(BakeWarning::Kind::step_below_float_spacing, step_text(source, report));
     if (lost_closed == LostClosed::tested && has_lost_closed(source, report)) {
         report.bits_that_keep_closed = bits_that_keep_closed(source, bounds, report.lattice.bits);
         add(BakeWarning::Kind::lost_closed, lost_closed_text(report));

@@ -33,6 +33,11 @@ struct MeshView {
     std::uint32_t file = 0;                       ///< the number of the input file, for original ids and messages
     std::uint32_t mesh = 0;                       ///< the number of the mesh in that file
     std::string name;                             ///< for messages: "level.obj, mesh 3 (walls)"; may be empty
+    /// In place of `positions`, which are empty then. They are rounded once, to lattice points (BakeOptions::origin).
+    std::span<const Vec3d> float64_positions = {};
+
+    /// Returns how many positions there are.
+    [[nodiscard]] std::size_t position_count() const { return positions.size() + float64_positions.size(); }
 };
 
 /// The fineness of the lattice on which vertices are rounded. Its step is a power of two in the blob's
@@ -116,6 +121,16 @@ struct Deformation {
     std::vector<std::vector<Vec3>> poses = {};
 };
 
+/// What a bake may lose before it is refused.
+struct BakePolicy {
+    /// The largest share of the triangles that may be lost, in percent: broken ones, those without area and those that
+    /// the lattice flattened. A duplicate is in the blob once, and a triangle with two corners in one place had no
+    /// surface to lose.
+    double max_dropped = 10.0;
+    bool allow_empty = false;  ///< accepts that no triangle is left
+    bool strict = false;       ///< refuses what else is a warning
+};
+
 /// The options of bake().
 struct BakeOptions {
     Resolution resolution = Resolution::bits(16);  ///< how finely vertices are rounded
@@ -127,6 +142,9 @@ struct BakeOptions {
     /// Drops triangles that have a corner that is NaN or infinite, or an index out of range. Without it, such a
     /// triangle refuses the bake.
     bool drop_bad_triangles = false;
+    /// Refuses a bake that loses more, as the command does, with BakeStatus::invalid_mesh. None: only the report has
+    /// it.
+    std::optional<BakePolicy> policy = std::nullopt;
     /// Stores how the surface bends at every edge (contact.hpp), in 6 bits per triangle. The number is the largest
     /// angle between two triangles that counts as flat, in degrees: from 0 to less than 90.
     std::optional<double> flat_angle = std::nullopt;
@@ -135,6 +153,11 @@ struct BakeOptions {
     /// vertices. Needs Profile::fast; excludes Builder::spatial_splits, drop_bad_triangles, flat_angle and bounds. All
     /// positions must be finite, and there must be a triangle.
     std::optional<Deformation> deformation = std::nullopt;
+    /// Is subtracted from each position: the blob's coordinates count from there, so that float32 holds them. The blob
+    /// keeps it (Blob::source_origin), unless it is 0. None: chosen where float32 would move a float64 position by more
+    /// than a quarter of a step, near the middle of the meshes and a multiple of any step; else 0. All poses and the
+    /// range of a deformable blob count from it, so that none is chosen there.
+    std::optional<Vec3d> origin = Vec3d{};
     unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it
     /// Called now and then, from the thread that called bake, with the name of the stage and how much of the whole is
     /// done, 0..1. May be empty. An exception that it throws ends the bake.
@@ -158,11 +181,12 @@ struct Finding {
 
 /// The dropped triangles, by reason. None of the kept triangles is among them.
 struct Findings {
-    Finding not_finite;          ///< a corner is NaN or infinite; only with drop_bad_triangles
-    Finding index_out_of_range;  ///< only with drop_bad_triangles
-    Finding zero_area;           ///< no area in the source
-    Finding collapsed;           ///< no area left on the lattice
-    Finding duplicate;           ///< the same three lattice points in the same winding as a kept triangle
+    Finding not_finite;               ///< a corner is NaN, infinite or beyond float32; only with drop_bad_triangles
+    Finding index_out_of_range;       ///< only with drop_bad_triangles
+    Finding zero_area;                ///< no area in the source
+    std::uint64_t equal_corners = 0;  ///< of those: with two corners in one place
+    Finding collapsed;                ///< no area left on the lattice
+    Finding duplicate;                ///< the same three lattice points in the same winding as a kept triangle
 };
 
 /// The volumes of the bounds of the whole asset, in the blob's cubic units; 0 for bounds that the options do not
@@ -177,7 +201,8 @@ struct BoundsVolumes {
 /// A property of the input or the blob that bake accepted, but that its caller may not expect.
 struct BakeWarning {
     enum class Kind : std::uint8_t {
-        /// The step is finer than the spacing of the source's own float32 coordinates: bits are wasted.
+        /// The step is finer than the spacing of float32 around the farthest coordinate: bits are wasted, and float64
+        /// positions lose what they have beyond float32 unless there is an origin.
         step_below_float_spacing,
         /// The source is closed and has a triangle with an area, but the baked surface is not closed. The source is
         /// closed if each of its edges, from position to position, runs as often one way as the other. Two things
@@ -198,7 +223,7 @@ struct BakeReport {
         std::uint64_t vertices = 0;   ///< of all meshes, unused ones included
     };
     struct Bounds {
-        Vec3 min;
+        Vec3 min;  ///< from the origin, as all coordinates of the blob
         Vec3 max;
         double extent = 0.0;  ///< the largest side
         BoundsVolumes volumes;
@@ -206,7 +231,7 @@ struct BakeReport {
     struct Lattice {
         unsigned bits = 0;       ///< what the largest extent takes, 1..24
         double step = 0.0;       ///< the distance between neighbouring lattice points
-        double max_error = 0.0;  ///< bounds the distance between the source, as float32, and the baked surface
+        double max_error = 0.0;  ///< bounds the distance between the source, as it was given, and the baked surface
     };
     /// Of a deformable blob, else zero.
     struct Motion {
@@ -225,6 +250,7 @@ struct BakeReport {
 
     Source source;
     Findings findings;
+    Vec3d origin;  ///< that was subtracted from all positions
     Bounds bounds;
     Lattice lattice;
     Motion motion;

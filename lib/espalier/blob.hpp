@@ -108,10 +108,13 @@ public:
                 data_.step_exponent,
                 {data_.extent[0], data_.extent[1], data_.extent[2]}};
     }
-    /// Returns the largest distance between the baked surface and its source, in the blob's units. The source is the
-    /// float32 positions that the baker was given: their rounding from float64 is not included, and neither is the
-    /// rounding of queries, which rounding.hpp returns.
+    /// Returns the largest distance between the baked surface and its source as the baker was given it, in the blob's
+    /// units. The rounding of queries, which rounding.hpp returns, is not included.
     [[nodiscard]] constexpr float max_error() const noexcept { return data_.max_error; }
+    /// Returns where 0 0 0 of the blob lies in the source: what the baker subtracted from all positions
+    /// (BakeOptions::origin). Queries take and return places from there: subtract it from a place of the source, and
+    /// add it to an answer, in float64.
+    [[nodiscard]] Vec3d source_origin() const noexcept;
     /// Returns the box around all triangles, each coordinate rounded to float. Both corners are zero if there are no
     /// triangles.
     [[nodiscard]] Box bounds() const noexcept;

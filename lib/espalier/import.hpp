@@ -26,9 +26,8 @@ struct Placement {
     std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rows
     std::array<double, 3> offset{};
 
-    /// Rounds the result once.
-    [[nodiscard]] Vec3 operator()(const std::array<double, 3>& point) const;
-    [[nodiscard]] Vec3 operator()(Vec3 point) const;
+    /// Rounds in float64 only.
+    [[nodiscard]] Vec3d operator()(const Vec3d& point) const;
     /// Turns the inside out, so that the corners of a triangle must be taken the other way round.
     [[nodiscard]] bool mirrors() const;
     [[nodiscard]] double determinant() const;
@@ -114,7 +113,7 @@ std::optional<std::uint64_t> default_import_memory();
 /// One mesh at one place of the scene: a mesh that is placed twice is there twice. With ImportOptions::keep_places a
 /// mesh in its own space, with the numbers of its first place.
 struct ImportedMesh {
-    std::vector<Vec3> positions;
+    std::vector<Vec3d> positions;  ///< as the file has them, or where its transforms, unit and axes put them
     std::vector<TriangleVertices> triangles;
     std::vector<std::uint32_t> materials;  ///< one per triangle if the options keep them; no two files share a number
     std::uint32_t file = 0;                ///< index into ImportResult::files

@@ -18,6 +18,14 @@ struct Vec3 {
     friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
+/// A place in the units and axes of the source, which float32 would round too coarsely far from 0.
+struct Vec3d {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    friend constexpr bool operator==(const Vec3d&, const Vec3d&) = default;
+};
+
 /// The index of a triangle in its blob: 0 .. Blob::triangle_count() - 1, in baked order. The default is no triangle.
 /// original_triangle() maps it to the source mesh.
 struct TriangleId {

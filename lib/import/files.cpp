@@ -162,7 +162,7 @@ std::vector<MeshView> ImportResult::views() const {
     std::vector<MeshView> result;
     result.reserve(meshes.size());
     for (const ImportedMesh& mesh : meshes) {
-        result.push_back({mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name});
+        result.push_back({{}, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name, mesh.positions});
     }
     return result;
 }

@@ -26,6 +26,7 @@ public:
             words.push_back(static_cast<std::uint32_t>(static_cast<std::uint64_t>(number) >> 32));
     }
     void tell(float number) { words.push_back(std::bit_cast<std::uint32_t>(number)); }
+    void tell(double number) { tell(std::bit_cast<std::uint64_t>(number)); }
     void tell(const char* text) {
         for (; *text != '\0'; ++text) tell(*text);
     }

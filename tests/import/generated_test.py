@@ -10,6 +10,7 @@ import tempfile
 
 from generated.assimp import assimp
 from generated.claims import Claims
+from generated.digits import digits
 from generated.names import names
 from generated.obj import obj
 from generated.off import off
@@ -24,7 +25,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, off, ply, stl, three_mf, names, assimp):
+        for family in (obj, off, ply, stl, three_mf, digits, names, assimp):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

@@ -16,7 +16,7 @@ NAMES = {
     "for_each_candidate": "candidates", "original_triangle": "original_triangles", "original_hit": "original_hits",
     "material": "materials", "triangle_at": "corners", "for_each_triangle": "triangles",
     "open": "open_blob", "fix_internal_edge_normal": "fix_internal_edge_normals",
-    "lattice": "info", "checksum": "info", "depth": "info", "has_materials": "info", "has_edge_flags": "info",
+    "source_origin": "origin", "lattice": "info", "checksum": "info", "depth": "info", "has_materials": "info", "has_edge_flags": "info",
     "duplicate_reference_count": "info", "BakedScene::size": "data", "Blob::size": "info", "BakedScene::meshes": "mesh",
     "instance_at": "instances", "handle_of": "handles", "box_of": "boxes", "mesh_at": "instances",
     "set_mask": "set_masks", "set_user": "set_users", "move_instances_of": "set_mesh", "MovingScene::bytes": "snapshot",

@@ -90,6 +90,23 @@ def test_origins_are_honoured(offset):
         assert rays.contains_points(np.array([[0, 0, 0], [0, 0, 1]]) + offset).tolist() == [True, False]
 
 
+def test_collisions_far_from_zero():
+    """In UTM, with places that keep the fractions of a millimetre."""
+    place, unit = np.array([500123.4567, 5400321.123, 612.3]), np.full(3, 0.5)
+    cube, other = box(place - unit, place + unit), box(-unit, unit)
+    manager = espalier.trimesh.CollisionManager()
+    manager.add_object("far", cube)
+    at = np.eye(4)
+    at[:3, 3] = place + [1.25, 0, 0]
+    distance, data = manager.min_distance_single(other, at, return_data=True)
+    assert abs(distance - 0.25) < 1e-5 and not manager.in_collision_single(other, at)
+    np.testing.assert_allclose([data.point("far")[0], data.point("__external")[0]], place[0] + [0.5, 0.75], atol=1e-5)
+    at[0, 3] -= 0.26
+    collides, contacts = manager.in_collision_single(other, at, return_data=True)
+    assert collides and all(np.abs(contact.point - place).max() < 2 for contact in contacts)
+    assert espalier.trimesh.bake_trimesh(cube, origin="auto").origin.any()
+
+
 def test_closest_points_are_those_of_all_faces(thing, random):
     points = np.concatenate([random.uniform(-5, 5, (200, 3)), random.uniform(-1e6, 1e6, (5, 3)), [[0, 0, 0], [1e12, 0, 0]]])
     closest, distance, face = espalier.trimesh.closest_point(thing, points)

@@ -16,6 +16,8 @@
 
 #include <espalier/import.hpp>
 
+#include <import/base/placement.hpp>
+
 #include "baker/quantise/closed_check.hpp"
 
 using namespace espalier;
@@ -26,7 +28,7 @@ namespace {
 constexpr std::size_t most_triangles = 60'000;
 constexpr std::uintmax_t largest_file = 8'000'000;
 
-/// Nothing when a triangle names a vertex that its mesh does not have.
+/// In float32, as the judge takes positions. Nothing when a triangle names a vertex that its mesh does not have.
 Mesh joined_meshes(const ImportResult& imported) {
     Mesh all;
     for (const ImportedMesh& mesh : imported.meshes) {
@@ -34,7 +36,7 @@ Mesh joined_meshes(const ImportResult& imported) {
         for (const TriangleVertices& triangle : mesh.triangles)
             for (const std::uint32_t vertex : triangle)
                 if (vertex >= mesh.positions.size()) return {};
-        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const Vec3d& position : mesh.positions) all.positions.push_back(importer::to_float32(position));
         for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
     }
     return all;

@@ -101,7 +101,7 @@ for arguments in "bake missing.obj -o x.espl" "bake --xyzzy" "info missing.espl"
 done
 
 claim "a coordinate that is not finite is named by its axis and value"
-for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e39 0:y = infinity" "-inf 0 0:x = -infinity"; do
+for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e400 0:y = infinity" "-inf 0 0:x = -infinity"; do
     printf 'v 0 0 0\nv 1 0 0\nv %s\nf 1 2 3\n' "${values%%:*}" >wrong.obj
     for options in "" "--unit mm" "--up y"; do
         # shellcheck disable=SC2086  # words
@@ -110,5 +110,7 @@ for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e39 0:y = infinity" "
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n' >wrong.obj
 refuses 3 "has y = NaN" bake wrong.obj -o x.espl --up z
+printf 'v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n' >wrong.obj
+refuses 3 "has the coordinate 1e+39, beyond float32" bake wrong.obj -o x.espl
 
 finish

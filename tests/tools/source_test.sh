@@ -48,7 +48,7 @@ refuses 3 "not_finite.obj, mesh 0" bake not_finite.obj -o broken.espl
 err_has "triangle 1" "--drop-bad-triangles"
 absent broken.espl
 run 0 bake not_finite.obj -o x.espl --drop-bad-triangles --max-dropped 50%
-err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
+err_has "dropped 1 triangle with a corner that is NaN, infinite or beyond float32; first: not_finite.obj, mesh 0"
 write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
 refuses 3 "'out_of_range.ply', line 18: a face names vertex 300" bake out_of_range.ply -o broken.espl
 absent broken.espl

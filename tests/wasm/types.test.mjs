@@ -23,7 +23,7 @@ test('mistakes do not compile', { skip }, async () => {
         'blob.raycast(origins, "down");', 'blob.raycast(origins, origins, { culling: "both" });',
         'blob.overlaps({ kind: "sphere", center: origins });', 'blob.sweep({ kind: "cone", apex: origins, axis: origins, radius: 1 }, origins);',
         'const hit: boolean = blob.occluded(origins, origins);', 'new Blob();', 'library.bake({ positions: origins });',
-        'library.bake(mesh, { profile: "huge" });', 'const t: Uint32Array = blob.raycast(origins, origins).t;',
+        'library.bake(mesh, { profile: "huge" });', 'library.bake(mesh, { origin: "middle" });', 'const point: Float32Array = blob.closestPoint(origins).point;', 'const t: Uint32Array = blob.raycast(origins, origins).t;',
         'blob.contacts({ kind: "box", min: origins, max: origins }, 4);', 'blob.contacts({ kind: "sphere", center: origins, radius: 1 });',
         'library.bakeScene(blob);', 'library.bakeScene([blob], { place: origins });', 'scene.raycast(origins, origins, { mask: [1] });',
         'blob.raycast(origins, origins, { only: [0, 1] });', 'blob.allHits(origins, origins, { only: [true] });', 'blob.overlaps(hull);',

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <baker/bake_with.hpp>
+#include <baker/quantise/choose_origin.hpp>
 #include <espalier/import.hpp>
 
 #include "base/choices.hpp"
@@ -109,6 +110,10 @@ ImportResult import_with_progress(std::span<const std::string> paths, ImportOpti
         warn(warning);
     };
     return import_or_throw(paths, options);
+}
+
+Vec3d origin_of(const ImportResult& imported, const BakeOptions& options) {
+    return baker::choose_origin(imported.views(), options);
 }
 
 ErrorDetails details_of(const SourcePlace& place, const ImportResult& imported) {

@@ -32,9 +32,15 @@ struct Poses {
     std::vector<std::vector<Vec3>> positions;
 };
 
-/// Imports poses of `meshes`, with the options that these were imported with. Throws CommandError as import_or_throw
-/// does, and (invalid_input) unless each pose has as many positions as the meshes, all of them finite.
-Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes);
+/// Imports poses of `meshes`, with the options that these were imported with; positions count from the origin. Throws
+/// CommandError as import_or_throw does, and (invalid_input) unless each pose has as many positions as the meshes, all
+/// of them finite.
+Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes,
+                   const Vec3d& origin);
+
+/// Returns the origin that a bake with these options has. That which the baker would choose for one resolution is
+/// right for coarser ones, too.
+Vec3d origin_of(const ImportResult& imported, const BakeOptions& options);
 
 /// Returns options with which the warnings of the import are printed and added to `warnings`, which must live as long.
 /// With `json`, a file that ends the process leaves a document on stdout. Throws CommandError (usage) on a scale that
@@ -80,7 +86,8 @@ void write_outputs(const BakeArguments& arguments, const ImportResult& imported,
 void require_writable_mesh(const std::string& path);
 
 /// The bytes of the file: OBJ, or PLY in little-endian binary. Positions are those of the imported meshes one after the
-/// other, unrounded; each triangle begins with the corner that the blob's does.
+/// other, unrounded, as float32 where all of them are such numbers, else as float64; each triangle begins with the
+/// corner that the blob's does.
 std::vector<std::byte> reordered_mesh(const std::string& path, const ImportResult& imported,
                                       std::span<const OriginalTriangle> remap);
 

@@ -9,6 +9,7 @@
 
 #include "base/choices.hpp"
 #include "base/positions.hpp"
+#include "base/vectors.hpp"
 #include "files/blob_file.hpp"
 #include "policy.hpp"
 
@@ -32,23 +33,41 @@ std::optional<int> step_exponent(const std::string& input) {
     return exponent - 1;
 }
 
-/// Returns the float of a length of --range.
-float coordinate_of(const std::string& length) {
-    const auto coordinate = static_cast<float>(parse_length(length, "--range"));
-    if (std::isfinite(coordinate)) return coordinate;
-    throw_error(ExitCode::usage, "--range: '", printable(length), "' is beyond the numbers that a blob has.");
+/// Returns nothing for auto, with which the baker chooses.
+std::optional<Vec3d> parse_origin(const std::string& input) {
+    if (input == "auto") return std::nullopt;
+    if (input == "none") return Vec3d{};
+    std::array<double, 3> coordinates{};
+    std::size_t begin = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t end = input.find(',', begin);
+        if ((end == std::string::npos) != (axis == 2)) {
+            throw_error(ExitCode::usage, "--origin: '", printable(input),
+                        "' is none of auto, none and X,Y,Z. Write three lengths with commas between, such as "
+                        "500000,5400000,0.");
+        }
+        coordinates[axis] = parse_length(input.substr(begin, end - begin), "--origin");
+        begin = end + 1;
+    }
+    return Vec3d{coordinates[0], coordinates[1], coordinates[2]};
 }
 
-/// Of six words, the low corner and the high one.
-Box parse_range(const std::vector<std::string>& words) {
-    std::array<float, 6> numbers{};
-    std::transform(words.begin(), words.end(), numbers.begin(), coordinate_of);
+/// Of six words, the low corner and the high one, in the source.
+Box parse_range(const std::vector<std::string>& words, const Vec3d& origin) {
+    std::array<double, 6> numbers{};
+    std::transform(words.begin(), words.end(), numbers.begin(),
+                   [](const std::string& word) { return parse_length(word, "--range"); });
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (numbers[axis] <= numbers[axis + 3]) continue;
         throw_error(ExitCode::usage, "--range: it goes from ", numbers[axis], " to ", numbers[axis + 3], " on ",
                     "xyz"[axis], ". Give the low corner of the box, then the high one: X0 Y0 Z0 X1 Y1 Z1.");
     }
-    return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    const Vec3d low = {numbers[0], numbers[1], numbers[2]}, high = {numbers[3], numbers[4], numbers[5]};
+    const Box range = {to_float32(low - origin), to_float32(high - origin)};
+    if (is_finite(range.min) && is_finite(range.max)) return range;
+    throw_error(ExitCode::usage,
+                "--range: ", listed(words, " ", [](const auto& word) { return text('\'', printable(word), '\''); }),
+                " is beyond the numbers that a blob has, which end at 3.4e38.");
 }
 
 void require_as_many(const ImportResult& meshes, std::size_t expected, const ImportResult& pose, std::size_t found) {
@@ -77,9 +96,9 @@ Lattice lattice_of_blob(const std::string& path) {
                 "another blob, or write the step with --step.");
 }
 
-Deformation deformation_of(const BakeArguments& arguments) {
+Deformation deformation_of(const BakeArguments& arguments, const Vec3d& origin) {
     Deformation deformation;
-    if (!arguments.range.empty()) deformation.range = parse_range(arguments.range);
+    if (!arguments.range.empty()) deformation.range = parse_range(arguments.range, origin);
     return deformation;
 }
 
@@ -142,11 +161,13 @@ void refuse_options_of_rigid_blobs(const BakeArguments& arguments) {
 
 void refuse_options_of_blobs(const BakeArguments& arguments) {
     if (arguments.instancing == Instancing::off) return;
-    const std::pair<const char*, bool> given[] = {{"--remap", !arguments.remap.empty()},
-                                                  {"--reorder", !arguments.reorder.empty()},
-                                                  {"--max-bytes", arguments.max_bytes.has_value()},
-                                                  {"--fastest-under", arguments.fastest_under.has_value()},
-                                                  {"--max-error", arguments.max_error.has_value()}};
+    const std::pair<const char*, bool> given[] = {
+        {"--remap", !arguments.remap.empty()},
+        {"--reorder", !arguments.reorder.empty()},
+        {"--max-bytes", arguments.max_bytes.has_value()},
+        {"--fastest-under", arguments.fastest_under.has_value()},
+        {"--max-error", arguments.max_error.has_value()},
+        {"--origin", arguments.origin != "auto" && arguments.origin != "none"}};
     for (const auto& [option, is_given] : given) {
         if (!is_given) continue;
         throw_error(ExitCode::usage, option, " is for one blob, and --instances makes a scene of several. ",
@@ -157,10 +178,14 @@ void refuse_options_of_blobs(const BakeArguments& arguments) {
 BakeOptions bake_options(const BakeArguments& arguments) {
     BakeOptions options;
     options.resolution = resolution(arguments);
+    options.origin = parse_origin(arguments.origin);
+    // A scene keeps no origin, and the poses of a deformable blob count from one that their user states.
+    const bool has_no_choice = arguments.deformable || arguments.instancing != Instancing::off;
+    if (!options.origin && has_no_choice) options.origin = Vec3d{};
     if (arguments.profile) options.profile = *arguments.profile;
     if (arguments.deformable) {
         options.profile = Profile::fast;
-        options.deformation = deformation_of(arguments);
+        options.deformation = deformation_of(arguments, options.origin.value_or(Vec3d{}));
     }
     options.original_ids = arguments.original_ids;
     options.flat_angle = arguments.flat_angle;
@@ -176,14 +201,15 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     return options;
 }
 
-Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes) {
+Poses import_poses(const BakeArguments& arguments, const ImportOptions& options, const ImportResult& meshes,
+                   const Vec3d& origin) {
     Poses poses;
-    const std::size_t expected = positions_in_a_row(meshes).size();
+    const std::size_t expected = positions_in_a_row(meshes, origin).size();
     ImportOptions of_poses = options;
     of_poses.require_vertices = false;  // their faces do not count
     for (const std::string& path : arguments.poses) {
         ImportResult pose = import_with_progress({&path, 1}, of_poses, arguments.quiet);
-        std::vector<Vec3> positions = positions_in_a_row(pose);
+        std::vector<Vec3> positions = positions_in_a_row(pose, origin);
         require_as_many(meshes, expected, pose, positions.size());
         if (const std::optional<std::size_t> wrong = first_not_finite(positions))
             refuse_position(pose, *wrong,

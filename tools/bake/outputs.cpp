@@ -1,5 +1,6 @@
 #include "baking.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <map>
 #include <utility>
@@ -27,13 +28,17 @@ void put_text(std::vector<std::byte>& bytes, const std::string& words) {
     bytes.insert(bytes.end(), added.begin(), added.end());
 }
 
-void put_u32(std::vector<std::byte>& bytes, std::uint32_t value) {
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::byte>(value >> shift));
+template <class Unsigned>
+void put_unsigned(std::vector<std::byte>& bytes, Unsigned value) {
+    for (unsigned shift = 0; shift < 8 * sizeof(Unsigned); shift += 8)
+        bytes.push_back(static_cast<std::byte>(value >> shift));
 }
+
+bool is_float32(const Vec3d& point) { return to_float64(to_float32(point)) == point; }
 
 /// The source's triangles in the blob's order, and the vertices that they use, in the order of their first use.
 struct Reordered {
-    std::vector<Vec3> positions;
+    std::vector<Vec3d> positions;
     std::vector<TriangleVertices> triangles;
 };
 
@@ -91,27 +96,32 @@ void require_writable_mesh(const std::string& path) {
 std::vector<std::byte> reordered_mesh(const std::string& path, const ImportResult& imported,
                                       std::span<const OriginalTriangle> remap) {
     const auto [positions, triangles] = reordered(imported, remap);
+    const bool are_float32 = std::all_of(positions.begin(), positions.end(), is_float32);
+    const char* const type = are_float32 ? "float" : "double";
     std::vector<std::byte> bytes;
     if (is_ply(path)) {
         put_text(bytes,
                  text("ply\nformat binary_little_endian 1.0\ncomment in the order of an Espalier blob\nelement vertex ",
-                      positions.size(), "\nproperty float x\nproperty float y\nproperty float z\nelement face ",
-                      triangles.size(), "\nproperty list uchar int vertex_indices\nend_header\n"));
+                      positions.size(), "\nproperty ", type, " x\nproperty ", type, " y\nproperty ", type,
+                      " z\nelement face ", triangles.size(), "\nproperty list uchar int vertex_indices\nend_header\n"));
     } else {
         put_text(bytes, "# in the order of an Espalier blob\n");
     }
-    for (const Vec3& position : positions) {
-        if (is_ply(path)) {
-            for (const float coordinate : {position.x, position.y, position.z})
-                put_u32(bytes, std::bit_cast<std::uint32_t>(coordinate));
-        } else {
-            put_text(bytes, text("v ", shortest(position), '\n'));
+    for (const Vec3d& position : positions) {
+        if (!is_ply(path)) {
+            put_text(bytes, are_float32 ? text("v ", shortest(to_float32(position)), '\n')
+                                        : text("v ", position.x, ' ', position.y, ' ', position.z, '\n'));
+            continue;
+        }
+        for (const double coordinate : {position.x, position.y, position.z}) {
+            if (are_float32) put_unsigned(bytes, std::bit_cast<std::uint32_t>(to_float32(coordinate)));
+            else put_unsigned(bytes, std::bit_cast<std::uint64_t>(coordinate));
         }
     }
     for (const TriangleVertices& triangle : triangles) {
         if (is_ply(path)) {
             bytes.push_back(std::byte{3});
-            for (const std::uint32_t vertex : triangle) put_u32(bytes, vertex);
+            for (const std::uint32_t vertex : triangle) put_unsigned(bytes, vertex);
         } else {
             put_text(bytes, text("f ", triangle[0] + 1, ' ', triangle[1] + 1, ' ', triangle[2] + 1, '\n'));
         }

@@ -232,8 +232,8 @@ AssetSize asset_size(const ImportResult& imported) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double low = bounds.low[axis], high = bounds.high[axis];
         if (high - low <= size.extent) continue;
-        // Two corners, each rounded when it was read and when it was placed, each time by half a unit in the last
-        // place.
+        // Two corners, each of which the program that wrote the file may have rounded to float32, when it was made and
+        // when it was placed, each time by half a unit in the last place.
         size = {high - low, std::ldexp(std::max(std::abs(low), std::abs(high)), -22)};
     }
     return size;

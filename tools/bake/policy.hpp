@@ -39,7 +39,7 @@ struct DropReason {
     const char* words_for_loss;
 };
 inline constexpr DropReason drop_reasons[] = {
-    {&Findings::not_finite, "not_finite", "with a corner that is NaN or infinite", "not finite"},
+    {&Findings::not_finite, "not_finite", "with a corner that is NaN, infinite or beyond float32", "not finite"},
     {&Findings::index_out_of_range, "index_out_of_range", "with an index out of range", "with an index out of range"},
     {&Findings::zero_area, "zero_area", "without area", "without area"},
     {&Findings::collapsed, "collapsed", "that the lattice flattened to no area", "without area on the lattice"},
@@ -75,7 +75,7 @@ std::string names_of_inputs(const ImportResult& imported);
 /// In units of the blob.
 struct AssetSize {
     double extent = 0.0;       ///< the largest side of the bounds of all triangles with an area
-    double uncertainty = 0.0;  ///< how far `extent` may be off, because corners were rounded to float32
+    double uncertainty = 0.0;  ///< how far `extent` may be off, because files have corners rounded to float32
 };
 
 /// Returns the size of all meshes, or of all places if they are kept.

@@ -5,6 +5,7 @@
 #include <import/base/numbers.hpp>
 
 #include "layout/places.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -82,10 +83,14 @@ void say_report(const Console& console, const BakeReport& report) {
         console.say(report.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
                     "; the blob is valid and empty, and every query of it finds nothing");
     }
+    if (report.origin != Vec3d{}) {
+        console.say("origin: ", words_for_origin(report.origin),
+                    " of the source is 0 0 0 of the blob, from which its coordinates and the bounds count");
+    }
     console.say("bounds: ", shortest(report.bounds.min), " to ", shortest(report.bounds.max), ", extent ",
                 rounded(report.bounds.extent));
     console.say("lattice: ", report.lattice.bits, " bits, step ", rounded(report.lattice.step), ", max error ",
-                rounded(report.lattice.max_error), " (from the source's coordinates as float32)");
+                rounded(report.lattice.max_error), " (from the source's coordinates)");
     console.say("tree: ", counted(report.tree.triangles, "triangle"), ", ", counted(report.tree.vertices, "vertex"),
                 ", ", counted(report.tree.nodes, "node"), ", ", counted(report.tree.leaves, "leaf"), ", depth ",
                 report.tree.depth, report.closed ? ", closed" : ", not closed");
@@ -146,6 +151,7 @@ Json bake_json(const BakeArguments& arguments, const ImportResult& imported, con
     document["triangles"] = report.tree.triangles;
     document["vertices"] = report.tree.vertices;
     document["findings"] = findings_json(report);
+    if (report.origin != Vec3d{}) document["source_origin"] = json_point(report.origin);
     document["bounds"] = json_box(report.bounds.min, report.bounds.max);
     Json volumes = Json::object();
     if (report.bounds.volumes.box > 0.0) volumes["box"] = report.bounds.volumes.box;

@@ -5,17 +5,20 @@
 
 #include <import/base/placement.hpp>
 
+#include "vectors.hpp"
+
 namespace espalier::tools {
 
-std::vector<Vec3> positions_in_a_row(const ImportResult& imported) {
+std::vector<Vec3> positions_in_a_row(const ImportResult& imported, const Vec3d& origin) {
     std::vector<Vec3> row;
     for (const ImportedMesh& mesh : imported.meshes)
-        row.insert(row.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const Vec3d& position : mesh.positions) row.push_back(to_float32(position - origin));
     return row;
 }
 
 std::optional<std::size_t> first_not_finite(const std::vector<Vec3>& positions) {
-    const auto found = std::find_if_not(positions.begin(), positions.end(), is_finite);
+    const auto found =
+        std::find_if_not(positions.begin(), positions.end(), [](const Vec3& each) { return is_finite(each); });
     if (found == positions.end()) return std::nullopt;
     return static_cast<std::size_t>(found - positions.begin());
 }

@@ -13,7 +13,8 @@
 
 namespace espalier::tools {
 
-std::vector<Vec3> positions_in_a_row(const ImportResult& imported);
+/// Returns them less an origin, as the float32 numbers that poses consist of.
+std::vector<Vec3> positions_in_a_row(const ImportResult& imported, const Vec3d& origin);
 
 /// Returns the number of the first position in the row with a coordinate that is NaN or infinite.
 std::optional<std::size_t> first_not_finite(const std::vector<Vec3>& positions);

@@ -48,6 +48,7 @@ struct BakeArguments {
     std::string step;        ///< a power of two; empty: none
     std::string lattice_of;  ///< a blob whose step is taken; empty: none
     unsigned bits = 16;
+    std::string origin = "auto";               ///< or none, or three lengths with commas between
     std::optional<std::string> max_bytes;      ///< an amount of bytes
     std::optional<std::string> max_error;      ///< a length; without it --tolerance, --bits or a step decides
     std::optional<std::string> fastest_under;  ///< an amount of bytes

@@ -56,7 +56,8 @@ public:
             option("--rotate", arguments_.rotation, "X Y Z W",
                    "How the other blob is turned, a quaternion; 0 0 0 1 without it")
                 .expected(4);
-            option("--move", arguments_.translation, "X Y Z", "Where the other blob's origin stands; 0 0 0 without it")
+            option("--move", arguments_.translation, "X Y Z",
+                   "Where 0 0 0 of the other blob's source stands in the first one's; 0 0 0 without it")
                 .expected(3);
             option("--scale", arguments_.scale, "FACTOR", "The other blob's size").with_default();
         }
@@ -136,7 +137,7 @@ void add_query(Verb query) {
     add_json(query, arguments->json);  // before the kind as well as after it
     query.footer(
         "'espalier query BLOB KIND --help' has the options. Lengths and coordinates take units (0.5mm), or count in "
-        "the asset's own; inf and nan are numbers.\n");
+        "the asset's own; inf and nan are numbers. Places are those of the source, also if the blob has an origin.\n");
     for (const QueryKind& kind : query_kinds()) {
         const bool is_of_both = kind.scene_options && !kind.is_of_scenes_only;
         Verb verb = query.below(kind.name, text(kind.help, is_of_both ? " (also of scenes)" : ""), kind.family);
@@ -146,7 +147,7 @@ void add_query(Verb query) {
         verb.runs([&kind, arguments] {
             QueryCall call(kind, *arguments);
             const Answer answer = kind.run(call);
-            return print_answer(kind.name, answer, reason_of(kind, *arguments, answer.status));
+            return print_answer(kind.name, answer, reason_of(kind, *arguments, call.origin(), answer.status));
         });
     }
 }

@@ -143,7 +143,7 @@ ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
-    Poses poses = import_poses(arguments, source, imported);
+    Poses poses = import_poses(arguments, source, imported, options.origin.value_or(Vec3d{}));
     if (options.deformation) options.deformation->poses = std::move(poses.positions);
     const Baking baking{arguments, policy, console, imported, poses.files, options};
     return arguments.instancing == Instancing::off ? bake_blob(baking, warnings) : bake_scene(baking, warnings);

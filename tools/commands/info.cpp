@@ -16,6 +16,7 @@
 #include "layout/tree_quality.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -59,6 +60,7 @@ void print_blob_json(const InfoArguments& arguments, const AssetFile& file) {
     document["step"] = json_number(std::ldexp(1.0f, blob.lattice().step_exponent));
     document["extent"] = extent_of(blob);
     document["max_error"] = json_number(blob.max_error());
+    if (blob.source_origin() != Vec3d{}) document["source_origin"] = json_point(blob.source_origin());
     document["bounds"] = json_box(blob.bounds().min, blob.bounds().max);
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         document["sphere"] = {{"center", json_point(sphere->center)}, {"radius", json_number(sphere->radius)}};
@@ -107,6 +109,10 @@ void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
     if (blob.duplicate_reference_count() != 0)
         print_line("copies", blob.duplicate_reference_count(), ", in further leaves: answers rays, enumerates nothing");
     print_line("vertices", blob.vertex_count());
+    if (blob.source_origin() != Vec3d{}) {
+        print_line("source origin", words_for_origin(blob.source_origin()),
+                   " of the source is 0 0 0 of the blob, from which all coordinates here count");
+    }
     print_line("bounds", shortest(blob.bounds().min), " to ", shortest(blob.bounds().max));
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         print_line("sphere", "center ", shortest(sphere->center), ", radius ", shortest(sphere->radius));

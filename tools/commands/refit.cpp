@@ -16,6 +16,7 @@
 #include "layout/places.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -39,7 +40,7 @@ void require_deformable(const RefitArguments& arguments, const Blob& blob) {
 
 /// Throws CommandError (invalid_input) for a pose that refit() refuses.
 void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const ImportResult& pose,
-                 const std::vector<Vec3>& positions, const RefitResult& result) {
+                 const std::vector<Vec3>& positions, const RefitResult& result, const Vec3d& origin) {
     const std::string blob = text('\'', printable(arguments.blob), '\'');
     if (positions.size() != mesh.position_count()) {
         throw_file_error(ExitCode::invalid_input, arguments.pose, " has ", counted(positions.size(), "vertex"),
@@ -48,12 +49,13 @@ void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const 
     }
     const Vec3& position = positions[result.position];
     if (result.status == QueryStatus::out_of_range) {
+        const auto in_source = [&](Vec3 point) { return words_for_point({point, origin}); };
         const Box range = mesh.range();
-        refuse_position(
-            pose, result.position,
-            text("is at ", shortest(position), ", outside of the range of motion of ", blob, ", ", shortest(range.min),
-                 " to ", shortest(range.max), ". Bake it with a larger --range, or with this pose among --poses."),
-            "out_of_range");
+        refuse_position(pose, result.position,
+                        text("is at ", in_source(position), ", outside of the range of motion of ", blob, ", ",
+                             in_source(range.min), " to ", in_source(range.max),
+                             ". Bake it with a larger --range, or with this pose among --poses."),
+                        "out_of_range");
     }
     refuse_position(pose, result.position, text("has ", words_for_not_finite(position), ". Mend the pose."));
 }
@@ -61,9 +63,10 @@ void refuse_pose(const RefitArguments& arguments, const Deformable& mesh, const 
 Refitted refitted(const RefitArguments& arguments, const AssetFile& file, const ImportResult& pose) {
     std::vector<std::byte> memory(deformable_bytes(file.blob));
     Deformable mesh = create_deformable(file.blob, memory);
-    const std::vector<Vec3> positions = positions_in_a_row(pose);
+    const Vec3d origin = file.blob.source_origin();
+    const std::vector<Vec3> positions = positions_in_a_row(pose, origin);
     const RefitResult result = refit(mesh, positions);
-    if (!result) refuse_pose(arguments, mesh, pose, positions, result);
+    if (!result) refuse_pose(arguments, mesh, pose, positions, result, origin);
     Refitted refitted{std::vector<std::byte>(file.blob.size()), {}, result.quality};
     static_cast<void>(seal(mesh, refitted.bytes));
     refitted.blob = open(refitted.bytes);
@@ -94,7 +97,7 @@ Json refit_json(const RefitArguments& arguments, const ImportResult& pose, const
     document["file"] = arguments.blob;
     document["pose"] = arguments.pose;
     document["output"] = arguments.output;
-    document["positions"] = positions_in_a_row(pose).size();
+    document["positions"] = positions_in_a_row(pose, {}).size();
     document["bounds"] = json_box(bounds.min, bounds.max);
     document["quality"] = json_number(refitted.quality);
     document["bytes"] = refitted.blob.size();

@@ -65,6 +65,7 @@ ExitCode run_trade(const TradeArguments& arguments, std::vector<Warning>& warnin
     if (arguments.json) refuse_standard_output(outputs);
     const TradeSpace space = trade_space(arguments);
     BakeOptions options;
+    options.origin.reset();
     options.effort = arguments.effort;
     options.threads = arguments.threads;
     options.drop_bad_triangles = arguments.drop_bad_triangles;

@@ -1,6 +1,5 @@
 // verify: is this blob or scene sound, and is it the source it was baked from?
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -19,6 +18,7 @@
 
 #include "bake/policy.hpp"
 #include "bake/baking.hpp"
+#include "base/vectors.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "report/diagnostics.hpp"
@@ -41,16 +41,9 @@ struct SourceCheck {
 
 constexpr std::uint64_t most_checked = 100'000;
 
-std::array<double, 3> difference(Vec3 to, Vec3 from) {
-    const auto along = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
-    return {along(to.x, from.x), along(to.y, from.y), along(to.z, from.z)};
-}
+Vec3d difference(Vec3 to, Vec3 from) { return to_float64(to) - to_float64(from); }
 
-bool has_area(Vec3 a, Vec3 b, Vec3 c) {
-    const std::array<double, 3> u = difference(b, a);
-    const std::array<double, 3> v = difference(c, a);
-    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
-}
+bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a) != Vec3d{}; }
 
 /// What a mesh has to check.
 struct UsedVertices {
@@ -79,17 +72,11 @@ UsedVertices used_vertices(const ImportedMesh& mesh) {
 /// carry it. Its distance from there is within 4 ulp (nearest.hpp).
 double measuring_error_at(const Blob& blob, Vec3 point, double distance) {
     const float* origin = detail::data_of(blob).origin;
-    const std::array<double, 3> offset = difference(point, {origin[0], origin[1], origin[2]});
-    const double reach = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
+    const Vec3d offset = difference(point, {origin[0], origin[1], origin[2]});
+    const double reach = std::max({std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)});
     const int finer_by = std::clamp(23 - static_cast<int>(detail::data_of(blob).bits), 0, 6);
     const double on_each_axis = std::ldexp(1.0, blob.lattice().step_exponent - finer_by - 1) + std::ldexp(reach, -24);
     return std::sqrt(3.0) * on_each_axis + std::ldexp(distance, -21);
-}
-
-double distance_to(const Blob& blob, Vec3 point) { return static_cast<double>(closest_point(blob, point).distance); }
-
-double distance_to(const BakedScene& scene, Vec3 point) {
-    return static_cast<double>(closest_point(scene, point)->distance);
 }
 
 double measuring_error_at(const BakedScene& scene, Vec3 point, double distance);
@@ -99,11 +86,8 @@ double measuring_error_at(const BakedScene& scene, Vec3 point, double distance);
 double measuring_error_at(const BakedScene& scene, const Instance& instance, Vec3 point, double distance) {
     const Transform& transform = instance.transform;
     const auto scale = static_cast<double>(transform.scale);
-    const std::array<double, 3> offset = difference(point, transform.translation);
-    const double reach = std::hypot(offset[0], offset[1], offset[2]);
-    const Vec3& moved = transform.translation;
-    const double translation =
-        std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y), static_cast<double>(moved.z));
+    const double reach = length_of(difference(point, transform.translation));
+    const double translation = length_of(to_float64(transform.translation));
     const Vec3 local = to_local(transform, point);
     const std::size_t meshes = scene.meshes().size();
     const double in_mesh = instance.mesh < meshes
@@ -127,13 +111,70 @@ double measuring_error_at(const BakedScene& scene, Vec3 point, double distance) 
     return error;
 }
 
+double distance_to_segment(const Vec3d& point, const Vec3d& from, const Vec3d& to) {
+    const Vec3d way = to - from, offset = point - from;
+    const double square = dot(way, way);
+    const double t = square > 0.0 ? std::clamp(dot(offset, way) / square, 0.0, 1.0) : 0.0;
+    return length_of(offset - t * way);
+}
+
+/// In float64, which has the products of a lattice's coordinates without rounding.
+double distance_to_triangle(const Vec3d& point, const Triangle& triangle) {
+    const Vec3d corners[] = {to_float64(triangle.a), to_float64(triangle.b), to_float64(triangle.c)};
+    const Vec3d normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    double nearest = PointBox::infinity;
+    bool is_beside = !(length_of(normal) > 0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3d& from = corners[i];
+        const Vec3d& to = corners[(i + 1) % 3];
+        nearest = std::min(nearest, distance_to_segment(point, from, to));
+        is_beside |= dot(cross(to - from, point - from), normal) < 0.0;
+    }
+    return is_beside ? nearest : std::min(nearest, std::abs(dot(normal, point - corners[0])) / length_of(normal));
+}
+
+/// How far a place of the source is from the surface, and what that may be too large by.
+struct Measured {
+    double distance = PointBox::infinity;
+    double error = 0.0;
+};
+
+/// The query finds the triangle, for the place as it rounds it; the distance is that of the place in float64.
+Measured measure(const Blob& blob, const Vec3d& place) {
+    const Vec3d point = place - blob.source_origin();
+    const Vec3 in_blob = to_float32(point);
+    const ClosestPoint nearest = closest_point(blob, in_blob);
+    if (!nearest) return {};
+    const auto distance_to = [&](TriangleId triangle) {
+        return distance_to_triangle(point, triangle_at(blob, triangle).value);
+    };
+    const double rounded_by = length_of(point - to_float64(in_blob));
+    const auto allowed = double(blob.max_error());
+    Measured measured;
+    measured.distance = distance_to(nearest.triangle);
+    if (measured.distance > allowed) {  // another triangle may be nearer to the place than to where it was rounded
+        const double radius = allowed + rounded_by + measuring_error_at(blob, in_blob, allowed);
+        static_cast<void>(for_each_overlap(blob, Sphere{in_blob, to_float32(radius)}, [&](TriangleId triangle) {
+            measured.distance = std::min(measured.distance, distance_to(triangle));
+        }));
+    }
+    measured.error = std::ldexp(length_of(point) + measured.distance, -48);
+    if (blob.is_deformable()) measured.error += rounded_by;  // refit() takes float32
+    return measured;
+}
+
+Measured measure(const BakedScene& scene, const Vec3d& place) {
+    const Vec3 point = to_float32(place);
+    const auto distance = double(closest_point(scene, point)->distance);
+    return {distance, measuring_error_at(scene, point, distance)};
+}
+
 template <class SourceSurface>
-void check_point(const SourceSurface& surface, Vec3 point, const std::function<std::string()>& words,
+void check_point(const SourceSurface& surface, const Vec3d& place, const std::function<std::string()>& words,
                  SourceCheck& check) {
-    const double distance = distance_to(surface, point);
-    const double error = measuring_error_at(surface, point, distance);
+    const auto [distance, error] = measure(surface, place);
     ++check.checked;
-    if (distance > static_cast<double>(surface.max_error()) + error) ++check.too_far;
+    if (distance > double(surface.max_error()) + error) ++check.too_far;
     check.measuring_error = std::max(check.measuring_error, error);
     if (distance > check.worst_distance) {
         check.worst_distance = distance;
@@ -150,9 +191,9 @@ std::vector<ImportedPlace> places_of(const ImportResult& source) {
     return places;
 }
 
-/// Measures source vertices against the surface with closest_point: all of them up to a hundred thousand or so, else
-/// every so many. Vertices that are not finite are left out: they were dropped or refused. Whether anything of the
-/// source should be in a blob at all is left to the caller: triangles_with_area.
+/// Measures source vertices, as the files have them in float64, against the surface: all of them up to a hundred
+/// thousand or so, else every so many. Vertices that are not finite are left out: they were dropped or refused. Whether
+/// anything of the source should be in a blob at all is left to the caller: triangles_with_area.
 template <class SourceSurface>
 SourceCheck check_source(const SourceSurface& surface, bool is_empty, const ImportResult& source) {
     SourceCheck check;

@@ -1,6 +1,7 @@
 #include "listing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <iterator>
 #include <string_view>
@@ -199,6 +200,13 @@ void list_k_dop(Bytes bytes, ByteListing& listing) {
     }
 }
 
+void list_source_origin(Bytes bytes, ByteListing& listing) {
+    for (const char axis : {'x', 'y', 'z'}) {
+        const std::uint64_t low = read_u32(bytes, listing.at()), high = read_u32(bytes, listing.at() + 4);
+        listing.field(8, text(axis, " of the source where the blob has 0: ", std::bit_cast<double>(high << 32 | low)));
+    }
+}
+
 void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing) {
     const std::string_view name = section.name;
     const detail::BlobData& data = detail::data_of(blob);
@@ -230,6 +238,8 @@ void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteLis
         list_corners(bytes, blob, section, listing);
     } else if (name == "vertex_sources") {
         list_vertex_sources(bytes, blob, section, listing);
+    } else if (name == "source_origin") {
+        list_source_origin(bytes, listing);
     }
 }
 

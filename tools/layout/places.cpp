@@ -71,6 +71,7 @@ std::vector<Section> sections_of(const Blob& blob) {
         add("vertex_sources", padded_to_4(read_u32({data.bytes, data.size}, format::header::vertex_slots_at) *
                                           std::size_t{vertex_source_bits(blob) / 8}));
     }
+    if ((data.features & format::feature::source_origin) != 0) add("source_origin", format::source_origin::bytes);
     if (at != data.size) {
         throw_error(ExitCode::internal, "the sections do not add up to the blob: please report this blob.");
     }
@@ -191,7 +192,7 @@ std::string checksum_text(std::uint32_t checksum) {
 std::vector<std::string> feature_names(std::uint32_t features) {
     constexpr const char* of_bits[] = {"original_ids", "materials_8",  "materials_16",    "closed", "split_references",
                                        "edge_flags",   "oriented_box", "bounding_sphere", "k_dop",  "deformable",
-                                       "id_runs"};
+                                       "id_runs",      "source_origin"};
     static_assert(format::feature::known == (1u << std::size(of_bits)) - 1);
     std::vector<std::string> names;
     for (std::size_t bit = 0; bit < std::size(of_bits); ++bit)

@@ -68,14 +68,17 @@ Record& Record::put(const char* key, Json json, std::string_view line) {
 
 Record& Record::add(const char* key, float value) { return put(key, json_number(value), shortest(value)); }
 Record& Record::add(const char* key, Vec3 value) { return put(key, json_point(value), shortest(value)); }
+Record& Record::add(const char* key, const SourcePoint& value) {
+    return put(key, json_point(value), words_for_point(value));
+}
 Record& Record::add(const char* key, const std::string& value) { return put(key, value, value); }
 Record& Record::add(const char* key, Side value) {
     return add(key, std::string(value == Side::front ? "front" : "back"));
 }
 Record& Record::add_count(const char* key, std::uint64_t value) { return put(key, value, tools::text(value)); }
 
-Record& Record::add(const char* key, const Box& value) {
-    return put(key, json_box(value.min, value.max), tools::text(shortest(value.min), " to ", shortest(value.max)));
+Record& Record::add(const char* key, const SourceBox& value) {
+    return put(key, json_box(value), tools::text(words_for_point(value.min), " to ", words_for_point(value.max)));
 }
 
 Record& Record::add(const char* key, const Record& value) {
@@ -99,6 +102,12 @@ Record& Record::add(const char* key, std::span<const Vec3> values) {
     Json json = Json::array();
     for (const Vec3& value : values) json.push_back(json_point(value));
     return put(key, std::move(json), listed(values, ", ", [](Vec3 value) { return shortest(value); }));
+}
+
+Record& Record::add(const char* key, const std::vector<SourcePoint>& values) {
+    Json json = Json::array();
+    for (const SourcePoint& value : values) json.push_back(json_point(value));
+    return put(key, std::move(json), listed(values, ", ", words_for_point));
 }
 
 Record& Record::add_silently(const char* key, Json value) {

@@ -13,6 +13,7 @@
 
 #include "base/exit_code.hpp"
 #include "report/json.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -30,14 +31,16 @@ public:
     }
     Record& add(const char* key, float value);
     Record& add(const char* key, Vec3 value);
+    Record& add(const char* key, const SourcePoint& value);
     Record& add(const char* key, Side value);
     Record& add(const char* key, const std::string& value);
-    Record& add(const char* key, const Box& value);
+    Record& add(const char* key, const SourceBox& value);
     Record& add_count(const char* key, std::uint64_t value);
     /// An object of its own; in text its lines, indented.
     Record& add(const char* key, const Record& value);
     Record& add(const char* key, const std::vector<Record>& values);
     Record& add(const char* key, std::span<const Vec3> values);
+    Record& add(const char* key, const std::vector<SourcePoint>& values);
     /// Adds a value to JSON only, since the title has it in text.
     Record& add_silently(const char* key, Json value);
     /// "triangle 5 (file 0, mesh 1, triangle 7), material 3" is the title, after `before`.

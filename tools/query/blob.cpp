@@ -4,6 +4,7 @@
 #include <import/base/numbers.hpp>
 
 #include "base/choices.hpp"
+#include "base/vectors.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {
@@ -20,26 +21,30 @@ Answer bounds_answer(QueryCall& call) {
     Answer answer(call);
     Record& record = answer.record.title("bounds");
     if (call.scene() != nullptr) {
-        record.add("box", call.scene()->bounds());
+        record.add("box", call.in_source(call.scene()->bounds()));
         return answer;
     }
-    record.add("box", Box{blob.bounds().min, blob.bounds().max});
+    record.add("box", call.in_source(blob.bounds()));
     if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         Record inner(record.as_json());
-        record.add("sphere", inner.add("center", sphere->center).add("radius", sphere->radius));
+        record.add("sphere", inner.add("center", call.in_source(sphere->center)).add("radius", sphere->radius));
     }
     if (const Result<OrientedBox> box = oriented_bounds(blob)) {
         Record inner(record.as_json());
-        inner.add("center", box->center).add("half_axes", box->half_axes);
+        inner.add("center", call.in_source(box->center)).add("half_axes", box->half_axes);
         record.add("oriented_box", inner);
     }
     if (const Result<KDop> k_dop = k_dop_bounds(blob)) {
         std::vector<Record> slabs;
         for (unsigned i = 0; i < KDop::count; ++i) {
+            const Vec3& along = KDop::directions[i];
+            const double zero = dot(to_float64(along), call.origin());
             Record& slab = slabs.emplace_back(record.as_json());
-            slab.title(text("along ", shortest(KDop::directions[i]), ": ", k_dop->lo[i], " to ", k_dop->hi[i]));
-            slab.add_silently("direction", json_point(KDop::directions[i]));
-            slab.add_silently("min", json_number(k_dop->lo[i])).add_silently("max", json_number(k_dop->hi[i]));
+            slab.title(text("along ", shortest(along), ": ", words_in_source(k_dop->lo[i], zero), " to ",
+                            words_in_source(k_dop->hi[i], zero)));
+            slab.add_silently("direction", json_point(along));
+            slab.add_silently("min", json_in_source(k_dop->lo[i], zero));
+            slab.add_silently("max", json_in_source(k_dop->hi[i], zero));
         }
         record.add("k_dop", slabs);
     }
@@ -52,7 +57,7 @@ Answer lattice_answer(QueryCall& call) {
     const std::int32_t* extent = lattice.extent;
     answer.record.title(text("lattice of ", extent[0], " x ", extent[1], " x ", extent[2], " steps"));
     answer.record.add_silently("extent", Json::array({extent[0], extent[1], extent[2]}));
-    answer.record.add("origin", lattice.origin).add("step", std::ldexp(1.0f, lattice.step_exponent));
+    answer.record.add("origin", call.in_source(lattice.origin)).add("step", std::ldexp(1.0f, lattice.step_exponent));
     answer.record.add_silently("step_exponent", lattice.step_exponent);
     return answer;
 }
@@ -62,19 +67,20 @@ Answer steps_answer(QueryCall& call) {
     Answer answer(call, nearest.status);
     answer.record.title(text("steps ", nearest->x, ' ', nearest->y, ' ', nearest->z));
     answer.record.add_silently("steps", Json::array({nearest->x, nearest->y, nearest->z}));
-    answer.record.add("point", to_local(call.blob().lattice(), *nearest));
+    answer.record.add("point", call.in_source(to_local(call.blob().lattice(), *nearest)));
     return answer;
 }
 
-void add_corners(Record& record, const Triangle& corners) {
-    record.add("a", corners.a).add("b", corners.b).add("c", corners.c);
+void add_corners(Record& record, const QueryCall& call, const Triangle& corners) {
+    record.add("a", call.in_source(corners.a)).add("b", call.in_source(corners.b));
+    record.add("c", call.in_source(corners.c));
 }
 
 Answer show_answer(QueryCall& call) {
     const TriangleId triangle = call.next_triangle();
     Answer answer(call);
     answer.record.triangle(call.blob(), triangle);
-    if (const auto corners = triangle_at(call.blob(), triangle)) add_corners(answer.record, *corners);
+    if (const auto corners = triangle_at(call.blob(), triangle)) add_corners(answer.record, call, *corners);
     if (const Result<EdgeKinds> kinds = edge_kinds(call.blob(), triangle)) {
         answer.record.add("edge_ab", name_in(edge_choices, kinds->ab)).add("edge_bc", name_in(edge_choices, kinds->bc));
         answer.record.add("edge_ca", name_in(edge_choices, kinds->ca));
@@ -115,7 +121,7 @@ Answer triangles_answer(QueryCall& call) {
             next = triangle.index;
             return Visit::stop;
         }
-        add_corners(answer.add().triangle(call.blob(), triangle), corners);
+        add_corners(answer.add().triangle(call.blob(), triangle), call, corners);
         return Visit::next;
     });
     return answer.counted_list("triangles", "triangle", &next);
@@ -131,14 +137,15 @@ Record node_record(const QueryCall& call, const TreeNode& node) {
     for (unsigned i = 0; i < node.child_count; ++i) {
         const TreeChild& child = node.children[i];
         Record& made = children.emplace_back(as_json);
-        const std::string box = text(", box ", shortest(child.box.min), " to ", shortest(child.box.max));
+        const SourceBox around = call.in_source(child.box);
+        const std::string box = text(", box ", words_for_point(around.min), " to ", words_for_point(around.max));
         if (child.is_leaf) {
             made.title(text(indent, counted(child.count, "triangle"), " from ", child.first.index, box));
             made.add_silently("first", child.first.index).add_silently("triangles", child.count);
         } else {
             made.title(text(indent, "node ", child.node, box)).add_silently("node", child.node);
         }
-        made.add_silently("box", json_box(child.box.min, child.box.max));
+        made.add_silently("box", json_box(around));
     }
     return record.add("children", children);
 }

@@ -23,7 +23,8 @@ Answer contacts_answer(QueryCall& call, const Shape& shape, float margin) {
     contacts.resize(call.options().few ? reduce_contacts(found.in(contacts)) : found.count);
     for (const Contact& contact : contacts) {
         Record& record = answer.add().triangle(call.blob(), contact.triangle, "contact ");
-        record.add("distance", contact.distance).add("point", contact.point).add("normal", contact.normal);
+        record.add("distance", contact.distance).add("point", call.in_source(contact.point));
+        record.add("normal", contact.normal);
         record.add("feature", name_in(feature_choices, contact.feature)).add("side", contact.side);
     }
     return answer.counted_list("touches", "touch");
@@ -46,7 +47,8 @@ Answer hit_answer(const QueryCall& call, const SweepHit& hit, InstanceId instanc
     Answer answer(call, refusal(hit.status));
     answer.record.title("no contact").add_silently("hit", bool(hit));
     if (!hit) return answer;
-    answer.record.triangle(call, hit.triangle, "touches ", instance).add("t", hit.t).add("point", hit.point);
+    answer.record.triangle(call, hit.triangle, "touches ", instance).add("t", hit.t);
+    answer.record.add("point", call.in_source(hit.point));
     answer.record.add("normal", hit.normal).add("face_normal", hit.face_normal);
     answer.record.add("feature", name_in(feature_choices, hit.feature));
     answer.record.add("starts_overlapping", hit.starts_overlapping);
@@ -100,7 +102,7 @@ QueryKinds contact_kinds() {
                 length_word("margin", Range::finite_size)},
                option_few, shape_contacts_answer<Capsule>),
         family("contacts-oriented-box", "Where a box of any orientation touches the surface or is near it",
-               {point_word("center"), point_word("half_axis_a"), point_word("half_axis_b"), point_word("half_axis_c"),
+               {point_word("center"), way_word("half_axis_a"), way_word("half_axis_b"), way_word("half_axis_c"),
                 length_word("margin", Range::finite_size)},
                option_few, shape_contacts_answer<OrientedBox>),
         family(
@@ -116,22 +118,22 @@ QueryKinds sweep_kinds() {
     constexpr unsigned options = option_culling | option_sweep, in_scene = options | option_mask;
     return {
         family("sweep-sphere", "What a moving sphere touches first",
-               {point_word("center"), length_word("radius", Range::finite_size), point_word("displacement")}, options,
+               {point_word("center"), length_word("radius", Range::finite_size), way_word("displacement")}, options,
                shape_sweep_answer<Sphere>, in_scene),
-        family("sweep-capsule", "What a moving capsule touches first",
-               {point_word("from"), point_word("to"), length_word("radius", Range::finite_size),
-                point_word("displacement")},
-               options, shape_sweep_answer<Capsule>, in_scene),
+        family(
+            "sweep-capsule", "What a moving capsule touches first",
+            {point_word("from"), point_word("to"), length_word("radius", Range::finite_size), way_word("displacement")},
+            options, shape_sweep_answer<Capsule>, in_scene),
         family("sweep-box", "What a moving axis-aligned box touches first",
-               {point_word("min"), point_word("max"), point_word("displacement")}, options, shape_sweep_answer<Box>,
+               {point_word("min"), point_word("max"), way_word("displacement")}, options, shape_sweep_answer<Box>,
                in_scene),
         family("sweep-oriented-box",
                "What a moving box of any orientation touches first; half axes lead from center to faces",
-               {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis"),
-                point_word("displacement")},
+               {point_word("center"), way_word("half axis"), way_word("half axis"), way_word("half axis"),
+                way_word("displacement")},
                options, shape_sweep_answer<OrientedBox>, in_scene),
         family("sweep-hull", "What a moving convex hull touches first: its displacement, then each vertex",
-               {point_word("displacement"), point_word("vertex")}, options, hull_answer, in_scene,
+               {way_word("displacement"), point_word("vertex")}, options, hull_answer, in_scene,
                {Repeats::Which::last, max_hull_vertices}),
     };
 }

@@ -9,6 +9,7 @@
 #include <import/base/numbers.hpp>
 
 #include "base/choices.hpp"
+#include "base/vectors.hpp"
 
 namespace espalier::tools {
 
@@ -21,6 +22,12 @@ float number_argument(const std::string& input, std::string_view name) {
 float length_argument(const std::string& input, std::string_view name) {
     const std::optional<float> value = parse_float(input);
     return value ? *value : static_cast<float>(parse_length(input, name));
+}
+
+float place_argument(const std::string& input, std::string_view name, double origin) {
+    if (origin == 0.0) return length_argument(input, name);
+    const std::optional<double> number = parse_double(input);
+    return to_float32((number ? *number : parse_length(input, name)) - origin);
 }
 
 std::string typed(const std::string& word) { return word.starts_with(" -") ? word.substr(1) : word; }
@@ -67,11 +74,24 @@ QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : a
         throw_error(ExitCode::usage, "query ", kind.name, " takes ", counted(word_count(kind), "argument"), ": ",
                     words_text(kind), "; here are ", given, '.');
     }
-    std::size_t next = 0;
-    for (const QueryWord* word : *words)
-        for (unsigned i = 0; i < word->count; ++i) read_word(typed(arguments.words[next++]), *word);
+    read_words(*words);
     if (!arguments.mask.empty()) mask_ = mask_argument(arguments.mask);
     open_asset(kind);
+    if (scene() == nullptr) origin_ = blob().source_origin();
+    if (origin_ != Vec3d{}) read_words(*words);
+}
+
+void QueryCall::read_words(std::span<const QueryWord* const> words) {
+    words_.clear();
+    for (const QueryWord* word : words)
+        for (unsigned i = 0; i < word->count; ++i) read_word(typed(arguments_.words[words_.size()]), *word, i);
+}
+
+/// For a normal and an offset in the source: normal * (p - origin) <= offset - normal * origin.
+float QueryCall::plane_offset(const std::string& input, std::span<const std::string> normal) const {
+    if (origin_ == Vec3d{}) return length_argument(input, "offset");
+    const auto along = [&](std::size_t axis) { return parse_double(typed(normal[axis])).value_or(0.0); };
+    return place_argument(input, "offset", dot({along(0), along(1), along(2)}, origin_));
 }
 
 void QueryCall::open_asset(const QueryKind& kind) {
@@ -96,8 +116,9 @@ void QueryCall::open_asset(const QueryKind& kind) {
     file_.require_open();
 }
 
-void QueryCall::read_word(const std::string& input, const QueryWord& word) {
+void QueryCall::read_word(const std::string& input, const QueryWord& word, unsigned part) {
     using Type = QueryWord::Type;
+    const double origin[] = {origin_.x, origin_.y, origin_.z};
     const auto whole = [&]<class Whole>(Whole least, const char* problem) {
         const std::optional<double> value = parse_double(input);
         const bool is_within = value && *value >= double(least) && *value <= double(std::numeric_limits<Whole>::max());
@@ -106,6 +127,9 @@ void QueryCall::read_word(const std::string& input, const QueryWord& word) {
         words_.emplace_back(static_cast<Whole>(*value));
     };
     if (word.type == Type::length) words_.emplace_back(length_argument(input, word.name));
+    if (word.type == Type::place) words_.emplace_back(place_argument(input, word.name, origin[part]));
+    if (word.type == Type::offset)
+        words_.emplace_back(plane_offset(input, std::span(arguments_.words).subspan(words_.size() - 3, 3)));
     if (word.type == Type::number) words_.emplace_back(number_argument(input, word.name));
     if (word.type == Type::index) whole(std::uint32_t{0}, "' is no whole number from 0 on.");
     if (word.type == Type::steps)

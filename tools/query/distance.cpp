@@ -14,8 +14,8 @@ float max_distance(const QueryCall& call) { return length_argument(call.options(
 void add_nearest(Record& record, const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false,
                  InstanceId instance = no_instance) {
     record.triangle(call, nearest.triangle, "nearest ", instance);
-    record.add("distance", nearest.distance).add("point", nearest.point);
-    if (has_shape) record.add("on_shape", nearest.on_shape);
+    record.add("distance", nearest.distance).add("point", call.in_source(nearest.point));
+    if (has_shape) record.add("on_shape", call.in_source(nearest.on_shape));
     record.add("feature", name_in(feature_choices, nearest.feature)).add("u", nearest.u).add("v", nearest.v);
     record.add("face_normal", nearest.face_normal).add("side", nearest.side);
 }

@@ -17,9 +17,11 @@ struct Argument {
     Range range;
 };
 
-double value_of_word(QueryWord::Type type, const std::string& word, const char* name) {
-    if (type == QueryWord::Type::length) return static_cast<double>(length_argument(word, name));
-    if (type == QueryWord::Type::number) return static_cast<double>(number_argument(word, name));
+double value_of_word(QueryWord::Type type, const std::string& word, const char* name, double origin) {
+    using Type = QueryWord::Type;
+    if (type == Type::place) return double(place_argument(word, name, origin));
+    if (type == Type::length || type == Type::offset) return double(length_argument(word, name));
+    if (type == Type::number) return double(number_argument(word, name));
     return parse_double(word).value_or(0.0);
 }
 
@@ -37,13 +39,15 @@ void number_equal_names(std::vector<Argument>& arguments) {
     }
 }
 
-std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& given) {
+std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& given, const Vec3d& origin) {
     std::vector<Argument> arguments;
     const auto add = [&](const char* name, QueryWord::Type type, std::vector<std::string> words, Range range) {
         Argument& argument = arguments.emplace_back(Argument{name, std::move(words), {}, range});
         for (std::string& word : argument.words) {
             word = typed(word);
-            argument.values.push_back(value_of_word(type, word, name));
+            const std::size_t axis = argument.values.size();
+            const double zero = axis == 0 ? origin.x : axis == 1 ? origin.y : origin.z;
+            argument.values.push_back(value_of_word(type, word, name, zero));
         }
     };
     auto next = given.words.begin();
@@ -196,9 +200,9 @@ const char* describe(Range range) {
     return words[static_cast<std::size_t>(range)];
 }
 
-std::string reason_of(const QueryKind& kind, const QueryArguments& given, QueryStatus status) {
+std::string reason_of(const QueryKind& kind, const QueryArguments& given, const Vec3d& origin, QueryStatus status) {
     if (status != QueryStatus::invalid_argument && status != QueryStatus::out_of_range) return describe(status);
-    const std::vector<Argument> arguments = arguments_of(kind, given);
+    const std::vector<Argument> arguments = arguments_of(kind, given, origin);
     if (status == QueryStatus::out_of_range) {
         const Argument* farthest = farthest_one(arguments);
         return farthest == nullptr ? describe(status) : text(describe(status), "; ", stated(*farthest));

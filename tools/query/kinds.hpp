@@ -16,6 +16,7 @@
 #include "answer.hpp"
 #include "base/verb_arguments.hpp"
 #include "files/blob_file.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -24,6 +25,8 @@ struct QueryWord;
 
 /// A float from a length with a unit, or from a bare number, which may be inf or nan. Throws CommandError (usage).
 float length_argument(const std::string& input, std::string_view name);
+/// The same of a coordinate of the source, as one of the blob: the origin is subtracted in float64.
+float place_argument(const std::string& input, std::string_view name, double origin);
 /// The same without units.
 float number_argument(const std::string& input, std::string_view name);
 
@@ -47,6 +50,11 @@ public:
     /// Returns the mask for queries of a scene.
     [[nodiscard]] std::uint32_t mask() const { return mask_; }
     [[nodiscard]] const QueryArguments& options() const { return arguments_; }
+    /// Returns what the bake subtracted from places of the source; 0 0 0 for a scene, which keeps none.
+    [[nodiscard]] const Vec3d& origin() const { return origin_; }
+    /// Returns places of the answer in the coordinates of the source, as those of the question are.
+    [[nodiscard]] SourcePoint in_source(Vec3 point) const { return {point, origin_}; }
+    [[nodiscard]] SourceBox in_source(const Box& box) const { return {in_source(box.min), in_source(box.max)}; }
 
     /// Returns the next word, in the order of the kind's table, as a float, an index, a number of steps or a name, or
     /// the words of a point or a shape: its members in their order.
@@ -81,7 +89,9 @@ public:
 
 private:
     void open_asset(const QueryKind& kind);
-    void read_word(const std::string& input, const QueryWord& word);
+    void read_words(std::span<const QueryWord* const> words);
+    void read_word(const std::string& input, const QueryWord& word, unsigned part);
+    [[nodiscard]] float plane_offset(const std::string& input, std::span<const std::string> normal) const;
     template <class Value, class... Members>
     Value made() {
         return Value{next<Members>()...};  // in this order
@@ -89,6 +99,7 @@ private:
 
     const QueryArguments& arguments_;
     AssetFile file_;
+    Vec3d origin_;
     std::uint32_t mask_ = 0xFFFFFFFF;
     std::vector<std::variant<float, std::uint32_t, std::int32_t, std::string>> words_;
     std::size_t at_ = 0;  // the next one
@@ -115,6 +126,8 @@ const char* describe(Range range);
 struct QueryWord {
     enum class Type : std::uint8_t {
         length,  ///< takes units; `inf` and `nan` too, which go to the query unchanged
+        place,   ///< the same, a coordinate of the source
+        offset,  ///< the same, of a plane whose normal the three numbers before it are
         number,  ///< no units; `inf` and `nan` too
         index,   ///< a whole number
         steps,   ///< a whole number of lattice steps, of either sign
@@ -127,10 +140,15 @@ struct QueryWord {
 };
 
 constexpr QueryWord point_word(const char* name, Range range = Range::finite) {
+    return {name, QueryWord::Type::place, 3, range};
+}
+/// The way from one point to another: a displacement, a half axis.
+constexpr QueryWord way_word(const char* name, Range range = Range::finite) {
     return {name, QueryWord::Type::length, 3, range};
 }
 constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3, Range::direction}; }
 constexpr QueryWord length_word(const char* name, Range range) { return {name, QueryWord::Type::length, 1, range}; }
+constexpr QueryWord offset_word(const char* name, Range range) { return {name, QueryWord::Type::offset, 1, range}; }
 constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type::index, 1}; }
 constexpr QueryWord steps_word(const char* name, Range range = Range::finite) {
     return {name, QueryWord::Type::steps, 3, range};
@@ -213,7 +231,7 @@ QueryKinds scene_kinds();
 const QueryKinds& query_kinds();
 
 /// Returns the reason of a query that was answered in part or not at all, without a full stop: which argument is out
-/// of its range, or the description of the status.
-std::string reason_of(const QueryKind& kind, const QueryArguments& arguments, QueryStatus status);
+/// of its range, or the description of the status. `origin` is that of the blob.
+std::string reason_of(const QueryKind& kind, const QueryArguments& arguments, const Vec3d& origin, QueryStatus status);
 
 }  // namespace espalier::tools

@@ -1,32 +1,50 @@
 // Two blobs against each other.
 #include <span>
+#include <vector>
 
+#include "base/vectors.hpp"
 #include "kinds.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
-espalier::Transform stated_placement(const QueryArguments& options) {
+/// A quaternion may have any length but zero.
+Vec3d turned(const Quaternion& by, const Vec3d& point) {
+    const Vec3d axis = {double(by.x), double(by.y), double(by.z)};
+    const auto w = double(by.w);
+    const Vec3d once = cross(axis, point), again = cross(axis, once);
+    const double twice = 2.0 / (dot(axis, axis) + w * w);
+    return {point.x + twice * (w * once.x + again.x), point.y + twice * (w * once.y + again.y),
+            point.z + twice * (w * once.z + again.z)};
+}
+
+/// Returns the place of the other blob in the space of the first one. What the options state is between their sources,
+/// which differs by the origins that were subtracted from them.
+espalier::Transform stated_placement(const QueryArguments& options, const Vec3d& origin, const Vec3d& other_origin) {
     espalier::Transform result;
     const auto turn = [&](std::size_t i) { return number_argument(options.rotation.at(i), "--rotate"); };
-    const auto move = [&](std::size_t i) { return length_argument(options.translation.at(i), "--move"); };
     result.rotation = {turn(0), turn(1), turn(2), turn(3)};
-    result.translation = {move(0), move(1), move(2)};
     result.scale = number_argument(options.scale, "--scale");
+    Vec3d offset = origin;
+    if (other_origin != Vec3d{}) offset = origin - double(result.scale) * turned(result.rotation, other_origin);
+    const auto move = [&](std::size_t i, double from) {
+        return place_argument(options.translation.at(i), "--move", from);
+    };
+    result.translation = {move(0, offset.x), move(1, offset.y), move(2, offset.z)};
     return result;
 }
 
 /// The other blob and its place in the first one's space.
 struct Other {
     explicit Other(QueryCall& call)
-        : transform(stated_placement(call.options())),
-          file(open_blob_file(call.next<std::string>())),
+        : file(open_blob_file(call.next<std::string>())),
+          transform(stated_placement(call.options(), call.origin(), file.blob.source_origin())),
           limit(call.options().work_limit) {}
     [[nodiscard]] PlacedBlob placed() const { return {file.blob, transform}; }
 
-    espalier::Transform transform;
     AssetFile file;
+    espalier::Transform transform;
     WorkLimit limit;
 };
 
@@ -76,7 +94,9 @@ Answer touches_answer(QueryCall& call) {
         Record& record = answer.add().title("touch");
         add_pair(record, call, other, touch.a, touch.b);
         record.add("depth", touch.depth).add("normal", touch.normal);
-        record.add("points", std::span<const Vec3>(touch.points).first(touch.count));
+        std::vector<SourcePoint> points;
+        for (const Vec3& point : std::span(touch.points).first(touch.count)) points.push_back(call.in_source(point));
+        record.add("points", points);
         return Visit::next;
     };
     answer.status = for_each_touch(call.blob(), other.placed(), visit, other.limit);
@@ -92,7 +112,8 @@ Answer distance_answer(QueryCall& call) {
     const bool found = nearest.a != no_triangle;
     answer.record.title(found ? "nearest" : "nothing within that distance").add_silently("found", found);
     if (!found) return answer;
-    answer.record.add("distance", nearest.distance).add("on_a", nearest.on_a).add("on_b", nearest.on_b);
+    answer.record.add("distance", nearest.distance).add("on_a", call.in_source(nearest.on_a));
+    answer.record.add("on_b", call.in_source(nearest.on_b));
     add_pair(answer.record, call, other, nearest.a, nearest.b);
     return answer;
 }

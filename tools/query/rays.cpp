@@ -20,7 +20,8 @@ Vec3 point_at(const Ray& ray, float t) {
 /// Adds a hit, in the instance if the query is of a scene.
 void add_hit(Record& record, const QueryCall& call, const Ray& ray, const RayHit& hit,
              InstanceId instance = no_instance) {
-    record.triangle(call, hit.triangle, "hit ", instance).add("t", hit.t).add("point", point_at(ray, hit.t));
+    record.triangle(call, hit.triangle, "hit ", instance).add("t", hit.t);
+    record.add("point", call.in_source(point_at(ray, hit.t)));
     record.add("normal", hit.normal).add("side", hit.side).add("u", hit.u).add("v", hit.v);
     if (const OriginalHit original = original_hit(call.mesh_of(instance), hit)) {
         record.add("original_u", original.u).add("original_v", original.v);

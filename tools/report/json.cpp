@@ -133,6 +133,8 @@ Json json_number(float value) {
 
 Json json_point(Vec3 value) { return Json::array({json_number(value.x), json_number(value.y), json_number(value.z)}); }
 
+Json json_point(const Vec3d& value) { return Json::array({value.x, value.y, value.z}); }
+
 Json json_box(Vec3 min, Vec3 max) { return {{"min", json_point(min)}, {"max", json_point(max)}}; }
 
 std::string json_text(const Json& document) { return document.dump() + '\n'; }

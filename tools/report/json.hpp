@@ -81,6 +81,7 @@ Json json_document();
 /// A float as the shortest decimal that reads back as the same float; null for what JSON cannot say (inf, nan).
 Json json_number(float value);
 Json json_point(Vec3 value);
+Json json_point(const Vec3d& value);
 Json json_box(Vec3 min, Vec3 max);
 /// Returns the document as it is printed, with a line's end.
 std::string json_text(const Json& document);

@@ -8,7 +8,10 @@
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
 
+#include <import/base/placement.hpp>
+
 #include "bake/baking.hpp"
+#include "base/vectors.hpp"
 #include "plan.hpp"
 
 namespace espalier::tools {
@@ -103,7 +106,7 @@ private:
 
     Baked bake_variant(const Variant& variant) {
         const ImportedMesh mesh = placed_mesh(imported_, place_of(variant), variant.placement);
-        const MeshView view{mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name};
+        const MeshView view{{}, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name, mesh.positions};
         return {&variant, bake_views({&view, 1}, resolution_of(variant, options_.resolution))};
     }
 
@@ -140,11 +143,18 @@ private:
         ImportResult merged;
         for (const std::uint32_t place : plan_.merged)
             merged.meshes.push_back(placed_mesh(imported_, imported_.places[place], imported_.places[place].placement));
+        // Where float32 is too coarse for them they count from a translation, which it holds.
+        BakeOptions choosing = options_;
+        choosing.origin.reset();
+        const Vec3 origin = importer::to_float32(origin_of(merged, choosing));
+        for (ImportedMesh& each : merged.meshes)
+            for (Vec3d& position : each.positions) position = position - importer::to_float64(origin);
         const std::uint32_t mesh =
             add_mesh({}, 1, plan_.merged.size(), bake_views(merged.views(), options_.resolution));
         if (is_empty(mesh)) return;
         note_error(scene_.meshes[mesh].baked.lattice.max_error, 0.0);
         Instance instance;
+        instance.transform.translation = origin;
         instance.mesh = mesh;
         instance.user = no_user;
         instances_.push_back(instance);

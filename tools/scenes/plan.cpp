@@ -1,6 +1,7 @@
 #include "plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <espalier/format.hpp>
 
 #include <import/base/importers.hpp>
+#include <import/base/placement.hpp>
 
 #include "layout/places.hpp"
 
@@ -53,17 +55,32 @@ bool same_content(const ImportedMesh& a, const ImportedMesh& b) {
            same_bytes(a.materials, b.materials);
 }
 
-Variant standing_in_place(const ImportResult& imported, std::uint32_t place) {
+/// A mesh whose vertices stand where its place puts them. Where float32 is too coarse for them they count from a
+/// translation near their middle, which it holds.
+Variant standing_in_place(const ImportResult& imported, std::uint32_t place, double largest_error) {
     const ImportedPlace& standing = imported.places[place];
-    return {standing.mesh,
-            standing.placement,
-            box_at(imported.meshes[standing.mesh], standing.placement),
-            {{place, fit_translation({})}}};
+    const ImportedMesh& mesh = imported.meshes[standing.mesh];
+    Placement placement = standing.placement;
+    PointBox box = box_at(mesh, placement);
+    FittedTransform fitted;
+    double farthest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+    if (std::isfinite(farthest) && farthest * 0x1p-24 > largest_error) {
+        const Vec3 middle = importer::to_float32(Vec3d{
+            0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1]), 0.5 * (box.low[2] + box.high[2])});
+        fitted.transform.translation = middle;
+        placement.offset[0] -= double(middle.x);
+        placement.offset[1] -= double(middle.y);
+        placement.offset[2] -= double(middle.z);
+        box = box_at(mesh, placement);
+    }
+    return {standing.mesh, placement, box, {{place, fitted}}};
 }
 
 /// Whether a blob has the section once, however many triangles it has.
 bool is_once(std::string_view section) {
-    for (const std::string_view name : {"header", "guard", "oriented_box", "sphere", "k_dop"})
+    for (const std::string_view name : {"header", "guard", "oriented_box", "sphere", "k_dop", "source_origin"})
         if (section == name) return true;
     return false;
 }
@@ -101,7 +118,7 @@ std::string words_for_place(const ImportResult& imported, const ImportedPlace& p
 
 ImportedMesh placed_mesh(const ImportResult& imported, const ImportedPlace& place, const Placement& placement) {
     ImportedMesh mesh = imported.meshes.at(place.mesh);
-    for (Vec3& position : mesh.positions) position = placement(position);
+    for (Vec3d& position : mesh.positions) position = placement(position);
     if (placement.mirrors())
         for (TriangleVertices& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     mesh.file = place.file;
@@ -128,7 +145,7 @@ ScenePlan plan_scene(const ImportResult& imported, Instancing instancing, double
         for (const std::uint32_t place : places) {
             if (sorter.add(place)) continue;
             if (is_automatic) plan.merged.push_back(place);
-            else plan.meshes.push_back(standing_in_place(imported, place));
+            else plan.meshes.push_back(standing_in_place(imported, place, largest_error));
         }
         for (Variant& variant : sorter.variants()) {
             if (is_automatic && variant.uses.size() == 1) plan.merged.push_back(variant.uses.front().place);

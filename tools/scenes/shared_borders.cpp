@@ -22,16 +22,15 @@ constexpr double cell_share = 0x1p-20;
 
 /// Returns the middles of the edges with one triangle that lie in a side of the mesh's box.
 std::vector<Point> border_of(const ImportedMesh& mesh) {
-    const auto coordinates = [](const Vec3& p) { return std::array<float, 3>{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; };
-    using Corner = std::array<float, 3>;
-    std::vector<std::pair<Corner, Corner>> edges;
+    const auto coordinates = [](const Vec3d& p) { return Point{p.x + 0.0, p.y + 0.0, p.z + 0.0}; };
+    std::vector<std::pair<Point, Point>> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (const TriangleVertices& triangle : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
             if (from >= mesh.positions.size() || to >= mesh.positions.size()) continue;
             if (!is_finite(mesh.positions[from]) || !is_finite(mesh.positions[to])) continue;
-            const Corner a = coordinates(mesh.positions[from]), b = coordinates(mesh.positions[to]);
+            const Point a = coordinates(mesh.positions[from]), b = coordinates(mesh.positions[to]);
             edges.emplace_back(std::minmax(a, b));
         }
     std::sort(edges.begin(), edges.end());
@@ -47,7 +46,7 @@ std::vector<Point> border_of(const ImportedMesh& mesh) {
         Point middle{};
         bool is_on_side = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto from = double(a[k]), to = double(b[k]);
+            const double from = a[k], to = b[k];
             is_on_side |= from == to && (from == box.low[k] || from == box.high[k]);
             middle[k] = (from + to) / 2;
         }

@@ -117,7 +117,7 @@ std::optional<Placement> quotient(const Placement& outer, const Placement& inner
     return combine(linear, inverse);
 }
 
-bool is_finite(const Placement& placement) {
+bool is_finite_placement(const Placement& placement) {
     const auto finite = [](double number) { return std::isfinite(number); };
     return std::all_of(placement.offset.begin(), placement.offset.end(), finite) &&
            std::all_of(placement.linear.begin(), placement.linear.end(),
@@ -202,9 +202,9 @@ std::optional<FittedTransform> fit_transform(const Placement& placement, const P
 
 PointBox box_at(const ImportedMesh& mesh, const Placement& placement) {
     PointBox box;
-    for (const Vec3& position : mesh.positions) {
-        const Vec3 point = placement(position);
-        const double coordinates[3] = {double(point.x), double(point.y), double(point.z)};
+    for (const Vec3d& position : mesh.positions) {
+        const Vec3d point = placement(position);
+        const double coordinates[3] = {point.x, point.y, point.z};
         for (std::size_t k = 0; k < 3; ++k) {
             if (!std::isfinite(coordinates[k])) continue;  // such a vertex is refused or dropped by the baker
             box.low[k] = std::min(box.low[k], coordinates[k]);
@@ -231,7 +231,7 @@ std::optional<FittedTransform> VariantSorter::fit(const Variant& variant, const 
 
 bool VariantSorter::add(std::uint32_t place) {
     const Placement& placement = imported_.places[place].placement;
-    if (!is_finite(placement)) return false;
+    if (!is_finite_placement(placement)) return false;
     const double shape = shape_of(placement);
     const auto end = by_shape_.upper_bound(shape + shape_slack);
     for (auto candidate = by_shape_.lower_bound(shape - shape_slack); candidate != end; ++candidate) {

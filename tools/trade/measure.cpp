@@ -170,9 +170,12 @@ std::array<Rounds, std::size(timed_queries)> time_all(const std::vector<Contesta
 
 }  // namespace
 
-std::vector<TradePoint> measure_trade(const ImportResult& imported, const BakeOptions& options, const TradeSpace& space,
+std::vector<TradePoint> measure_trade(const ImportResult& imported, const BakeOptions& common, const TradeSpace& space,
                                       const Done& done) {
-    const SampleQueries queries = make_sample_queries(imported, space.rays);
+    BakeOptions options = common;
+    options.resolution = Resolution::bits(*std::max_element(space.bits.begin(), space.bits.end()));
+    options.origin = origin_of(imported, options);  // of the finest one, for all
+    const SampleQueries queries = make_sample_queries(imported, *options.origin, space.rays);
     if (queries.rays.empty()) {
         throw_error(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
     }

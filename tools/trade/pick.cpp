@@ -64,8 +64,8 @@ class Search {
 public:
     Search(const ImportResult& imported, const BakeOptions& options, const PickGoal& goal)
         : imported_(imported),
-          rays_(make_sample_queries(imported, counted_rays).rays),
-          options_(options),
+          options_(with_origin(imported, options)),
+          rays_(make_sample_queries(imported, *options_.origin, counted_rays).rays),
           goal_(goal),
           equal_corners_(count_equal_corners(imported)) {}
 
@@ -83,6 +83,12 @@ public:
     }
 
 private:
+    /// Coarser lattices keep the origin of the first one, so that the rays are the same.
+    static BakeOptions with_origin(const ImportResult& imported, BakeOptions options) {
+        options.origin = origin_of(imported, options);
+        return options;
+    }
+
     /// Takes one bit off the lattice, which is chosen by bits. Returns whether there was one to take.
     bool coarsen() {
         const auto bits = static_cast<unsigned>(options_.resolution.value());
@@ -155,8 +161,8 @@ private:
     }
 
     const ImportResult& imported_;
-    std::vector<Ray> rays_;
     BakeOptions options_;
+    std::vector<Ray> rays_;
     const PickGoal& goal_;
     std::uint64_t equal_corners_;
     std::vector<TradePoint> tried_;

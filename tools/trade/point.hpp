@@ -96,9 +96,9 @@ struct SampleQueries {
     std::vector<Vec3> surface_points;
 };
 
-/// As many of each as `count`; none when the source has no sound triangle with an area. Every machine makes
-/// the same queries: the arithmetic rounds alike everywhere, and the generator is our own.
-SampleQueries make_sample_queries(const ImportResult& source, std::size_t count);
+/// As many of each as `count`, of blobs with that origin; none when the source has no sound triangle with an area.
+/// Every machine makes the same queries: the arithmetic rounds alike everywhere, and the generator is our own.
+SampleQueries make_sample_queries(const ImportResult& source, const Vec3d& origin, std::size_t count);
 
 /// Every combination is baked.
 struct TradeSpace {

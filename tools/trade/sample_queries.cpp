@@ -6,6 +6,8 @@
 
 #include <import/base/placement.hpp>
 
+#include "base/vectors.hpp"
+
 namespace espalier::tools {
 
 namespace {
@@ -29,12 +31,8 @@ private:
 
 using Point = std::array<double, 3>;
 
-Point point_of(Vec3 value) { return {double(value.x), double(value.y), double(value.z)}; }
 Vec3 vector_of(const Point& point) {
     return {static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])};
-}
-bool is_finite(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
 }
 Point between(const Point& from, const Point& to, double share) {
     Point result;
@@ -75,7 +73,7 @@ struct SampledSurface {
         if (!(own > 0.0) || !std::isfinite(own)) return;
         triangles.push_back({corners, area});
         area += own;
-        for (const Point& corner : corners) box.add(corner);
+        for (const auto& [x, y, z] : corners) box.add({x, y, z});
     }
 
     /// The point at this share of the whole area, at a random place of its triangle.
@@ -90,7 +88,7 @@ struct SampledSurface {
     }
 };
 
-SampledSurface surface_of(const ImportResult& source) {
+SampledSurface surface_of(const ImportResult& source, const Vec3d& origin) {
     SampledSurface surface;
     for (const ImportedMesh& mesh : source.meshes) {
         for (const TriangleVertices& triangle : mesh.triangles) {
@@ -98,8 +96,10 @@ SampledSurface surface_of(const ImportResult& source) {
             bool is_sound = true;
             for (std::size_t corner = 0; corner < 3 && is_sound; ++corner) {
                 is_sound = triangle[corner] < mesh.positions.size();
-                if (is_sound) corners[corner] = point_of(mesh.positions[triangle[corner]]);
-                is_sound = is_sound && is_finite(corners[corner]);
+                if (!is_sound) continue;
+                const Vec3d position = mesh.positions[triangle[corner]] - origin;
+                is_sound = is_finite(position);
+                corners[corner] = {position.x, position.y, position.z};
             }
             if (is_sound) surface.add(corners);
         }
@@ -109,9 +109,9 @@ SampledSurface surface_of(const ImportResult& source) {
 
 }  // namespace
 
-SampleQueries make_sample_queries(const ImportResult& source, std::size_t count) {
+SampleQueries make_sample_queries(const ImportResult& source, const Vec3d& origin, std::size_t count) {
     SampleQueries queries;
-    const SampledSurface surface = surface_of(source);
+    const SampledSurface surface = surface_of(source, origin);
     if (surface.triangles.empty()) return queries;
     Point center, sides;
     for (std::size_t k = 0; k < 3; ++k) {

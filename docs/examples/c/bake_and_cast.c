@@ -46,7 +46,9 @@ static const espalier_bake_result* bake_hill(void) {
     espalier_init_bake_options(&options, sizeof options);
     options.resolution_kind = ESPALIER_RESOLUTION_TOLERANCE;
     options.resolution = 0.001;
-    for (int k = 0; k < 3; ++k) options.origin[k] = corner[k]; /* queries count from here */
+    options.origin.x = corner[0]; /* queries count from here */
+    options.origin.y = corner[1];
+    options.origin.z = corner[2];
     return espalier_bake(&mesh, 1, &options);
 }
 
@@ -89,7 +91,7 @@ int main(void) {
         fprintf(stderr, "bake_and_cast: %s\n", baked->message); /* what is wrong, where, and what to do */
     } else {
         printf("%u triangles in %u bytes, within %g of the source\n", (unsigned)baked->report->triangles,
-               (unsigned)baked->byte_count, baked->report->max_error + baked->report->conversion_error);
+               (unsigned)baked->byte_count, baked->report->max_error);
         opened = espalier_open(baked->bytes, baked->byte_count, &blob);
         if (opened == ESPALIER_OPEN_OK) failed = cast_rays(&blob);
         else fprintf(stderr, "bake_and_cast: %s\n", espalier_describe_open_status(opened));

@@ -7,7 +7,13 @@
 #include <cstdint>
 #include <limits>
 
+#include <espalier/types.hpp>
+
 namespace espalier::baker {
+
+[[nodiscard]] constexpr Vec3d to_float64(const Vec3& point) {
+    return {double(point.x), double(point.y), double(point.z)};
+}
 
 /// The least float32 that is not below a value of zero or more; infinity above the largest one. Subnormal results
 /// become the least normal number: some machines read subnormals as zero.

@@ -22,9 +22,13 @@ std::string number_text(double value) { return text_of(value, 9); }
 std::string short_number_text(double value) { return text_of(value, 6); }
 
 std::optional<std::string> find_not_finite(const Vec3& point) {
-    if (!std::isfinite(point.x)) return "x = " + number_text(double(point.x));
-    if (!std::isfinite(point.y)) return "y = " + number_text(double(point.y));
-    if (!std::isfinite(point.z)) return "z = " + number_text(double(point.z));
+    return find_not_finite(Vec3d{double(point.x), double(point.y), double(point.z)});
+}
+
+std::optional<std::string> find_not_finite(const Vec3d& point) {
+    if (!std::isfinite(point.x)) return "x = " + number_text(point.x);
+    if (!std::isfinite(point.y)) return "y = " + number_text(point.y);
+    if (!std::isfinite(point.z)) return "z = " + number_text(point.z);
     return std::nullopt;
 }
 

@@ -16,5 +16,6 @@ namespace espalier::baker {
 
 /// Returns the first coordinate that is not finite, as in "y = NaN", or nothing.
 [[nodiscard]] std::optional<std::string> find_not_finite(const Vec3& point);
+[[nodiscard]] std::optional<std::string> find_not_finite(const Vec3d& point);
 
 }  // namespace espalier::baker

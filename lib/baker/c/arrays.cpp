@@ -1,7 +1,6 @@
 #include <baker/c/arrays.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -69,14 +68,6 @@ TriangleVertices triangle_at(const char* from) {
     return {indices[0], indices[1], indices[2]};
 }
 
-/// Returns the nearest float32, which is infinite for what float32 does not reach.
-float nearest_float(double value) {
-    constexpr double end = 0x1.ffffffp127;  // from here on the nearest one is infinite
-    if (std::abs(value) >= end)
-        return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(value > 0.0 ? 1 : -1));
-    return static_cast<float>(value);
-}
-
 }  // namespace
 
 espalier_mesh_view default_mesh_view() {
@@ -92,7 +83,7 @@ std::vector<Vec3> copy_vectors(const void* from, std::size_t count) {
     return vectors;
 }
 
-std::optional<Failure> MeshArrays::read(const void* meshes, std::size_t count, const double (&origin)[3]) {
+std::optional<Failure> MeshArrays::read(const void* meshes, std::size_t count) {
     if (count == 0) return std::nullopt;
     if (meshes == nullptr)
         return Failure{ESPALIER_BAKE_INVALID_ARGUMENT,
@@ -116,16 +107,17 @@ std::optional<Failure> MeshArrays::read(const void* meshes, std::size_t count, c
     if (auto failure = check(given)) return failure;
     arrays_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        copy(given[i], origin, arrays_[i]);
+        copy(given[i], arrays_[i]);
         views_.push_back({arrays_[i].positions, arrays_[i].triangles, arrays_[i].materials, given[i].file,
-                          given[i].mesh, given[i].name == nullptr ? std::string() : std::string(given[i].name)});
+                          given[i].mesh, given[i].name == nullptr ? std::string() : std::string(given[i].name),
+                          arrays_[i].float64_positions});
     }
     return std::nullopt;
 }
 
 std::size_t MeshArrays::position_count() const {
     std::size_t count = 0;
-    for (const MeshView& view : views_) count += view.positions.size();
+    for (const MeshView& view : views_) count += view.position_count();
     return count;
 }
 
@@ -164,8 +156,19 @@ std::optional<Failure> MeshArrays::check(std::span<const espalier_mesh_view> mes
     return std::nullopt;
 }
 
-void MeshArrays::copy(const espalier_mesh_view& mesh, const double (&origin)[3], Arrays& arrays) {
-    copy_positions(mesh, origin, arrays.positions);
+void MeshArrays::copy(const espalier_mesh_view& mesh, Arrays& arrays) {
+    for (std::size_t i = 0; i < mesh.position_count; ++i) {
+        const char* const place = element_at(mesh.positions, mesh.position_stride, i);
+        if (mesh.coordinate_type == ESPALIER_COORDINATE_FLOAT64) {
+            double position[3];
+            read_three(place, position);
+            arrays.float64_positions.push_back({position[0], position[1], position[2]});
+        } else {
+            float position[3];
+            read_three(place, position);
+            arrays.positions.push_back({position[0], position[1], position[2]});
+        }
+    }
     arrays.triangles.reserve(mesh.triangle_count);
     for (std::size_t i = 0; i < mesh.triangle_count; ++i) {
         const char* const indices = element_at(mesh.triangles, mesh.triangle_stride, i);
@@ -176,42 +179,6 @@ void MeshArrays::copy(const espalier_mesh_view& mesh, const double (&origin)[3],
     arrays.materials.resize(mesh.triangle_count);
     std::memcpy(arrays.materials.data(), static_cast<const void*>(mesh.materials),
                 mesh.triangle_count * sizeof(std::uint32_t));
-}
-
-void MeshArrays::copy_positions(const espalier_mesh_view& mesh, const double (&origin)[3],
-                                std::vector<Vec3>& positions) {
-    const bool is_exact =
-        mesh.coordinate_type == ESPALIER_COORDINATE_FLOAT32 && origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0;
-    double error = 0.0;
-    double largest = 0.0;  // of all coordinates, for the error of their differences
-    positions.reserve(mesh.position_count);
-    for (std::size_t i = 0; i < mesh.position_count; ++i) {
-        const char* const place = element_at(mesh.positions, mesh.position_stride, i);
-        float single[3] = {};
-        if (mesh.coordinate_type == ESPALIER_COORDINATE_FLOAT32) read_three(place, single);
-        if (!is_exact) {
-            double given[3];
-            if (mesh.coordinate_type == ESPALIER_COORDINATE_FLOAT64) read_three(place, given);
-            else std::copy(single, single + 3, given);
-            double apart[3];
-            for (int k = 0; k < 3; ++k) {
-                const double moved = given[k] - origin[k];
-                single[k] = nearest_float(moved);
-                has_overflow_ = has_overflow_ || (std::isinf(single[k]) && std::isfinite(given[k]));
-                apart[k] = double(single[k]) - moved;
-                if (std::isfinite(single[k]))
-                    largest = std::max({largest, std::abs(given[k]), std::abs(origin[k]), std::abs(moved)});
-            }
-            const double length = std::hypot(apart[0], apart[1], apart[2]);
-            if (std::isfinite(length)) error = std::max(error, length);
-        }
-        positions.push_back({single[0], single[1], single[2]});
-    }
-    if (is_exact) return;
-    // Each of three differences is rounded by 2^-53 of its result at most, the length by some ulp.
-    const bool has_origin = origin[0] != 0.0 || origin[1] != 0.0 || origin[2] != 0.0;
-    const double of_differences = has_origin ? largest * 0x1p-51 : 0.0;
-    conversion_error_ = std::max(conversion_error_, error * (1.0 + 0x1p-50) + of_differences);
 }
 
 }  // namespace espalier::baker

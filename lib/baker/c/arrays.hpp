@@ -17,32 +17,26 @@ namespace espalier::baker {
 /// Meshes as bake() takes them, with the arrays that they refer to.
 class MeshArrays {
 public:
-    /// Copies all meshes. Positions are those given minus the origin.
-    std::optional<Failure> read(const void* meshes, std::size_t count, const double (&origin)[3]);
+    /// Copies all meshes.
+    std::optional<Failure> read(const void* meshes, std::size_t count);
 
     [[nodiscard]] std::span<const MeshView> views() const { return views_; }
     /// Returns how many positions all meshes have.
     [[nodiscard]] std::size_t position_count() const;
-    /// Returns a bound on the distance between a position as it was given, minus the origin, and as float32.
-    [[nodiscard]] double conversion_error() const { return conversion_error_; }
-    /// Returns whether a finite coordinate became infinite as float32.
-    [[nodiscard]] bool has_overflow() const { return has_overflow_; }
 
 private:
     struct Arrays {
         std::vector<Vec3> positions;
+        std::vector<Vec3d> float64_positions;
         std::vector<TriangleVertices> triangles;
         std::vector<std::uint32_t> materials;
     };
 
     std::optional<Failure> check(std::span<const espalier_mesh_view> meshes) const;
-    void copy(const espalier_mesh_view& mesh, const double (&origin)[3], Arrays& arrays);
-    void copy_positions(const espalier_mesh_view& mesh, const double (&origin)[3], std::vector<Vec3>& positions);
+    static void copy(const espalier_mesh_view& mesh, Arrays& arrays);
 
     std::vector<Arrays> arrays_;
     std::vector<MeshView> views_;
-    double conversion_error_ = 0.0;
-    bool has_overflow_ = false;
 };
 
 /// Returns the defaults of a mesh, without its size.

@@ -25,14 +25,11 @@ namespace {
 const espalier_bake_result* bake_from_c(const espalier_mesh_view* given, std::size_t count,
                                         const espalier_bake_options& options, const ResultMemory& memory) {
     MeshArrays meshes;
-    if (const auto failure = meshes.read(given, count, options.origin)) return make_result(*failure, memory);
+    if (const auto failure = meshes.read(given, count)) return make_result(*failure, memory);
     BakeOptions translated;
     if (const auto failure = translate(options, meshes.position_count(), translated))
         return make_result(*failure, memory);
-    BakeResult baked = bake(meshes.views(), translated);
-    if (baked.status == BakeStatus::invalid_mesh && meshes.has_overflow())
-        baked.message += ". Some coordinates are beyond float32, about 3.4e38: they became infinite";
-    return make_result(baked, options.with_remap != 0, meshes.conversion_error(), memory);
+    return make_result(bake(meshes.views(), translated), options.with_remap != 0, memory);
 }
 
 }  // namespace

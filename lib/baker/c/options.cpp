@@ -82,6 +82,7 @@ espalier_bake_options default_options() {
     options.effort = static_cast<espalier_effort>(defaults.effort);
     options.builder = static_cast<espalier_builder>(defaults.build.builder);
     options.flat_angle = -1.0;
+    options.max_dropped = BakePolicy().max_dropped;
     options.duplicate_budget = defaults.build.duplicate_budget;
     options.byte_price = defaults.build.byte_price;
     options.max_leaf_triangles = defaults.build.max_leaf_triangles;
@@ -99,9 +100,6 @@ std::optional<Failure> read_options(const void* given, espalier_bake_options& op
     if ((options.allocate == nullptr) != (options.release == nullptr))
         return Failure{ESPALIER_BAKE_INVALID_ARGUMENT,
                        "one of allocate and release is null; give both of them, or neither for malloc() and free()"};
-    for (const double coordinate : options.origin)
-        if (!std::isfinite(coordinate))
-            return invalid("origin has the coordinate " + number_text(coordinate) + "; choose finite ones");
     return std::nullopt;
 }
 
@@ -117,6 +115,9 @@ std::optional<Failure> translate(const espalier_bake_options& options, std::size
     translated.build.builder = Builder{options.builder};
     translated.original_ids = options.original_ids != 0;
     translated.drop_bad_triangles = options.drop_bad_triangles != 0;
+    translated.policy = BakePolicy{options.max_dropped, options.allow_empty != 0, options.strict != 0};
+    if (options.chooses_origin != 0) translated.origin.reset();
+    else translated.origin = Vec3d{options.origin.x, options.origin.y, options.origin.z};
     if (!(options.flat_angle < 0.0)) translated.flat_angle = options.flat_angle;  // NaN too, which bake() refuses
     translated.bounds = {options.oriented_box != 0, options.sphere != 0, options.k_dop != 0};
     translated.build.duplicate_budget = options.duplicate_budget;

@@ -93,7 +93,7 @@ espalier_bake_finding in_c(const Finding& finding, Cutter& cutter) {
     return {finding.count, cutter.text(finding.first), in_c(finding.place)};
 }
 
-espalier_bake_report in_c(const BakeReport& report, double conversion_error, Cutter& cutter) {
+espalier_bake_report in_c(const BakeReport& report, Cutter& cutter) {
     espalier_bake_report in_c_terms = {};
     in_c_terms.source_triangles = report.source.triangles;
     in_c_terms.source_vertices = report.source.vertices;
@@ -102,6 +102,7 @@ espalier_bake_report in_c(const BakeReport& report, double conversion_error, Cut
     in_c_terms.zero_area = in_c(report.findings.zero_area, cutter);
     in_c_terms.collapsed = in_c(report.findings.collapsed, cutter);
     in_c_terms.duplicate = in_c(report.findings.duplicate, cutter);
+    in_c_terms.equal_corners = report.findings.equal_corners;
     in_c_terms.bounds_min = in_c(report.bounds.min);
     in_c_terms.bounds_max = in_c(report.bounds.max);
     in_c_terms.extent = report.bounds.extent;
@@ -111,7 +112,7 @@ espalier_bake_report in_c(const BakeReport& report, double conversion_error, Cut
     in_c_terms.k_dop_volume = report.bounds.volumes.k_dop;
     in_c_terms.step = report.lattice.step;
     in_c_terms.max_error = report.lattice.max_error;
-    in_c_terms.conversion_error = conversion_error;
+    in_c_terms.origin = {report.origin.x, report.origin.y, report.origin.z};
     in_c_terms.bits = report.lattice.bits;
     in_c_terms.range_positions = report.motion.positions;
     in_c_terms.moving_bytes = report.motion.moving_bytes;
@@ -142,7 +143,7 @@ espalier_original_triangle in_c(const OriginalTriangle& original) {
 }
 
 /// Writes a piece and what it points to, or counts how much that takes.
-void write_piece(const BakeResult& baked, bool with_remap, double conversion_error, Cutter& cutter, Piece& piece) {
+void write_piece(const BakeResult& baked, bool with_remap, Cutter& cutter, Piece& piece) {
     const std::span<const OriginalTriangle> remap = with_remap ? baked.remap : std::span<const OriginalTriangle>();
     piece.result.bytes = cutter.copy(std::span<const std::byte>(baked.bytes), blob_alignment);
     piece.result.byte_count = baked.bytes.size();
@@ -151,7 +152,7 @@ void write_piece(const BakeResult& baked, bool with_remap, double conversion_err
         new (originals + i) espalier_original_triangle(in_c(remap[i]));
     piece.result.remap = remap.empty() ? nullptr : originals;
     piece.result.remap_count = remap.size();
-    piece.report = in_c(baked.report, conversion_error, cutter);
+    piece.report = in_c(baked.report, cutter);
     piece.result.message = cutter.text(baked.message);
     piece.result.place = in_c(baked.place);
     piece.result.status = static_cast<espalier_bake_status>(baked.status);
@@ -212,10 +213,8 @@ const ResultMemory default_memory = {[](std::size_t size, void*) { return std::m
 
 const espalier_bake_result* no_memory() noexcept { return &out_of_memory.result; }
 
-const espalier_bake_result* make_result(const BakeResult& baked, bool with_remap, double conversion_error,
-                                        const ResultMemory& memory) noexcept {
-    return allocate_piece(
-        memory, [&](Cutter& cutter, Piece& piece) { write_piece(baked, with_remap, conversion_error, cutter, piece); });
+const espalier_bake_result* make_result(const BakeResult& baked, bool with_remap, const ResultMemory& memory) noexcept {
+    return allocate_piece(memory, [&](Cutter& cutter, Piece& piece) { write_piece(baked, with_remap, cutter, piece); });
 }
 
 const espalier_bake_result* make_result(const SceneBakeResult& baked, const ResultMemory& memory) noexcept {

@@ -22,8 +22,7 @@ extern const ResultMemory default_memory;
 const espalier_bake_result* no_memory() noexcept;
 
 /// Returns a result, or the one for no memory if there is none for it.
-const espalier_bake_result* make_result(const BakeResult& baked, bool with_remap, double conversion_error,
-                                        const ResultMemory& memory) noexcept;
+const espalier_bake_result* make_result(const BakeResult& baked, bool with_remap, const ResultMemory& memory) noexcept;
 const espalier_bake_result* make_result(const SceneBakeResult& baked, const ResultMemory& memory) noexcept;
 const espalier_bake_result* make_result(const Failure& failure, const ResultMemory& memory) noexcept;
 

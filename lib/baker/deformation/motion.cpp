@@ -15,23 +15,10 @@ namespace {
 
 constexpr float margin = 0.1f;  // of the largest side, where no range is given
 
-void add(SourceBounds& bounds, const Vec3& point) {
-    bounds.min = {std::min(bounds.min.x, point.x), std::min(bounds.min.y, point.y), std::min(bounds.min.z, point.z)};
-    bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y), std::max(bounds.max.z, point.z)};
-}
-
-void measure(SourceBounds& bounds) {
-    bounds.largest_side =
-        std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
-                  double(bounds.max.z) - double(bounds.min.z)});
-    bounds.largest_coordinate = std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z),
-                                          std::abs(bounds.max.x), std::abs(bounds.max.y), std::abs(bounds.max.z)});
-}
-
-/// Stays finite.
-float moved(float coordinate, float by) {
+/// Stays finite. Positions that refit() takes are float32.
+double moved(double coordinate, float by) {
     constexpr float most = std::numeric_limits<float>::max();
-    return std::clamp(coordinate + by, -most, most);
+    return double(std::clamp(static_cast<float>(coordinate) + by, -most, most));
 }
 
 Expected<Lattice> lattice_of(const SourceBounds& range, Resolution resolution) {
@@ -62,34 +49,29 @@ void put_triangles(const Source& source, LatticeMesh& mesh, Findings& findings) 
 }  // namespace
 
 SourceBounds range_of(const Source& source, const Deformation& deformation) {
-    SourceBounds range;
-    range.min = range.max = source.positions.front();
-    for (const Vec3& point : source.positions) add(range, point);
+    SourceBounds range(source.positions.front());
+    for (const Vec3d& point : source.positions) range.add(point);
     for (const std::vector<Vec3>& pose : deformation.poses)
-        for (const Vec3& point : pose) add(range, point);
+        for (const Vec3& point : pose) range.add(to_float64(point));
     if (deformation.range) {
-        add(range, deformation.range->min);
-        add(range, deformation.range->max);
+        range.add(to_float64(deformation.range->min));
+        range.add(to_float64(deformation.range->max));
     } else {
-        measure(range);
+        range.measure();
         const float by = margin * static_cast<float>(std::min(range.largest_side, 0x1p127));
         range.min = {moved(range.min.x, -by), moved(range.min.y, -by), moved(range.min.z, -by)};
         range.max = {moved(range.max.x, by), moved(range.max.y, by), moved(range.max.z, by)};
     }
-    measure(range);
+    range.measure();
     return range;
 }
 
-std::vector<LatticePoint> place(const std::vector<Vec3>& positions, const Lattice& lattice) {
+LatticePoint place(const Vec3d& position, const Lattice& lattice) {
     const double reciprocal_step = std::ldexp(1.0, -lattice.step_exponent);
     const Vec3& origin = lattice.origin;
-    std::vector<LatticePoint> points;
-    points.reserve(positions.size());
-    for (const Vec3& point : positions)
-        points.push_back({static_cast<std::int32_t>(snap_coordinate(point.x, origin.x, reciprocal_step)),
-                          static_cast<std::int32_t>(snap_coordinate(point.y, origin.y, reciprocal_step)),
-                          static_cast<std::int32_t>(snap_coordinate(point.z, origin.z, reciprocal_step))});
-    return points;
+    return {static_cast<std::int32_t>(snap_coordinate(position.x, origin.x, reciprocal_step)),
+            static_cast<std::int32_t>(snap_coordinate(position.y, origin.y, reciprocal_step)),
+            static_cast<std::int32_t>(snap_coordinate(position.z, origin.z, reciprocal_step))};
 }
 
 Expected<FittedMesh> fit_range(const Source& source, const SourceBounds& range, Resolution resolution,
@@ -100,9 +82,8 @@ Expected<FittedMesh> fit_range(const Source& source, const SourceBounds& range, 
     const auto lattice = lattice_of(range, resolution);
     if (!lattice) return lattice.refusal();
     // refit() computes in float: the origin in steps must be one.
-    if (double(range.largest_coordinate) * std::ldexp(1.0, -lattice->step_exponent) >= 0x1p127)
-        return Refusal{BakeStatus::too_fine, "the range of motion lies " +
-                                                 number_text(double(range.largest_coordinate)) +
+    if (range.largest_coordinate * std::ldexp(1.0, -lattice->step_exponent) >= 0x1p127)
+        return Refusal{BakeStatus::too_fine, "the range of motion lies " + number_text(range.largest_coordinate) +
                                                  " from the origin, which is more than 2^127 steps of 2^" +
                                                  std::to_string(lattice->step_exponent) +
                                                  "; move the mesh to the origin, or choose a coarser step"};
@@ -110,7 +91,7 @@ Expected<FittedMesh> fit_range(const Source& source, const SourceBounds& range, 
     LatticeMesh& mesh = fitted.mesh;
     mesh.lattice = *lattice;
     mesh.is_deformable = true;
-    mesh.vertices = place(source.positions, *lattice);
+    for (const Vec3d& position : source.positions) mesh.vertices.push_back(place(position, *lattice));
     mesh.is_used.assign(mesh.vertices.size(), 0);
     mesh.vertex_of_position.resize(mesh.vertices.size());
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertex_of_position[i] = i;
@@ -120,8 +101,8 @@ Expected<FittedMesh> fit_range(const Source& source, const SourceBounds& range, 
             if (mesh.is_used[corner] == 0) ++mesh.used_vertices;
             mesh.is_used[corner] = 1;
         }
-    mesh.extent = place({range.max}, *lattice).front();
-    fitted.error.largest = largest_snap_error(lattice->step_exponent);
+    mesh.extent = place(range.max, *lattice);
+    fitted.error.largest = round_up_to_float(double(largest_snap_error(lattice->step_exponent)) + source.moved);
     return fitted;
 }
 

@@ -21,6 +21,6 @@ namespace espalier::baker {
                                              Findings& findings);
 
 /// Returns the lattice points of positions that lie in the range.
-[[nodiscard]] std::vector<LatticePoint> place(const std::vector<Vec3>& positions, const Lattice& lattice);
+[[nodiscard]] LatticePoint place(const Vec3d& position, const Lattice& lattice);
 
 }  // namespace espalier::baker

@@ -1,5 +1,6 @@
 #include <baker/encode/encode.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <string>
@@ -25,7 +26,19 @@ std::uint32_t features_of(const Source& source, const BakeOptions& options, cons
     if (properties.closed) features |= format::feature::closed;
     if (wide.copies != 0) features |= format::feature::split_references;
     if (options.deformation) features |= format::feature::deformable;
+    if (source.origin != Vec3d{}) features |= format::feature::source_origin;
     return features;
+}
+
+std::uint16_t version_minor_of(std::uint32_t features) {
+    std::uint16_t least = 0;
+    const auto need = [&](std::uint32_t feature, std::uint16_t minor) {
+        if ((features & feature) != 0) least = std::max(least, minor);
+    };
+    need(format::feature::deformable, format::version_minor_of_deformable);
+    need(format::feature::id_runs, format::version_minor_of_id_runs);
+    need(format::feature::source_origin, format::version_minor_of_source_origin);
+    return least;
 }
 
 std::uint32_t original_id(const LatticeMesh& mesh, const WideTree& wide, std::size_t storage_index) {
@@ -83,15 +96,21 @@ void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const Wid
     for (const std::uint32_t owner : owners_of_copies) put_u32(blob, owner);
 }
 
+void put_source_origin(std::vector<std::byte>& blob, const Vec3d& origin) {
+    for (const double coordinate : {origin.x, origin.y, origin.z}) {
+        const auto bits = std::bit_cast<std::uint64_t>(coordinate);
+        put_u32(blob, static_cast<std::uint32_t>(bits));
+        put_u32(blob, static_cast<std::uint32_t>(bits >> 32));
+    }
+}
+
 void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
                 const BakeOptions& options, const Properties& properties, const OptionalSections& sections) {
     using namespace format::header;
     const std::uint32_t features = features_of(source, options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
-    set_u16(header + version_minor_at, options.original_ids  ? format::version_minor_of_id_runs
-                                       : options.deformation ? format::version_minor_of_deformable
-                                                             : std::uint16_t{0});
+    set_u16(header + version_minor_at, version_minor_of(features));
     set_u32(header + features_at, features);
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);
@@ -163,6 +182,7 @@ Expected<std::vector<std::byte>> encode(const Source& source, const LatticeMesh&
     if (wide.copies != 0) put_copies(blob, mesh, wide);
     put_optional_sections(blob, sections, wide);
     const std::uint32_t vertex_slots = options.deformation ? put_corners_and_sources(blob, mesh, wide) : 0;
+    if (source.origin != Vec3d{}) put_source_origin(blob, source.origin);
     if (auto refusal = check_limits(wide, blob.size())) return *refusal;
 
     put_header(blob.data(), source, mesh, wide, options, properties, sections);

@@ -47,11 +47,10 @@ StepPoint DroppedTriangles::point_of(std::uint32_t position) const {
         const LatticePoint& point = mesh_.vertices[vertex];
         return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
     }
-    const Vec3& point = source_.positions[position];
+    const Vec3d& point = source_.positions[position];
     const Vec3& origin = mesh_.lattice.origin;
-    return {(double(point.x) - double(origin.x)) * reciprocal_step_,
-            (double(point.y) - double(origin.y)) * reciprocal_step_,
-            (double(point.z) - double(origin.z)) * reciprocal_step_};
+    return {(point.x - double(origin.x)) * reciprocal_step_, (point.y - double(origin.y)) * reciprocal_step_,
+            (point.z - double(origin.z)) * reciprocal_step_};
 }
 
 double DroppedTriangles::snap_error_of(const Line& line) const {
@@ -99,7 +98,7 @@ void DroppedTriangles::find_vertices_of_those_without_area() {
     }
     for (const SourceTriangle& triangle : source_.without_area) {
         for (const std::uint32_t corner : triangle.corners) {
-            const Vec3& position = source_.positions[corner];
+            const Vec3d& position = source_.positions[corner];
             const Vec3& origin = mesh_.lattice.origin;
             const StepPoint steps = {snap_coordinate(position.x, origin.x, reciprocal_step_),
                                      snap_coordinate(position.y, origin.y, reciprocal_step_),

@@ -24,7 +24,21 @@ Refusal too_far_away(const Source& source, const FittedMesh& fitted) {
             place_of(source, fitted.error.dropped_triangle)};
 }
 
-Refusal tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const Refusal& too_fine) {
+/// Of float64 positions so far from 0 that float32, which lattice points have, moves them by more than the tolerance.
+Refusal needs_origin(const SourceBounds& bounds, double tolerance) {
+    return {BakeStatus::too_fine,
+            "a tolerance of " + number_text(tolerance) +
+                " is finer than float32, which blobs have, is at coordinates of " +
+                number_text(bounds.largest_coordinate) +
+                "; choose an origin near the meshes, or let the baker choose one, or choose a coarser tolerance"};
+}
+
+Refusal tolerance_error(const Source& source, const SourceBounds& bounds, const FittedMesh& last, double tolerance,
+                        const Refusal& too_fine) {
+    const int exponent = step_exponent_for_tolerance(tolerance);
+    const bool is_small_enough = bounds.largest_side < std::ldexp(1.0, exponent + format::max_bits);
+    if (source.is_float64 && is_small_enough && is_below_float_spacing({{}, exponent, 0}, bounds))
+        return needs_origin(bounds, tolerance);
     if (!last.error.is_of_dropped) return too_fine;
     return {BakeStatus::too_fine,
             triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
@@ -67,7 +81,7 @@ Expected<FittedMesh> fit_tolerance(const Source& source, const SourceBounds& bou
     FittedMesh last;
     for (int exponent = first_exponent(source, bounds, tolerance);; --exponent) {
         const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
-        if (!lattice) return tolerance_error(source, last, tolerance, lattice.refusal());
+        if (!lattice) return tolerance_error(source, bounds, last, tolerance, lattice.refusal());
         last = snap_and_measure(source, *lattice, findings);
         // A surface that vanished as a whole keeps no tolerance.
         const bool is_something_left = !last.mesh.triangles.empty();

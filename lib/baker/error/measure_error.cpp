@@ -34,7 +34,7 @@ MeasuredError measure_error(const Source& source, const LatticeMesh& mesh) {
         std::for_each(mesh.collapsed.begin(), mesh.collapsed.end(), count_in);
         std::for_each(source.without_area.begin(), source.without_area.end(), count_in);
     }
-    error.largest = round_up_to_float(largest);
+    error.largest = round_up_to_float(largest + source.moved);
     return error;
 }
 
@@ -42,12 +42,12 @@ bool vertices_are_within(const Source& source, int step_exponent, double toleran
     const double step = std::ldexp(1.0, step_exponent);
     const double reciprocal_step = 1.0 / step;
     const double square_tolerance = tolerance * tolerance;
-    const auto error_of = [&](float coordinate) {
-        return double(coordinate) - snap_to_step(coordinate, reciprocal_step) * step;
+    const auto error_of = [&](double coordinate) {
+        return coordinate - snap_to_step(coordinate, reciprocal_step) * step;
     };
     for (const SourceTriangle& triangle : source.triangles) {
         for (const std::uint32_t corner : triangle.corners) {
-            const Vec3& point = source.positions[corner];
+            const Vec3d& point = source.positions[corner];
             const double x = error_of(point.x);
             const double y = error_of(point.y);
             const double z = error_of(point.z);

@@ -10,13 +10,12 @@ namespace espalier::baker {
 /// More than what rounding takes from a sum of squares and its root.
 inline constexpr double rounding_margin = 1.0 + 0x1p-50;
 
-/// The square of the distance between a point and the lattice point that stands for it, up to rounding_margin. The
-/// differences are exact: a lattice coordinate is a float32 number in the world, and no farther than half a step from
-/// the point's, whose last place is at least 2^-24 of a step where the two are not the same or the lattice's is not 0.
-[[nodiscard]] inline double square_snap_error(const Vec3& point, const Vec3& origin, const LatticePoint& snapped,
+/// The square of the distance between a point and the lattice point that stands for it, up to rounding_margin: a
+/// lattice coordinate is a float32 number, and the difference to it is rounded by 2^-53 of itself.
+[[nodiscard]] inline double square_snap_error(const Vec3d& point, const Vec3& origin, const LatticePoint& snapped,
                                               double step) {
-    const auto difference = [&](float coordinate, float from, std::int32_t steps) {
-        return double(coordinate) - (double(from) + steps * step);
+    const auto difference = [&](double coordinate, float from, std::int32_t steps) {
+        return coordinate - (double(from) + steps * step);
     };
     const double x = difference(point.x, origin.x, snapped.x);
     const double y = difference(point.y, origin.y, snapped.y);

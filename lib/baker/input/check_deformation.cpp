@@ -13,7 +13,7 @@ namespace {
 /// "level.obj, mesh 3 (walls), vertex 17" of a position among those of all meshes.
 std::string vertex_name(const Source& source, std::size_t position) {
     std::size_t mesh = 0;
-    while (position >= source.meshes[mesh].positions.size()) position -= source.meshes[mesh++].positions.size();
+    while (position >= source.meshes[mesh].position_count()) position -= source.meshes[mesh++].position_count();
     return mesh_name(source.meshes, mesh) + ", vertex " + std::to_string(position);
 }
 

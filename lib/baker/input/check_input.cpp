@@ -7,6 +7,7 @@
 
 #include <baker/base/number_text.hpp>
 #include <baker/input/check_deformation.hpp>
+#include <baker/input/positions.hpp>
 #include <baker/input/zero_area.hpp>
 
 namespace espalier::baker {
@@ -19,24 +20,27 @@ constexpr const char* corner_names[3] = {"first", "second", "third"};
 
 Refusal too_large(std::string message, SourcePlace place) { return {BakeStatus::too_large, std::move(message), place}; }
 
-bool is_finite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
-
 /// What is wrong with the first coordinate of a corner that is not finite: "the second corner has y = NaN".
-std::string describe_not_finite(const MeshView& mesh, const TriangleVertices& triangle) {
+std::string describe_not_finite(const MeshView& mesh, const Vec3d* positions, const TriangleVertices& triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3& point = mesh.positions[triangle[corner]];
-        if (const auto coordinate = find_not_finite(point))
-            return std::string("its ") + corner_names[corner] + " corner (vertex " + std::to_string(triangle[corner]) +
-                   ") has " + *coordinate;
+        const std::string vertex = std::string("its ") + corner_names[corner] + " corner (vertex " +
+                                   std::to_string(triangle[corner]) + ") has ";
+        const Vec3d given = given_position(mesh, triangle[corner]);
+        if (const auto coordinate = find_not_finite(given)) return vertex + *coordinate;
+        if (is_finite(positions[triangle[corner]])) continue;
+        for (const double coordinate : {given.x, given.y, given.z})
+            if (!(std::abs(coordinate) < 1e38))
+                return vertex + "the coordinate " + number_text(coordinate) + ", beyond float32, which ends at 3.4e38";
+        return vertex + "a coordinate that is, less the origin, beyond float32, which ends at 3.4e38";
     }
     return {};
 }
 
 std::string describe_out_of_range(const MeshView& mesh, const TriangleVertices& triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        if (triangle[corner] >= mesh.positions.size()) {
+        if (triangle[corner] >= mesh.position_count()) {
             return std::string("its ") + corner_names[corner] + " corner is vertex " +
-                   std::to_string(triangle[corner]) + ", but the mesh has " + std::to_string(mesh.positions.size()) +
+                   std::to_string(triangle[corner]) + ", but the mesh has " + std::to_string(mesh.position_count()) +
                    " vertices";
         }
     }
@@ -56,8 +60,13 @@ std::optional<Refusal> check_sizes(std::span<const MeshView> meshes) {
                                " triangles; give one for each triangle, or none at all",
                            place_of(mesh)};
         }
+        if (!mesh.positions.empty() && !mesh.float64_positions.empty()) {
+            return Refusal{BakeStatus::invalid_mesh,
+                           mesh_name(meshes, i) + ": it has positions in float32 and in float64; give either",
+                           place_of(mesh)};
+        }
         triangles += mesh.triangles.size();
-        vertices += mesh.positions.size();
+        vertices += mesh.position_count();
         if (triangles > format::max_triangles) {
             return too_large(mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(triangles) +
                                  " triangles; a blob holds at most " + std::to_string(format::max_triangles) +
@@ -105,10 +114,16 @@ struct Complaint {
 };
 
 /// Takes over one mesh. Sets `complaint` at the first broken triangle, if it is empty.
-void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t first_triangle, bool keeps_flat,
+void append_mesh(const MeshView& mesh, std::uint32_t first_triangle, bool keeps_flat, PositionsFromOrigin& from_origin,
                  Source& source, BakeReport& report, std::optional<Complaint>& complaint) {
-    const std::size_t vertex_count = mesh.positions.size();
-    source.positions.insert(source.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    const std::size_t vertex_count = mesh.position_count();
+    const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
+    for (std::size_t i = 0; i < vertex_count; ++i) {
+        const Vec3d given = given_position(mesh, i);
+        source.positions.push_back(from_origin.at(given));
+        source.is_float64 = source.is_float64 || (is_finite(given) && !fits_float32(given));
+    }
+    const Vec3d* const positions = source.positions.data() + first_vertex;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const TriangleVertices& triangle = mesh.triangles[i];
         const std::uint32_t id = first_triangle + static_cast<std::uint32_t>(i);
@@ -117,18 +132,20 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
             if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_out_of_range(mesh, triangle)};
             continue;
         }
-        const Vec3& a = mesh.positions[triangle[0]];
-        const Vec3& b = mesh.positions[triangle[1]];
-        const Vec3& c = mesh.positions[triangle[2]];
+        const Vec3d& a = positions[triangle[0]];
+        const Vec3d& b = positions[triangle[1]];
+        const Vec3d& c = positions[triangle[2]];
         if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
             count(report.findings.not_finite, source, id);
-            if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle)};
+            if (!complaint)
+                complaint = {id, triangle_name(source, id) + ": " + describe_not_finite(mesh, positions, triangle)};
             continue;
         }
         const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]},
                                    id};
         if (!keeps_flat && has_zero_area(a, b, c)) {
             count(report.findings.zero_area, source, id);
+            if (a == b || b == c || c == a) ++report.findings.equal_corners;
             source.without_area.push_back(sound);
         } else {
             source.triangles.push_back(sound);
@@ -197,11 +214,19 @@ std::optional<Refusal> check_options(const BakeOptions& options) {
         return invalid_options("flat_angle, the largest angle of a flat edge, is " + number_text(*options.flat_angle) +
                                " degrees; choose 0 or more, below " + number_text(max_flat_angle));
     }
+    if (options.origin && !is_finite(*options.origin)) {
+        return invalid_options("the origin has " + *find_not_finite(*options.origin) + "; choose a finite place");
+    }
+    if (options.policy && !(options.policy->max_dropped >= 0.0 && options.policy->max_dropped <= 100.0)) {
+        return invalid_options("max_dropped is " + number_text(options.policy->max_dropped) +
+                               " percent of the triangles; choose 0 to 100");
+    }
     if (auto refusal = check_deformation(options)) return refusal;
     return check_build(options.build, options.profile);
 }
 
-Expected<Source> check_input(std::span<const MeshView> meshes, const BakeOptions& options, BakeReport& report) {
+Expected<Source> check_input(std::span<const MeshView> meshes, const Vec3d& origin, const BakeOptions& options,
+                             BakeReport& report) {
     if (auto refusal = check_sizes(meshes)) return *refusal;
     const auto material_bits = material_bits_of(meshes);
     if (!material_bits) return material_bits.refusal();
@@ -213,19 +238,21 @@ Expected<Source> check_input(std::span<const MeshView> meshes, const BakeOptions
     for (const MeshView& mesh : meshes) {
         source.first_triangle.push_back(source.triangle_count);
         source.triangle_count += static_cast<std::uint32_t>(mesh.triangles.size());
-        vertex_count += mesh.positions.size();
+        vertex_count += mesh.position_count();
     }
     source.positions.reserve(vertex_count);
     source.triangles.reserve(source.triangle_count);
     report.source.triangles = source.triangle_count;
     report.source.vertices = vertex_count;
 
+    source.origin = origin;
+    report.origin = origin;
+    PositionsFromOrigin from_origin(source.origin);
     std::optional<Complaint> complaint;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
-        append_mesh(meshes[i], first_vertex, source.first_triangle[i], options.deformation.has_value(), source, report,
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        append_mesh(meshes[i], source.first_triangle[i], options.deformation.has_value(), from_origin, source, report,
                     complaint);
-    }
+    source.moved = from_origin.moved();
     const std::uint64_t broken = report.findings.not_finite.count + report.findings.index_out_of_range.count;
     if (complaint && !options.drop_bad_triangles) {
         return Refusal{BakeStatus::invalid_mesh,

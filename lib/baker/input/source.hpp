@@ -22,7 +22,10 @@ struct Source {
     std::span<const MeshView> meshes;
     std::vector<std::uint32_t> first_triangle;  ///< original id of each mesh's first triangle
     std::uint32_t triangle_count = 0;           ///< of all meshes, broken ones included
-    std::vector<Vec3> positions;                ///< of all meshes in a row
+    Vec3d origin;                               ///< was subtracted from all positions
+    double moved = 0.0;                         ///< no position was moved farther by the rounding of that difference
+    bool is_float64 = false;                    ///< some position that was given is no float32 number
+    std::vector<Vec3d> positions;               ///< of all meshes in a row, from the origin; finite ones fit float32
     std::vector<SourceTriangle> triangles;      ///< finite, in range, with an area; ascending ids
     std::vector<SourceTriangle> without_area;   ///< finite, in range, but a point or a line
     unsigned material_bits = 0;                 ///< that hold all materials: 0 if all are 0, else 8 or 16

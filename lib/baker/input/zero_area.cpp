@@ -7,10 +7,10 @@ namespace espalier::baker {
 
 namespace {
 
-/// Whether six doubles add up to exactly zero. The running sum is kept as a non-overlapping expansion, to which each
+/// Whether twelve doubles add up to exactly zero. The running sum is kept as a non-overlapping expansion, to which each
 /// two-sum step adds without loss (Shewchuk 1997, "Adaptive precision floating-point arithmetic", Grow-Expansion).
-bool sum_is_zero(const std::array<double, 6>& terms) {
-    std::array<double, 6> expansion{};
+bool sum_is_zero(const std::array<double, 12>& terms) {
+    std::array<double, 12> expansion{};
     for (std::size_t used = 0; used < terms.size(); ++used) {
         double carry = terms[used];
         for (std::size_t i = 0; i < used; ++i) {
@@ -31,20 +31,34 @@ bool sum_is_zero(const std::array<double, 6>& terms) {
 ///
 /// Rounded first: the two products of differences are each off by at most 4 * 2^-53 of themselves, so a difference that
 /// exceeds 2^-49 of their sum cannot be zero. Otherwise exactly: written out, with a0 a1 cancelled, the component is a
-/// sum of six products of two floats, each exact in a double (48 bits, exponents above -300).
+/// sum of six products, each of them of two doubles: its rounded value and what that lost, which a fused multiplication
+/// gives. Coordinates are 0 or between 2^-200 and 2^128, so that nothing underflows.
 bool component_is_zero(double a0, double a1, double b0, double b1, double c0, double c1) {
     const double left = (b0 - a0) * (c1 - a1);
     const double right = (b1 - a1) * (c0 - a0);
+    if (left == 0.0 && right == 0.0) return true;
     if (std::abs(left - right) > 0x1p-49 * (std::abs(left) + std::abs(right))) return false;
-    return sum_is_zero({b0 * c1, -(b0 * a1), -(a0 * c1), -(b1 * c0), b1 * a0, a1 * c0});
+    std::array<double, 12> terms;
+    std::size_t count = 0;
+    const auto add = [&](double x, double y) {
+        const double product = x * y;
+        terms[count++] = product;
+        terms[count++] = std::fma(x, y, -product);
+    };
+    add(b0, c1);
+    add(-b0, a1);
+    add(-a0, c1);
+    add(-b1, c0);
+    add(b1, a0);
+    add(a1, c0);
+    return sum_is_zero(terms);
 }
 
 }  // namespace
 
-bool has_zero_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return component_is_zero(double(a.x), double(a.y), double(b.x), double(b.y), double(c.x), double(c.y)) &&
-           component_is_zero(double(a.y), double(a.z), double(b.y), double(b.z), double(c.y), double(c.z)) &&
-           component_is_zero(double(a.z), double(a.x), double(b.z), double(b.x), double(c.z), double(c.x));
+bool has_zero_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return component_is_zero(a.x, a.y, b.x, b.y, c.x, c.y) && component_is_zero(a.y, a.z, b.y, b.z, c.y, c.z) &&
+           component_is_zero(a.z, a.x, b.z, b.x, c.z, c.x);
 }
 
 }  // namespace espalier::baker

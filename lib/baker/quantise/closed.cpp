@@ -111,17 +111,15 @@ struct WeldedSource {
 };
 
 WeldedSource weld(const Source& source) {
-    const auto bits = [](float coordinate) { return std::bit_cast<std::uint32_t>(coordinate + 0.0f); };  // -0 is 0
-    const auto is_same = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const auto bits = [](double coordinate) { return std::bit_cast<std::uint64_t>(coordinate + 0.0); };  // -0 is 0
     WeldedSource welded;
     welded.vertex_count = source.positions.size();
     IndexedHashSet table(source.positions.size());
     const auto vertex_of = [&](std::uint32_t position) {
-        const Vec3& point = source.positions[position];
-        // mutant(<< -> one more, << -> one less) equivalent: another hash of the same position
-        const std::uint64_t xy = std::uint64_t{bits(point.x)} << 32 | bits(point.y);
-        return table.find_or_insert(mix_bits(xy ^ mix_bits(bits(point.z))), position,
-                                    [&](std::uint32_t other) { return is_same(source.positions[other], point); });
+        const Vec3d& point = source.positions[position];
+        const std::uint64_t hash = mix_bits(bits(point.x) ^ mix_bits(bits(point.y) ^ mix_bits(bits(point.z))));
+        return table.find_or_insert(hash, position,
+                                    [&](std::uint32_t other) { return source.positions[other] == point; });
     };
     for (const auto* triangles : {&source.triangles, &source.without_area}) {
         for (const SourceTriangle& triangle : *triangles) {

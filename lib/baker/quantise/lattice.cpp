@@ -23,7 +23,7 @@ unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
     // mutant(< -> <=) equivalent: at 2^-1000 every float32 extent has too many steps, which the loop finds too
     if (step_exponent < far_too_fine) return unsigned{format::max_bits} + 1;
     const double reciprocal_step = std::ldexp(1.0, -step_exponent);
-    const auto steps_between = [&](float min, float max) {
+    const auto steps_between = [&](double min, double max) {
         return snap_to_step(max, reciprocal_step) - snap_to_step(min, reciprocal_step);
     };
     const double largest =
@@ -47,7 +47,7 @@ std::optional<Refusal> check_exponent(int step_exponent, const SourceBounds& bou
 Lattice lattice_at(const SourceBounds& bounds, int step_exponent, unsigned bits) {
     const double step = std::ldexp(1.0, step_exponent);
     const double reciprocal_step = std::ldexp(1.0, -step_exponent);
-    const auto snapped = [&](float coordinate) {
+    const auto snapped = [&](double coordinate) {
         return static_cast<float>(snap_to_step(coordinate, reciprocal_step) * step);
     };
     return {{snapped(bounds.min.x), snapped(bounds.min.y), snapped(bounds.min.z)}, step_exponent, bits};
@@ -60,30 +60,18 @@ float largest_snap_error(int step_exponent) {
 }
 
 SourceBounds bounds_of(const Source& source) {
-    SourceBounds bounds;
-    if (source.triangles.empty()) return bounds;
-    bounds.min = bounds.max = source.positions[source.triangles.front().corners[0]];
-    for (const SourceTriangle& triangle : source.triangles) {
-        for (const std::uint32_t corner : triangle.corners) {
-            const Vec3& point = source.positions[corner];
-            bounds.min = {std::min(bounds.min.x, point.x), std::min(bounds.min.y, point.y),
-                          std::min(bounds.min.z, point.z)};
-            bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y),
-                          std::max(bounds.max.z, point.z)};
-        }
-    }
-    bounds.largest_side =
-        std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
-                  double(bounds.max.z) - double(bounds.min.z)});
-    bounds.largest_coordinate = std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z),
-                                          std::abs(bounds.max.x), std::abs(bounds.max.y), std::abs(bounds.max.z)});
+    if (source.triangles.empty()) return SourceBounds();
+    SourceBounds bounds(source.positions[source.triangles.front().corners[0]]);
+    for (const SourceTriangle& triangle : source.triangles)
+        for (const std::uint32_t corner : triangle.corners) bounds.add(source.positions[corner]);
+    bounds.measure();
     return bounds;
 }
 
 bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds) {
     int exponent = 0;
     std::frexp(bounds.largest_coordinate, &exponent);
-    return bounds.largest_coordinate != 0.0f && lattice.step_exponent < exponent - std::numeric_limits<float>::digits;
+    return bounds.largest_coordinate != 0.0 && lattice.step_exponent < exponent - std::numeric_limits<float>::digits;
 }
 
 Expected<Lattice> lattice_for_bits(const SourceBounds& bounds, unsigned bits) {

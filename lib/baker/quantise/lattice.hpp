@@ -2,6 +2,7 @@
 // the step, so that all assets with one step lie on one lattice, whatever their origins are.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,10 +30,22 @@ struct Lattice {
 
 /// The box around the corners of all triangles that have an area.
 struct SourceBounds {
-    Vec3 min;
-    Vec3 max;
+    Vec3d min;
+    Vec3d max;
     double largest_side = 0.0;
-    float largest_coordinate = 0.0f;  ///< of any sign
+    double largest_coordinate = 0.0;  ///< of any sign
+
+    explicit SourceBounds(const Vec3d& point = {}) : min(point), max(point) {}
+    void add(const Vec3d& point) {
+        min = {std::min(min.x, point.x), std::min(min.y, point.y), std::min(min.z, point.z)};
+        max = {std::max(max.x, point.x), std::max(max.y, point.y), std::max(max.z, point.z)};
+    }
+    /// Sets what follows from the corners.
+    void measure() {
+        largest_side = std::max({max.x - min.x, max.y - min.y, max.z - min.z});
+        largest_coordinate = std::max(
+            {std::abs(min.x), std::abs(min.y), std::abs(min.z), std::abs(max.x), std::abs(max.y), std::abs(max.z)});
+    }
 };
 
 [[nodiscard]] SourceBounds bounds_of(const Source& source);
@@ -43,21 +56,22 @@ struct SourceBounds {
     return (value + shifter) - shifter;
 }
 
-/// The multiple of the step nearest to a coordinate, ties to even, as a number of steps from the world's origin. It
-/// depends on the coordinate and the step alone. Float32 represents it, times the step: it is whole and at most 2^24,
-/// or the coordinate itself, since float32 numbers from 2^24 on are whole. It is never minus zero.
-[[nodiscard]] inline double snap_to_step(float coordinate, double reciprocal_step) {
-    const double steps = double(coordinate) * reciprocal_step;  // exact: by a power of two, within binary64
+/// The multiple of the step nearest to a coordinate, ties to even, as a number of steps from 0. It depends on the
+/// coordinate and the step alone. Float32 represents it, times the step: it is whole and at most 2^24, or the float32
+/// nearest to the coordinate, since float32 numbers from 2^24 on are whole. It is never minus zero.
+[[nodiscard]] inline double snap_to_step(double coordinate, double reciprocal_step) {
+    const double steps = coordinate * reciprocal_step;  // exact: by a power of two, within binary64
     // mutant(< -> <=) equivalent: 2^24 is whole and rounds to itself
-    return std::abs(steps) < 0x1p24 ? round_half_even(steps) : steps;
+    return std::abs(steps) < 0x1p24 ? round_half_even(steps) : double(static_cast<float>(coordinate)) * reciprocal_step;
 }
 
 /// The same as a lattice coordinate: exact up to 2^53 steps, and not below 2^53 beyond.
-[[nodiscard]] inline double snap_coordinate(float coordinate, float origin, double reciprocal_step) {
+[[nodiscard]] inline double snap_coordinate(double coordinate, float origin, double reciprocal_step) {
     return snap_to_step(coordinate, reciprocal_step) - double(origin) * reciprocal_step;
 }
 
-/// Whether the lattice is finer than float32 numbers are around the farthest coordinate: it then only records noise.
+/// Whether the lattice is finer than float32 numbers are around the farthest coordinate: of a float32 source it then
+/// only records noise.
 [[nodiscard]] bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds);
 
 /// The finest lattice on which `bits` hold every coordinate.

@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    [[nodiscard]] LatticePoint snap(const Vec3& point) const {
+    [[nodiscard]] LatticePoint snap(const Vec3d& point) const {
         return {static_cast<std::int32_t>(snap_coordinate(point.x, origin_.x, reciprocal_step_)),
                 static_cast<std::int32_t>(snap_coordinate(point.y, origin_.y, reciprocal_step_)),
                 static_cast<std::int32_t>(snap_coordinate(point.z, origin_.z, reciprocal_step_))};

@@ -8,14 +8,18 @@ namespace espalier::baker {
 
 namespace {
 
-/// Returns the section of corners of a deformable blob, which a guard and the vertex sources follow, or nothing.
+/// Returns the section of corners of a deformable blob, which a guard, the vertex sources and the origin of the source
+/// follow, or nothing.
 std::optional<std::span<const std::byte>> find_corners(std::span<const std::byte> blob, std::uint32_t triangles) {
     namespace header = format::header;
     const std::uint32_t positions = detail::load_u32(blob.data() + header::position_count_at);
     const std::uint32_t slots = detail::load_u32(blob.data() + header::vertex_slots_at);
     const auto padded = [](std::size_t bytes) { return (bytes + 3) / 4 * 4; };
     const std::size_t corner_bytes = 3 * std::size_t{triangles};
-    const std::size_t behind = padded(corner_bytes) + 64 + padded(std::size_t{slots} * (positions <= 65536 ? 2 : 4));
+    const std::uint32_t features = detail::load_u32(blob.data() + header::features_at);
+    const std::size_t origin = (features & format::feature::source_origin) != 0 ? format::source_origin::bytes : 0;
+    const std::size_t behind =
+        padded(corner_bytes) + 64 + padded(std::size_t{slots} * (positions <= 65536 ? 2 : 4)) + origin;
     if (behind > blob.size()) return std::nullopt;
     return blob.subspan(blob.size() - behind, corner_bytes);
 }

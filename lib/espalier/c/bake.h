@@ -103,17 +103,21 @@ typedef struct espalier_bake_options {
     espalier_builder builder;            /* by default binned_sah; spatial_splits needs the profile fast */
     uint8_t original_ids;                /* a flag: stores the source of each triangle in the blob */
     uint8_t drop_bad_triangles;          /* a flag: drops broken triangles, which else refuse the bake */
+    uint8_t allow_empty;                 /* a flag: accepts that no triangle is left, which else refuses the bake */
+    uint8_t strict;                      /* a flag: refuses the bake for what else is a warning */
     uint8_t with_remap;                  /* a flag: the result has the source of each triangle */
     uint8_t oriented_box;                /* a flag, as the next two: stores these bounds of the asset */
     uint8_t sphere;
     uint8_t k_dop;
     uint8_t deformable;      /* a flag: bakes a blob whose vertices can move */
     uint8_t has_range;       /* a flag: `range` counts */
+    uint8_t chooses_origin;  /* a flag: the baker chooses the origin, not `origin`, where float32 is too coarse */
     espalier_box range;      /* of a deformable blob: the box in which all positions of all poses lie, less `origin` */
     const void* poses;       /* of a deformable blob: poses that its tree suits, packed float32, less `origin` */
     size_t pose_count;       /* a pose has the positions of all meshes in a row */
     double flat_angle;       /* degrees, 0 to less than 90: stores how the surface bends at edges. Negative: does not */
-    double origin[3];        /* is subtracted from each position, in double, before it is rounded to float32 */
+    espalier_vec3d origin;   /* is subtracted from each position, in double, before it is rounded to the lattice */
+    double max_dropped;      /* percent of the triangles that may be lost, else the bake is refused; by default 10 */
     double duplicate_budget; /* of spatial_splits: the largest share of triangles that is stored again, 0..1 */
     float byte_price;        /* of one byte per triangle, in visits of a node by an average ray, 0..1000000 */
     uint32_t max_leaf_triangles; /* 1..62 */
@@ -174,12 +178,13 @@ typedef struct espalier_bake_warning {
 typedef struct espalier_bake_report {
     uint64_t source_triangles, source_vertices;
     espalier_bake_finding not_finite, index_out_of_range, zero_area, collapsed, duplicate;
+    uint64_t equal_corners; /* of zero_area: with two corners in one place, and no surface to lose */
     espalier_vec3 bounds_min, bounds_max;
     double extent; /* the largest side of the bounds */
     double box_volume, oriented_box_volume, sphere_volume, k_dop_volume;
     double step;
-    double max_error;        /* between the baked surface and the positions as float32 */
-    double conversion_error; /* between those and the given ones minus the origin: add it for float64 */
+    double max_error;      /* between the baked surface and the positions as they were given */
+    espalier_vec3d origin; /* that was subtracted from all positions: espalier_blob_source_origin() returns it */
     uint32_t bits;
     uint32_t range_positions; /* of a deformable blob, as the next two: the positions that a refit takes */
     uint64_t moving_bytes;

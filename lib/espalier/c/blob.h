@@ -65,6 +65,8 @@ espalier_profile espalier_blob_profile(const espalier_blob* blob);
 espalier_lattice espalier_blob_lattice(const espalier_blob* blob);
 /* Returns the largest distance between the baked surface and its source, in the blob's units. */
 float espalier_blob_max_error(const espalier_blob* blob);
+/* Returns where 0 0 0 of the blob lies in the source: what the bake subtracted from all positions. */
+espalier_vec3d espalier_blob_source_origin(const espalier_blob* blob);
 /* Returns the box around all triangles. */
 espalier_box espalier_blob_bounds(const espalier_blob* blob);
 /* Returns whether the surface has an inside, which espalier_contains() and espalier_signed_distance() need. */

@@ -11,6 +11,11 @@ typedef struct ESPALIER_SHARED_ espalier_vec3 {
     float x, y, z;
 } espalier_vec3;
 
+/* A place in the units and axes of the source, which float32 would round too coarsely far from 0. */
+typedef struct ESPALIER_SHARED_ espalier_vec3d {
+    double x, y, z;
+} espalier_vec3d;
+
 /* The index of a triangle in its blob. A miss has ESPALIER_NO_TRIANGLE. */
 typedef uint32_t espalier_triangle_id;
 #define ESPALIER_NO_TRIANGLE UINT32_C(0xFFFFFFFF)

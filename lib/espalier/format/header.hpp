@@ -24,6 +24,7 @@ inline constexpr std::uint16_t version_minor = 2;
 /// The least minor version of a blob with each feature; a writer states the least that its features need.
 inline constexpr std::uint16_t version_minor_of_deformable = 1;
 inline constexpr std::uint16_t version_minor_of_id_runs = 2;
+inline constexpr std::uint16_t version_minor_of_source_origin = 2;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
@@ -87,9 +88,10 @@ inline constexpr std::uint32_t k_dop = 1u << 8;
 inline constexpr std::uint32_t deformable =
     1u << 9;  // vertices move, see `corners` and `vertex_sources`; profile fast only
 inline constexpr std::uint32_t id_runs = 1u << 10;  // of original_ids: blocks are divided, see `ids`
+inline constexpr std::uint32_t source_origin = 1u << 11;
 inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
-inline constexpr std::uint32_t known =
-    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds | deformable | id_runs;
+inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references |
+                                       edge_flags | bounds | deformable | id_runs | source_origin;
 /// What a deformable blob does not have: these sections describe one pose.
 inline constexpr std::uint32_t not_deformable = split_references | edge_flags | bounds;
 }  // namespace feature

@@ -1,6 +1,6 @@
 // The sections of a blob but its nodes and leaves: source table, original ids, copies, edge flags, bounds, corners,
-// vertex sources. They lie in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros
-// to 4 bytes.
+// vertex sources, origin of the source. They lie in this order: nodes, leaves, guard, then the optional ones; each of
+// these padded with zeros to 4 bytes.
 #pragma once
 
 #include <bit>
@@ -142,5 +142,10 @@ namespace vertex_sources {
 /// Returns the bits of a number: u16 where that suffices, else u32.
 constexpr unsigned number_bits(std::uint32_t position_count) { return position_count <= 0x10000 ? 16 : 32; }
 }  // namespace vertex_sources
+
+// The section of the origin: 3 x f64, where 0 0 0 of the blob's coordinates is in the source's. Finite.
+namespace source_origin {
+inline constexpr std::size_t bytes = 24;
+}  // namespace source_origin
 
 }  // namespace espalier::format

@@ -121,7 +121,7 @@ private:
         if (known) return meshes_.add_place(*known, mesh, placed.placement);
         const Placement applied = meshes_.applied(placed.placement);
         mesh.positions.reserve(object.positions.size());
-        for (const Vec3& position : object.positions) mesh.positions.push_back(applied(position));
+        for (const Vec3d& position : object.positions) mesh.positions.push_back(applied(position));
         mesh.triangles = object.triangles;
         mesh.materials = object.materials;
         // A mirrored mesh must keep its front outside: its corners run the other way.

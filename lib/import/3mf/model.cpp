@@ -164,11 +164,11 @@ private:
     }
 
     void read_vertex(const XmlElement& element) {
-        std::array<float, 3> numbers{};
+        std::array<double, 3> numbers{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string_view name = std::string_view("xyz").substr(axis, 1);
             const std::string_view word = trimmed(element.attribute(name).value_or(""));
-            const std::optional<float> value = parse_coordinate(word);
+            const std::optional<double> value = parse_coordinate(word);
             if (!value)
                 refuse(text("a vertex has ", name, " = '", printable(word.substr(0, 40)), "', which is no number"));
             numbers[axis] = *value;

@@ -28,7 +28,7 @@ struct ThreeMfObject {
     std::string words;  ///< "'gear.3mf', object 3 (gear)"
     std::string name;
     bool is_other = false;  ///< of type other: no part of what is built
-    std::vector<Vec3> positions;
+    std::vector<Vec3d> positions;
     std::vector<TriangleVertices> triangles;
     std::vector<std::uint32_t> materials;  ///< one for each triangle: 0 without one
     std::vector<ThreeMfUse> components;

@@ -116,7 +116,7 @@ private:
             mesh.positions.reserve(source.mNumVertices);
             for (unsigned i = 0; i < source.mNumVertices; ++i) {
                 const aiVector3D& position = source.mVertices[i];
-                mesh.positions.push_back(applied(Vec3{position.x, position.y, position.z}));
+                mesh.positions.push_back(applied({double(position.x), double(position.y), double(position.z)}));
             }
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.

@@ -101,12 +101,12 @@ UnitlessFile::UnitlessFile(const std::string& path, const char* format, const Im
                            ImportResult& imported)
     : imported_(imported), record_(new_record(path, format, options)), meshes_(options, record_, imported) {}
 
-void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
+void UnitlessFile::add(const std::string& name, std::vector<Vec3d> positions, std::vector<TriangleVertices> triangles,
                        std::vector<std::uint32_t> materials) {
     ImportedMesh mesh = meshes_.begin(name, triangles.size());
     const Placement placement = meshes_.asset_placement();
     const Placement applied = meshes_.applied(placement);
-    for (Vec3& position : positions) position = applied(position);
+    for (Vec3d& position : positions) position = applied(position);
     materials.resize(triangles.size());
     mesh.positions = std::move(positions);
     mesh.triangles = std::move(triangles);
@@ -114,7 +114,7 @@ void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std
     meshes_.add(std::move(mesh), placement);
 }
 
-void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3> corners) {
+void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3d> corners) {
     std::vector<TriangleVertices> triangles(corners.size() / 3);
     std::uint32_t next = 0;
     for (TriangleVertices& triangle : triangles)

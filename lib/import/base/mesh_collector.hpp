@@ -65,10 +65,10 @@ public:
     [[nodiscard]] const std::string& path() const { return record_.path; }
     /// Adds a mesh in the file's units and axes. Materials are numbers of the file, one for each triangle, or none:
     /// material 0. Throws ImportError (unsupported) beyond the triangles that a blob can hold.
-    void add(const std::string& name, std::vector<Vec3> positions, std::vector<TriangleVertices> triangles,
+    void add(const std::string& name, std::vector<Vec3d> positions, std::vector<TriangleVertices> triangles,
              std::vector<std::uint32_t> materials);
     /// Adds a mesh of triangles whose corners come three by three, if there are any.
-    void add_triangles(const std::string& name, std::vector<Vec3> corners);
+    void add_triangles(const std::string& name, std::vector<Vec3d> corners);
     /// Appends a warning that begins with the file's name.
     void warn(const char* kind, const std::string& message);
     /// Appends the record to the import, after the last mesh.

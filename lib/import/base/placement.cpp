@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 
-Vec3 Placement::operator()(const std::array<double, 3>& point) const {
-    std::array<float, 3> result{};
+Vec3d Placement::operator()(const Vec3d& point) const {
+    const std::array<double, 3> coordinates{point.x, point.y, point.z};
+    std::array<double, 3> result{};
     for (std::size_t row = 0; row < 3; ++row) {
         double sum = 0.0;
         for (std::size_t column = 0; column < 3; ++column)
-            if (linear[row][column] != 0.0) sum += linear[row][column] * point[column];  // 0 times infinity is NaN
-        result[row] = static_cast<float>(sum + offset[row]);
+            if (linear[row][column] != 0.0) sum += linear[row][column] * coordinates[column];  // 0 * infinity is NaN
+        result[row] = sum + offset[row];
     }
     return {result[0], result[1], result[2]};
-}
-
-Vec3 Placement::operator()(Vec3 point) const {
-    return (*this)(
-        std::array{static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)});
 }
 
 double Placement::determinant() const {
@@ -35,12 +32,20 @@ namespace espalier::importer {
 
 const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
 
-bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+float to_float32(double number) {
+    constexpr double beyond = 0x1.ffffffp127;  // from here on the nearest one is infinite
+    if (std::abs(number) < beyond || std::isnan(number)) return static_cast<float>(number);
+    return number < 0.0 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
+}
 
-void PointBox::add(const std::array<double, 3>& point) {
+bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+bool is_finite(const Vec3d& point) { return is_finite(to_float32(point)); }
+
+void PointBox::add(const Vec3d& point) {
+    const std::array<double, 3> coordinates{point.x, point.y, point.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], point[axis]);
-        high[axis] = std::max(high[axis], point[axis]);
+        low[axis] = std::min(low[axis], coordinates[axis]);
+        high[axis] = std::max(high[axis], coordinates[axis]);
     }
 }
 

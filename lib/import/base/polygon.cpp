@@ -14,7 +14,7 @@ void append_fan(std::uint32_t corners, std::vector<TriangleVertices>& triangles)
 
 }  // namespace
 
-bool PolygonCutter::cut(std::span<const Vec3> polygon, std::vector<TriangleVertices>& triangles) {
+bool PolygonCutter::cut(std::span<const Vec3d> polygon, std::vector<TriangleVertices>& triangles) {
     const auto corners = static_cast<std::uint32_t>(polygon.size());
     const View view = corners == 3 ? View::not_finite : project(polygon);
     // Corners that are not finite are for the baker to refuse or to drop.
@@ -28,12 +28,12 @@ bool PolygonCutter::cut(std::span<const Vec3> polygon, std::vector<TriangleVerti
     return true;
 }
 
-bool PolygonCutter::cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3>& positions,
+bool PolygonCutter::cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3d>& positions,
                              std::vector<TriangleVertices>& triangles) {
     polygon_.clear();
     for (const std::uint32_t vertex : corners) {
         polygon_.push_back(vertex < positions.size() ? positions[vertex]
-                                                     : Vec3{std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f});
+                                                     : Vec3d{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
     }
     const auto first = static_cast<std::ptrdiff_t>(triangles.size());
     const bool is_simple = cut(polygon_, triangles);
@@ -47,11 +47,10 @@ bool PolygonCutter::cut_face(std::span<const std::uint32_t> corners, const std::
 }
 
 /// Leaves out the axis along which the normal is longest.
-PolygonCutter::View PolygonCutter::project(std::span<const Vec3> polygon) {
+PolygonCutter::View PolygonCutter::project(std::span<const Vec3d> polygon) {
     const auto from_first = [&polygon](std::size_t corner) {
-        return std::array{static_cast<double>(polygon[corner].x) - static_cast<double>(polygon[0].x),
-                          static_cast<double>(polygon[corner].y) - static_cast<double>(polygon[0].y),
-                          static_cast<double>(polygon[corner].z) - static_cast<double>(polygon[0].z)};
+        return std::array{polygon[corner].x - polygon[0].x, polygon[corner].y - polygon[0].y,
+                          polygon[corner].z - polygon[0].z};
     };
     std::array<double, 3> normal{};
     bool has_area = false;

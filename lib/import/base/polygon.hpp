@@ -25,10 +25,10 @@ public:
     /// cover a polygon that does not cross itself, concave or not, seen along its normal; a triangle without area
     /// appears only where corners coincide or where no other cut exists. Returns false, after a fan of triangles around
     /// one corner, where the polygon crosses itself. A polygon has at least 3 corners.
-    bool cut(std::span<const Vec3> polygon, std::vector<TriangleVertices>& triangles);
+    bool cut(std::span<const Vec3d> polygon, std::vector<TriangleVertices>& triangles);
     /// Appends the triangles of a face whose corners are numbers of positions; a number beyond them stays, for the
     /// baker to refuse or to drop. Leaves out triangles of a polygon that repeat a vertex. Returns false as cut() does.
-    bool cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3>& positions,
+    bool cut_face(std::span<const std::uint32_t> corners, const std::vector<Vec3d>& positions,
                   std::vector<TriangleVertices>& triangles);
 
 private:
@@ -37,7 +37,7 @@ private:
     /// How a polygon looks along its normal. `cancels_out`: it has none, though parts of it have an area.
     enum class View : std::uint8_t { projected, not_finite, cancels_out };
 
-    View project(std::span<const Vec3> polygon);
+    View project(std::span<const Vec3d> polygon);
     [[nodiscard]] double area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
     [[nodiscard]] bool is_convex() const;
     bool cut_quad(std::vector<TriangleVertices>& triangles) const;
@@ -50,7 +50,7 @@ private:
     std::vector<std::uint32_t> after_;
     std::vector<double> turns_;
     std::vector<char> ears_;
-    std::vector<Vec3> polygon_;  // of a face
+    std::vector<Vec3d> polygon_;  // of a face
 };
 
 }  // namespace espalier::importer

@@ -70,12 +70,12 @@ std::errc parse(std::string_view word, Number& number) {
 
 /// Of a decimal that is out of the range of double: infinity, or zero when its first digit other than 0 is far behind
 /// the point.
-float beyond_double(std::string_view decimal) {
+double beyond_double(std::string_view decimal) {
     const std::size_t end = std::min(decimal.find_first_of("eE"), decimal.size());
     const auto point = static_cast<std::int64_t>(std::min(decimal.find('.'), end));
     const auto first = static_cast<std::int64_t>(std::min(decimal.find_first_of("123456789"), end));
     const std::int64_t exponent = end == decimal.size() ? 0 : parse_integer(decimal.substr(end + 1)).value_or(0);
-    const float size = exponent > first - point ? std::numeric_limits<float>::infinity() : 0.0f;
+    const double size = exponent > first - point ? std::numeric_limits<double>::infinity() : 0.0;
     return decimal[0] == '-' ? -size : size;
 }
 
@@ -142,14 +142,13 @@ std::string_view Words::rest() const {
     return result;
 }
 
-std::optional<float> parse_coordinate(std::string_view word) {
+std::optional<double> parse_coordinate(std::string_view word) {
     word = without_plus(word);
-    float value = 0.0f;
+    double value = 0.0;
     const std::errc error = parse(word, value);
     if (error == std::errc()) return value;
     if (error != std::errc::result_out_of_range) return std::nullopt;
-    double wide = 0.0;
-    return parse(word, wide) == std::errc() ? nearest_float(wide) : beyond_double(word);
+    return beyond_double(word);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word) {
@@ -159,13 +158,6 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
     if (error == std::errc()) return value;
     if (error != std::errc::result_out_of_range) return std::nullopt;
     return word[0] == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
-}
-
-float nearest_float(double value) {
-    constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
-    if (value > largest) return std::numeric_limits<float>::infinity();
-    if (value < -largest) return -std::numeric_limits<float>::infinity();
-    return static_cast<float>(value);
 }
 
 }  // namespace espalier::importer

@@ -75,13 +75,11 @@ private:
     std::string_view rest_;
 };
 
-/// Returns the float32 nearest to a decimal such as "-1", "+.5", "1." or "1e5", "inf" and "nan" included; infinity
-/// beyond the range of float32. Returns nothing for other words.
-std::optional<float> parse_coordinate(std::string_view word);
+/// Returns the float64 nearest to a decimal such as "-1", "+.5", "1." or "1e5", "inf" and "nan" included; infinity
+/// beyond the range of float64. Returns nothing for other words.
+std::optional<double> parse_coordinate(std::string_view word);
 /// Returns the number, or the nearest limit of its type for a larger one. Returns nothing for words that are no
 /// integer.
 std::optional<std::int64_t> parse_integer(std::string_view word);
-/// Returns the float32 nearest to `value`; infinity beyond its range.
-float nearest_float(double value);
 
 }  // namespace espalier::importer

@@ -1,7 +1,6 @@
 #include <import/base/importers.hpp>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -171,7 +170,7 @@ private:
         const Placement applied = meshes_.applied(placement);
         std::vector<bool> mirrors(is_skinned ? primitive.vertices.size() : 0);
         for (const std::uint32_t vertex : primitive.vertices) {
-            const std::array<double, 3> position = primitive.position(vertex, weights, displacements);
+            const Vec3d position = primitive.position(vertex, weights, displacements);
             if (is_skinned) {
                 const Placement skinned =
                     skinned_placement(primitive.influences, vertex, *joints, asset_, primitive.object);

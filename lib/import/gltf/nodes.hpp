@@ -60,8 +60,8 @@ struct GltfPrimitive {
     std::optional<std::uint32_t> imported;  ///< the mesh that its places share, once there is one
 
     /// Returns where a vertex is in the mesh's space: its position and the morph targets' parts of it.
-    [[nodiscard]] std::array<double, 3> position(std::uint32_t vertex, const std::vector<double>& weights,
-                                                 const std::vector<GltfAccessor>& displacements) const;
+    [[nodiscard]] Vec3d position(std::uint32_t vertex, const std::vector<double>& weights,
+                                 const std::vector<GltfAccessor>& displacements) const;
     /// Tests whether morph targets move its vertices.
     [[nodiscard]] bool is_morphed() const;
     /// Returns one accessor for each weight. Those of weight 0 are not read, and have no elements.

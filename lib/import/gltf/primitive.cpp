@@ -168,8 +168,8 @@ void read_topology(const GltfObject& object, std::uint64_t mode, const std::opti
 
 }  // namespace
 
-std::array<double, 3> GltfPrimitive::position(std::uint32_t vertex, const std::vector<double>& weights,
-                                              const std::vector<GltfAccessor>& displacements) const {
+Vec3d GltfPrimitive::position(std::uint32_t vertex, const std::vector<double>& weights,
+                              const std::vector<GltfAccessor>& displacements) const {
     std::array<double, 3> result{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         result[axis] = positions.number(vertex, axis);
@@ -177,7 +177,7 @@ std::array<double, 3> GltfPrimitive::position(std::uint32_t vertex, const std::v
             if (displacements[i].count > 0) result[axis] += weights[i] * displacements[i].number(vertex, axis);
         }
     }
-    return result;
+    return {result[0], result[1], result[2]};
 }
 
 bool GltfPrimitive::is_morphed() const {

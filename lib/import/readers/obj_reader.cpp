@@ -137,7 +137,7 @@ private:
     }
 
     void read_vertex(Words& words) {
-        std::array<float, 4> numbers{0.0f, 0.0f, 0.0f, 1.0f};
+        std::array<double, 4> numbers{0.0, 0.0, 0.0, 1.0};
         std::size_t count = 0;
         for (std::string_view word = next_word(words); !word.empty(); word = next_word(words), ++count) {
             const auto number = parse_coordinate(word);
@@ -146,7 +146,7 @@ private:
             if (count < numbers.size()) numbers[count] = *number;  // a colour may follow
         }
         if (count < 3) refuse(text("a vertex has ", count, " coordinates, not 3. Is the file whole?"));
-        if (count == 4 && numbers[3] != 1.0f) weights_.add(line_);
+        if (count == 4 && numbers[3] != 1.0) weights_.add(line_);
         if (positions_.size() >= no_number) refuse("the file has more than 4294967295 vertices. Split it.");
         positions_.push_back({numbers[0], numbers[1], numbers[2]});
     }
@@ -261,7 +261,7 @@ private:
 
     struct ObjMesh {
         std::uint32_t number;
-        std::vector<Vec3> positions;
+        std::vector<Vec3d> positions;
         std::vector<TriangleVertices> triangles;
         std::vector<std::uint32_t> materials;
     };
@@ -323,7 +323,7 @@ private:
     std::uint64_t line_ = 0;
     std::string joined_;
 
-    std::vector<Vec3> positions_;
+    std::vector<Vec3d> positions_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> corners_;  // of the faces, one after the other
     std::vector<std::int64_t> numbers_;   // of the corners of a line, as written

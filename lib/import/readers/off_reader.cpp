@@ -163,12 +163,12 @@ private:
         positions_.reserve(vertex_count_);
         for (std::uint64_t vertex = 0; vertex < vertex_count_; ++vertex) {
             if (by_lines) words_.next_line();
-            std::array<float, 3> numbers{};
-            for (float& number : numbers) {
+            std::array<double, 3> numbers{};
+            for (double& number : numbers) {
                 const std::string_view word = by_lines ? words_.next_on_line() : words_.next();
                 if (word.empty())
                     refuse(text("vertex ", vertex, " has fewer than three coordinates. Is the file whole?"));
-                const std::optional<float> value = parse_coordinate(word);
+                const std::optional<double> value = parse_coordinate(word);
                 if (!value) refuse_word(word, "not a number");
                 number = *value;
             }
@@ -237,7 +237,7 @@ private:
     std::size_t more_numbers_ = 0;
     std::uint64_t vertex_count_ = 0;
     std::uint64_t face_count_ = 0;
-    std::vector<Vec3> positions_;
+    std::vector<Vec3d> positions_;
     std::vector<TriangleVertices> triangles_;
     std::vector<std::uint32_t> corners_;
     MissingVertices missing_vertices_;

@@ -74,7 +74,7 @@ public:
             refuse(text("'", printable(words_.next().substr(0, 40)), "' follows the values that the header states."));
         }
     }
-    float coordinate(PlyType) {
+    double coordinate(PlyType) {
         const std::string_view word = next();
         const auto value = parse_coordinate(word);
         if (!value) refuse(text("'", printable(word.substr(0, 40)), "' is not a number."));
@@ -130,9 +130,9 @@ public:
 
     void begin_element(const PlyElement&) {}
     void end_element() {}
-    float coordinate(PlyType type) {
-        if (type == PlyType::float32) return take<float>();
-        return type == PlyType::float64 ? nearest_float(take<double>()) : static_cast<float>(integer(type));
+    double coordinate(PlyType type) {
+        if (type == PlyType::float32) return double(take<float>());
+        return type == PlyType::float64 ? take<double>() : static_cast<double>(integer(type));
     }
     std::int64_t integer(PlyType type) {
         if (type == PlyType::int8) return take<std::int8_t>();

@@ -93,7 +93,7 @@ private:
         positions_.reserve(std::min(element.count, values_.room_for(element)));
         for (std::uint64_t i = 0; i < element.count; ++i) {
             values_.begin_element(element);
-            float coordinates[4];
+            double coordinates[4];
             for (std::size_t at = 0; at < axis_of.size(); ++at) {
                 const PlyProperty& property = element.properties[at];
                 if (axis_of[at] < 3) {
@@ -198,7 +198,7 @@ private:
     const ImportOptions& options_;
     UnitlessFile& file_;
     PolygonCutter cutter_;
-    std::vector<Vec3> positions_;
+    std::vector<Vec3d> positions_;
     std::vector<TriangleVertices> triangles_;
     std::vector<std::int64_t> list_;
     std::vector<std::uint32_t> corners_;

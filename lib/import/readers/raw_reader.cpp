@@ -30,12 +30,12 @@ public:
 private:
     void read_line(std::string_view line) {
         Words words(line);
-        std::array<float, corner_numbers + colour_numbers> numbers{};
+        std::array<double, corner_numbers + colour_numbers> numbers{};
         std::size_t count = 0;
         std::string_view word = words.next();
         if (word.empty()) return;
         for (; count < numbers.size() && !word.empty(); word = words.next()) {
-            const std::optional<float> number = parse_coordinate(word);
+            const std::optional<double> number = parse_coordinate(word);
             if (!number) break;
             numbers[count++] = *number;
         }
@@ -62,7 +62,7 @@ private:
         refuse(text("'", printable(word.substr(0, 40)), "' follows nine numbers, and only the name of a texture may"));
     }
 
-    void add_triangle(const float* coordinates) {
+    void add_triangle(const double* coordinates) {
         for (int i = 0; i < 3; ++i, coordinates += 3)
             corners_.push_back({coordinates[0], coordinates[1], coordinates[2]});
     }
@@ -79,7 +79,7 @@ private:
     Lines lines_;
     UnitlessFile& file_;
     std::string name_;
-    std::vector<Vec3> corners_;
+    std::vector<Vec3d> corners_;
     std::uint64_t coloured_line_ = 0;  // the first one
 };
 

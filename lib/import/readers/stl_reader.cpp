@@ -36,13 +36,13 @@ void read_binary(std::string_view bytes, UnitlessFile& file) {
                          ". It is no text either: that begins with 'solid' and has no zero byte. Export it "
                          "again.");
     }
-    std::vector<Vec3> corners;
+    std::vector<Vec3d> corners;
     corners.reserve(3 * count);
     for (std::size_t triangle = 0; triangle < count; ++triangle) {
         const char* corner = bytes.data() + stl_header_bytes + triangle * triangle_bytes + normal_bytes;
         for (int i = 0; i < 3; ++i, corner += 12) {
-            corners.push_back(
-                {little_endian<float>(corner), little_endian<float>(corner + 4), little_endian<float>(corner + 8)});
+            const auto coordinate = [corner](int axis) { return double(little_endian<float>(corner + 4 * axis)); };
+            corners.push_back({coordinate(0), coordinate(1), coordinate(2)});
         }
     }
     const std::size_t unread = bytes.size() - stl_header_bytes - count * triangle_bytes;
@@ -123,8 +123,8 @@ private:
     }
 
     void read_corner(Words& words) {
-        std::array<float, 3> numbers{};
-        for (float& number : numbers) {
+        std::array<double, 3> numbers{};
+        for (double& number : numbers) {
             const std::string_view word = words.next();
             const auto value = parse_coordinate(word);
             if (!value)
@@ -146,7 +146,7 @@ private:
     UnitlessFile& file_;
     State state_ = State::outside;
     std::string name_;
-    std::vector<Vec3> corners_;
+    std::vector<Vec3d> corners_;
     std::size_t loop_begin_ = 0;
 };
 

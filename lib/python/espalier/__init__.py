@@ -7,7 +7,8 @@
 
 Arguments are NumPy arrays of real numbers with any strides, or anything that becomes one, and broadcast against each
 other. float32 is used where it lies if the three numbers of a vector are adjacent; all else is converted to float32
-once, each number rounded to the nearest. Results are arrays in the common shape of the arguments, of structured types
+once, each number rounded to the nearest; of places after the origin of the blob, if it has one, was subtracted in
+float64. Results are arrays in the common shape of the arguments, of structured types
 or lists of them. Every result has a status, and errors of single queries never raise.
 """
 

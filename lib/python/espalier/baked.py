@@ -37,13 +37,13 @@ class Baked:
         return memoryview(self._core)
 
     @property
-    def bounds(self) -> NDArray[np.float32]:
+    def bounds(self) -> NDArray[Any]:
         """(2, 3): the lower and the upper corner of a box around all triangles."""
         return np.array(self._facts["bounds"], np.float32)
 
     @property
     def max_error(self) -> float:
-        """The largest distance between the baked surface and its float32 source; in a scene, in world units."""
+        """The largest distance between the baked surface and its source; in a scene, in world units."""
         return float(self._facts["max_error"])
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:

@@ -44,13 +44,25 @@ def _number(of: str, name: str, names: Sequence[str]) -> int:
     return names.index(name)
 
 
-def _moved(positions: ArrayLike, origin: ArrayLike, shape: tuple[int, int], name: str) -> Any:
-    """Returns positions less the origin, as the baker rounds those of the mesh."""
+def _origin_numbers(origin: Union[str, ArrayLike, None]) -> Optional[tuple[float, ...]]:
+    """Returns the numbers of an origin; None where the baker chooses them."""
+    if isinstance(origin, str):
+        if origin != "auto":
+            raise ValueError(f'origin must be "auto", None or three numbers, not {origin!r}')
+        return None
+    numbers = np.zeros(3) if origin is None else np.asarray(origin, np.float64)
+    if numbers.shape != (3,):
+        raise ValueError(f'origin must be "auto", None or three numbers, not numbers in {numbers.shape}')
+    return tuple(float(number) for number in numbers)
+
+
+def _moved(positions: ArrayLike, origin: Optional[tuple[float, ...]], shape: tuple[int, int], name: str) -> Any:
+    """Returns positions less the origin, in float32. A deformable blob has none but one of the caller's."""
     array = np.asarray(positions)
     if array.shape != shape or array.dtype.kind not in "iuf":
         raise ValueError(f"{name} must be numbers in the shape {shape}, not {array.dtype} in {array.shape}")
     with np.errstate(over="ignore"):
-        return (array.astype(np.float64) - np.asarray(origin, np.float64)).astype(np.float32)
+        return (array.astype(np.float64) - np.array(origin or (0.0, 0.0, 0.0))).astype(np.float32)
 
 
 def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], **options: Any) -> Blob:
@@ -61,7 +73,8 @@ def bake_meshes(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], **op
 def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_level: int, *, bits: Optional[int] = None,
           tolerance: Optional[float] = None, step_exponent: Optional[int] = None, profile: Optional[str] = None,
           effort: str = "normal", original_ids: bool = False, drop_bad_triangles: bool = False,
-          flat_angle: Optional[float] = None, bounds: bool = False, origin: ArrayLike = (0.0, 0.0, 0.0),
+          max_dropped: float = 10.0, allow_empty: bool = False, strict: bool = False,
+          flat_angle: Optional[float] = None, bounds: bool = False, origin: Union[str, ArrayLike, None] = "auto",
           builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
           max_leaf_triangles: int = 62, threads: int = 1, deformable: bool = False, range: Optional[ArrayLike] = None,
           poses: Sequence[ArrayLike] = ()) -> Blob:
@@ -86,9 +99,10 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         "resolution_kind": kind, "resolution": resolution, "profile": _number("profile", profile, PROFILES),
         "effort": _number("effort", effort, EFFORTS), "builder": _number("builder", builder, BUILDERS),
         "original_ids": bool(original_ids), "drop_bad_triangles": bool(drop_bad_triangles),
+        "max_dropped": max_dropped, "allow_empty": bool(allow_empty), "strict": bool(strict),
         "flat_angle": flat_angle, "bounds": bool(bounds), "duplicate_budget": duplicate_budget,
         "byte_price": byte_price, "max_leaf_triangles": max_leaf_triangles, "threads": threads,
-        "origin": tuple(float(x) for x in np.asarray(origin, np.float64).reshape(3)), "deformable": bool(deformable),
+        "origin": _origin_numbers(origin), "deformable": bool(deformable),
     }
     arrays = []
     for number, each in enumerate(meshes):
@@ -97,11 +111,11 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         materials = None if mesh.materials is None else integer_array(mesh.materials, "materials" + name)
         arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), materials,
                        mesh.name, mesh.file, mesh.mesh))
-    options["range"] = None if range is None else _moved(range, origin, (2, 3), "range").reshape(6)
+    options["range"] = None if range is None else _moved(range, options["origin"], (2, 3), "range").reshape(6)
     count = sum(len(array[0]) for array in arrays)
     options["poses"] = np.empty((len(poses), count, 3), np.float32)
     for number, pose in enumerate(poses):
-        options["poses"][number] = _moved(pose, origin, (count, 3), f"pose {number}")
+        options["poses"][number] = _moved(pose, options["origin"], (count, 3), f"pose {number}")
     baked = _core.bake(arrays, options)
     if isinstance(baked[0], int):
         raise BakeError(*baked)
@@ -114,8 +128,7 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
 def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLike] = None, **options: Any) -> Blob:
     """Bakes a mesh into a blob.
 
-    positions: (n, 3), in any unit, which the blob keeps. float32 is baked as it is. float64 is rounded to float32, to
-    the nearest, after `origin` was subtracted in float64; `blob.report["conversion_error"]` bounds by how much.
+    positions: (n, 3), in any unit, which the blob keeps. float32 and float64 are rounded once, to the blob's lattice.
     triangles: (m, 3) numbers of positions, counter-clockwise when seen from the front.
     materials: (m,) numbers from 0 to 65535.
 
@@ -125,11 +138,16 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
     profile: "fast", "balanced" (the default), "small" or "tiny". effort: "fast", "normal" or "best".
     original_ids: stores the source of each triangle, for raycast_sources(). Without it, `blob.remap` has the same.
     drop_bad_triangles: drops triangles with NaN or wrong indices, which else refuse the bake.
+    max_dropped: the share of triangles, in percent, that may be lost: broken, without area, or flattened by the
+    lattice. allow_empty: accepts that none is left. strict: refuses what else is a warning.
     flat_angle: in degrees; stores how the surface bends at edges, for contacts(). bounds: stores tighter bounds.
-    origin: (3,), subtracted from all positions; queries then take coordinates relative to it.
+    origin: (3,), subtracted from all positions in float64, and stored in the blob, whose queries take and return places
+    in the coordinates of the source. "auto", the default, chooses one near the middle where float32 would move float64
+    positions by more than a quarter of the lattice's step, as those of a map far from 0, else none; a deformable blob
+    gets none. None: (0, 0, 0).
     deformable: bakes a blob whose vertices refit() can move, in profile "fast". range: (2, 3), the box in which all
     positions of all poses lie; by default the box of mesh and poses, a tenth wider on each side. poses: arrays of
-    (n, 3), each with the positions of all meshes in a row, which the tree suits.
+    (n, 3), each with the positions of all meshes in a row, which the tree suits; both in the source's coordinates.
     builder, duplicate_budget, byte_price, max_leaf_triangles: for studies; docs/baking.md. threads: 0 is one per
     processor. The bytes depend on neither threads nor machine.
 

@@ -14,6 +14,7 @@ from .edges import EdgeQueries
 from .errors import BakeError, OpenError
 from .integers import triangle_numbers
 from .pictures import Pictures
+from .transforms import Origin, in_source
 from .points import ShapeQueries
 from .rays import RayQueries
 from .results import Status
@@ -35,21 +36,39 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
     """A baked mesh. bake() and open_blob() return one.
 
     It holds its bytes: `blob.data` looks at them, `bytes(blob)` copies them. It never changes; any number of threads
-    may query it at once, and queries release Python's lock. Coordinates are in the space and units of the mesh.
+    may query it at once, and queries release Python's lock. Coordinates are in the space and units of the mesh, also
+    where the blob has an `origin`: then places in results are float64, and those in arguments should be.
     Pickling writes the bytes.
     """
 
-    __slots__ = ("report", "remap")
+    __slots__ = ("report", "remap", "_origin")
     report: Optional[dict[str, Any]]
     """The figures of the bake; None for a blob that was opened."""
     remap: Optional[NDArray[Any]]
     """The source of each triangle, an array of REMAP; None for a blob that was opened."""
+    _origin: Origin
 
     def __init__(self, core: _core.Blob, report: Optional[dict[str, Any]] = None,
                  remap: Optional[NDArray[Any]] = None) -> None:
         super().__init__(core)
         self.report = report
         self.remap = remap
+        self._origin = self.origin if any(self._facts["origin"]) else None
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """(3,): what the bake subtracted from all positions, in float64; zero for most blobs.
+
+        The blob stores it and counts all places from there in float32. Every call here takes and returns places in the
+        coordinates of the source: it subtracts and adds the origin in float64. Only scenes place what counts from the
+        origin (bake_scene).
+        """
+        return np.array(self._facts["origin"], np.float64)
+
+    @property
+    def bounds(self) -> NDArray[Any]:
+        """(2, 3): the lower and the upper corner of a box around all triangles; float64 if the blob has an `origin`."""
+        return np.array(self._facts["bounds"], np.float32 if self._origin is None else np.float64)
 
     @property
     def triangle_count(self) -> int:
@@ -87,16 +106,22 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
         return bool(self._facts["is_view"])
 
     def info(self) -> dict[str, Any]:
-        """Returns all facts: the properties, and size, checksum, depth, lattice_origin, lattice_step_exponent, ..."""
+        """Returns all facts: the properties, and size, checksum, depth, lattice_origin, lattice_step_exponent, ...
+
+        `bounds` and `lattice_origin` are in the coordinates of the source.
+        """
         return {**self._facts, "profile": self.profile}
 
-    def triangles(self) -> NDArray[np.float32]:
-        """Returns the corners of all triangles, (n, 3, 3), in baked order, without duplicate references."""
-        return _core.all_triangles(self._core)
+    def triangles(self) -> NDArray[Any]:
+        """Returns the corners of all triangles, (n, 3, 3), in baked order, without duplicate references.
+
+        They are float32, or float64 where the blob has an `origin`.
+        """
+        return in_source(_core.all_triangles(self._core), self._origin)
 
     def corners(self, triangles: ArrayLike, *, threads: int = 1) -> NDArray[Any]:
         """Returns the corners of triangles: `corners` (..., 3, 3) and `status`."""
-        return _core.corners(self._core, triangle_numbers(triangles), threads)
+        return in_source(_core.corners(self._core, triangle_numbers(triangles), threads), self._origin)
 
     def materials(self, triangles: ArrayLike, *, threads: int = 1) -> NDArray[np.uint16]:
         """Returns the materials of triangles; 0 where the blob stores none."""
@@ -127,8 +152,9 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
     def refit(self, positions: ArrayLike) -> Refitted:
         """Returns the blob with its vertices at other positions, without a bake. This blob stays as it is.
 
-        positions: (n, 3), of all baked meshes in a row, unused ones included, and relative to the `origin` of the bake.
-        Each pose is within max_error of its source. Its bytes depend on the positions alone, not on earlier poses. O(n).
+        positions: (n, 3), of all baked meshes in a row, unused ones included, in the coordinates of the source: the
+        blob's `origin` is subtracted in float64. Each pose is within max_error of its source, rounded to float32. Its
+        bytes depend on the positions alone, not on earlier poses. O(n).
 
         Raises ValueError for a blob that was baked without `deformable`, for another number of positions, and for a
         position that is not finite or outside of the `range` of the bake.
@@ -136,8 +162,9 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
         array = np.asarray(positions)
         if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
             raise ValueError(f"positions must be numbers in the shape (n, 3), not {array.dtype} in {array.shape}")
+        local = array if self._origin is None else array - self._origin
         with np.errstate(over="ignore"):
-            moved = _core.refit(self._core, np.ascontiguousarray(array, np.float32))
+            moved = _core.refit(self._core, np.ascontiguousarray(local, np.float32))
         if isinstance(moved[0], int):
             raise ValueError(_refusal_of_refit(Status(moved[0]), moved[1], moved[2], array))
         return Refitted(Blob(moved[0], None, self.remap), moved[1])
@@ -188,9 +215,13 @@ def join_borders(blobs: Sequence[Blob], translations: ArrayLike = 0.0) -> list[B
     ground, on which contacts then do not lean over the seams.
 
     The blobs have edge flags of one flat_angle, and one lattice: bake them with the same `step`. translations: (n, 3),
-    how far each is moved, by whole steps. Raises BakeError with the number of the blob that does not fit.
+    how far each is moved from where its source lies, by whole steps. Origins have to be whole steps apart too, as those
+    that bakes choose. Raises BakeError with the number of the blob that does not fit.
     """
     moved = np.broadcast_to(np.asarray(translations, np.float32), (len(blobs), 3))
+    if any(blob._origin is not None for blob in blobs):
+        apart = [blob.origin - blobs[0].origin for blob in blobs]
+        moved = (np.asarray(translations, np.float64) + apart).astype(np.float32)
     joined = _core.join_borders([blob._core for blob in blobs], moved.tolist())
     if isinstance(joined, tuple):
         raise BakeError(*joined)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
 from .transforms import to_world
 
 if TYPE_CHECKING:
@@ -27,7 +28,8 @@ def border_warning(scene: Scene) -> Optional[str]:
     if scene.instance_count < 2 or on_lattice.all():
         return None
     instances = scene.instances()
-    borders = {int(mesh): _border_of(scene.mesh(int(mesh)).triangles())
+    # Instances place the coordinates of blobs, which count from their origins.
+    borders = {int(mesh): _border_of(_core.all_triangles(scene._core.mesh(int(mesh))))
                for mesh in np.unique(instances["mesh"]) if mesh < scene.mesh_count}
     owners, middles = [], []
     for number, (place, mesh) in enumerate(zip(instances["transform"], instances["mesh"])):

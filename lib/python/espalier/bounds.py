@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from .transforms import Origin, in_source
 from .results import Status
 from .shapes import OrientedBox, Sphere
 
@@ -17,29 +18,39 @@ class Slabs(NamedTuple):
 
     directions: NDArray[np.float32]
     """(13, 3)"""
-    low: NDArray[np.float32]
+    low: NDArray[Any]
     """(13,)"""
-    high: NDArray[np.float32]
+    high: NDArray[Any]
     """(13,)"""
 
 
 class StoredBounds:
-    """Bounds that the bake stored. Raises ValueError for a blob that was baked without `bounds`."""
+    """Bounds that the bake stored. Raises ValueError for a blob that was baked without `bounds`.
+
+    Places are in the coordinates of the source, of a blob with an `origin` as float64.
+    """
 
     __slots__ = ()
     _core: _core.Blob
+    _origin: Origin
 
     def bounding_sphere(self) -> Sphere:
         """Returns a sphere close to the smallest one that holds all triangles."""
-        return Sphere(*_floats(*_core.bounding_sphere(self._core)))
+        center, radius = _floats(*_core.bounding_sphere(self._core))
+        return Sphere(in_source(center, self._origin), radius)
 
     def oriented_bounds(self) -> OrientedBox:
         """Returns a box of little surface, in any orientation, that holds all triangles."""
-        return OrientedBox(*_floats(*_core.oriented_bounds(self._core)))
+        center, half_axes = _floats(*_core.oriented_bounds(self._core))
+        return OrientedBox(in_source(center, self._origin), half_axes)
 
     def k_dop_bounds(self) -> Slabs:
         """Returns the slabs that hold all triangles."""
-        return Slabs(*_floats(*_core.k_dop_bounds(self._core)))
+        directions, low, high = _floats(*_core.k_dop_bounds(self._core))
+        if self._origin is None:
+            return Slabs(directions, low, high)
+        along = directions @ self._origin
+        return Slabs(directions, low + along, high + along)
 
 
 def _floats(status: int, fields: tuple[Any, ...]) -> list[NDArray[np.float32]]:

@@ -54,5 +54,7 @@ def reduce_contacts(contacts: Lists) -> Lists:
     alone = np.zeros(len(items), CONTACT)
     for name in CONTACT.names or ():
         alone[name] = items[name]
+    if items["point"].dtype == np.float64:  # of a blob with an origin; only where points lie to each other counts
+        alone["point"] = items["point"] - items["point"][:1]
     offsets, kept = _core.kept_contacts(contacts.offsets, alone)
     return Lists(offsets, items[kept], contacts.status)

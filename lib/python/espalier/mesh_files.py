@@ -23,7 +23,7 @@ class Mesh(NamedTuple):
     """A mesh of several that are baked into one blob."""
 
     positions: ArrayLike
-    """(n, 3), in the source's units"""
+    """(n, 3), in the source's units and coordinates"""
     triangles: ArrayLike
     """(m, 3): numbers of positions, counter-clockwise when seen from the front"""
     materials: Optional[ArrayLike] = None
@@ -66,7 +66,7 @@ class MeshFile(NamedTuple):
 def read_mesh(path: Path, **options: Any) -> MeshFile:
     """Reads the meshes of a file: glTF 2.0, 3MF, OBJ, OFF, PLY, STL, RAW, and what assimp reads.
 
-    The positions of `meshes` are float32 in metres, if the file states its unit or `unit` does, and bake_meshes() takes
+    The positions of `meshes` are float64 in metres, if the file states its unit or `unit` does, and bake_meshes() takes
     them as they are. bake_file() does both.
 
     Options, all by name:

@@ -138,8 +138,9 @@ class MovingScene(SceneQueries):
                users: Optional[ArrayLike] = None) -> NDArray[Any]:
         """Inserts instances and returns their handles, (n,): an array of HANDLE.
 
-        places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob or tile. masks, users:
-        (n,), 32 bits for queries and for the caller. Keep the handles: they name instances until these are removed.
+        places: (n, 8), the transform of each instance, which moves what a blob counts from its `origin`, as that of
+        bake_scene() does. meshes: (n,), the number of its blob or tile. masks, users: (n,), 32 bits for queries and for
+        the caller. Keep the handles: they name instances until these are removed.
         A refused instance has a status from 16 on, the others go on: INVALID_ARGUMENT for a number without a mesh or a
         transform that is not valid, OUT_OF_RANGE for a place outside of the world, NO_ROOM in a full scene.
         """

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .filters import flag_array
+from .transforms import Origin, in_source, lists_in_source
 from .rays import culling_number
 from .results import Lists, YesNo
 from .shapes import Body, Box, Capsule, Moving, OrientedBox, Ray, Rounded, Segment, Sphere, Triangle, Volume, split
@@ -17,13 +18,16 @@ from .shapes import Body, Box, Capsule, Moving, OrientedBox, Ray, Rounded, Segme
 class ShapeQueries:
     """Queries of points and shapes.
 
-    points: (..., 3), in the blob's units. The fields of a shape, and distances, displacements and margins with them,
-    broadcast against each other; the results have their common shape.
+    points: (..., 3), in the units and the coordinates of the source, as the places of shapes and those in results. Of a blob
+    with an `origin`, give float64: it is rounded after the origin was subtracted, and the places in results are float64.
+    The fields of a shape, and distances, displacements and margins with them, broadcast against each other; the results
+    have their common shape.
     threads: how many to use; 0 is one per processor. The results do not depend on it.
     """
 
     __slots__ = ()
     _core: _core.Blob
+    _origin: Origin
     triangle_count: int
 
     def closest_point(self, points: Union[ArrayLike, Segment, Box], max_distance: ArrayLike = np.inf, *,
@@ -34,8 +38,8 @@ class ShapeQueries:
         """
         if isinstance(points, (Segment, Box)):
             kind, fields = split(points, Union[Segment, Box], "closest_point()")
-            return _core.closest_to_shapes(self._core, kind, fields, max_distance, threads)
-        return _core.closest_points(self._core, points, max_distance, False, threads)
+            return in_source(_core.closest_to_shapes(self._core, kind, fields, max_distance, threads), self._origin)
+        return in_source(_core.closest_points(self._core, points, max_distance, False, threads), self._origin)
 
     def signed_distance(self, points: ArrayLike, max_distance: ArrayLike = np.inf, *, threads: int = 1) -> NDArray[Any]:
         """Returns the closest point with a negative distance inside of a closed surface: an array of CLOSEST_POINT.
@@ -43,12 +47,13 @@ class ShapeQueries:
         Where nothing is within max_distance, the status is NOT_FOUND and the distance max_distance, negative inside.
         A surface that is not closed refuses with NOT_CLOSED.
         """
-        return _core.closest_points(self._core, points, max_distance, True, threads)
+        return in_source(_core.closest_points(self._core, points, max_distance, True, threads), self._origin)
 
     def closest_triangles(self, points: ArrayLike, most: int, max_distance: ArrayLike = np.inf, *,
                           threads: int = 1) -> Lists:
         """Returns the triangles closest to each point, at most `most`, sorted by distance: lists of CLOSEST_POINT."""
-        return Lists(*_core.closest_triangle_lists(self._core, points, max_distance, most, threads))
+        lists = Lists(*_core.closest_triangle_lists(self._core, points, max_distance, most, threads))
+        return lists_in_source(lists, self._origin)
 
     def contains(self, points: ArrayLike, *, threads: int = 1) -> YesNo:
         """Returns whether each point is inside of the closed surface. A point on the surface is inside.
@@ -118,11 +123,14 @@ class ShapeQueries:
         """
         options = (culling_number(culling), ignore_leaving, skin)
         flags = flag_array(only, self.triangle_count, "triangles")
-        return _core.sweeps(self._core, *split(shape, Moving, "sweep()"), displacement, options, flags, threads)
+        kind, fields = split(shape, Moving, "sweep()")
+        hits = _core.sweeps(self._core, kind, fields, displacement, options, flags, threads)
+        return in_source(hits, self._origin)
 
     def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
         """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.
 
         margin: (...), 0 or more. Of more contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
         """
-        return Lists(*_core.contact_lists(self._core, *split(shape, Body, "contacts()"), margin, most, threads))
+        kind, fields = split(shape, Body, "contacts()")
+        return lists_in_source(Lists(*_core.contact_lists(self._core, kind, fields, margin, most, threads)), self._origin)

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .filters import flag_array
+from .transforms import Origin, in_source
 from .results import Lists, SourceHits, YesNo
 
 CULLING = {"none": 0, "back": 1, "front": 2}
@@ -26,8 +27,8 @@ def culling_number(culling: str) -> int:
 class RayQueries:
     """Queries of rays: the points origin + t * direction with t_min <= t <= t_max.
 
-    origins, directions: (..., 3), in the blob's units; a direction has any length but zero, and t counts in multiples
-    of it. t_min, t_max: (...). All broadcast against each other; the results have their common shape.
+    origins, directions: (..., 3), in the units and the coordinates of the source, of which float64 is not rounded before
+    the blob's `origin` was subtracted; a direction has any length but zero, and t counts in multiples of it. t_min, t_max: (...). All broadcast against each other; the results have their common shape.
     culling: "back" or "front" ignores the triangles that show this side.
     only: a flag, bool or uint8, for each triangle, (triangle_count,): the query takes those that are not 0 into
     account, as if the blob held no others. None: all. Raises TypeError for numbers of other kinds, ValueError for
@@ -37,6 +38,7 @@ class RayQueries:
 
     __slots__ = ()
     _core: _core.Blob
+    _origin: Origin
     triangle_count: int
 
     def raycast(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
@@ -53,8 +55,9 @@ class RayQueries:
                         t_max: ArrayLike = np.inf, culling: str = "none", only: Optional[ArrayLike] = None,
                         threads: int = 1) -> SourceHits:
         """Returns what raycast() returns, with the places in float64 and the sources of original_hits(), at once."""
-        return SourceHits(*_core.raycast_sources(self._core, origins, directions, t_min, t_max,
-                                                 culling_number(culling), self._flags(only), threads))
+        hits, points, sources = _core.raycast_sources(self._core, origins, directions, t_min, t_max,
+                                                      culling_number(culling), self._flags(only), threads)
+        return SourceHits(hits, in_source(points, self._origin), sources)
 
     def occluded(self, origins: ArrayLike, directions: ArrayLike, *, t_min: ArrayLike = 0.0, t_max: ArrayLike = np.inf,
                  culling: str = "none", only: Optional[ArrayLike] = None, accuracy: Optional[float] = None,

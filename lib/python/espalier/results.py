@@ -148,7 +148,8 @@ class SourceHits(NamedTuple):
     hits: NDArray[Any]
     """As of raycast()."""
     points: NDArray[np.float64]
-    """(..., 3): origin + t * direction in float64, rounded once; NaN for a miss."""
+    """(..., 3): origin + t * direction in float64, rounded once, and once more for a blob with an `origin`; NaN for a
+    miss."""
     sources: NDArray[Any]
     """`file`, `mesh`, `triangle`, `u` and `v` of the source, and `status`."""
 
@@ -157,6 +158,7 @@ def _record(name: str) -> np.dtype[Any]:
     return np.dtype(_core.dtypes[name])
 
 
+# Of a blob with an origin, the fields that are places are float64: point, on_shape, points, on_a and on_b.
 RAY_HIT = _record("ray_hit")
 """t, u, v, normal (3), triangle, status, side. A miss has an infinite t and NO_TRIANGLE."""
 CLOSEST_POINT = _record("closest_point")

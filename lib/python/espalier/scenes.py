@@ -42,7 +42,7 @@ class Scene(Baked, SceneQueries):
         return self._core.on_common_lattice()
 
     def mesh(self, mesh: int) -> Blob:
-        """Returns a mesh, whose bytes are those of the scene."""
+        """Returns a mesh, whose bytes are those of the scene. Instances place what it counts from its `origin`."""
         return Blob(self._core.mesh(mesh))
 
     def _flags(self, only: Optional[ArrayLike]) -> Optional[NDArray[np.uint8]]:
@@ -98,6 +98,8 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *
     blobs: Blob objects, scenes, which become tiles, or objects with bytes.
     places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob. masks, users: (n,), 32 bits
     for queries and for the caller.
+    A transform moves what a blob counts from its `origin`: to place it where its source is, the translation is
+    blob.origin less a place near all instances, from which the scene's coordinates then count.
 
     Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
     tiles of a ground do, but are rounded apart.

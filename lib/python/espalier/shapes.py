@@ -1,4 +1,4 @@
-"""The shapes that queries take: one, or one for each query, in the units and axes of the baked mesh."""
+"""The shapes that queries take: one, or one for each query, in the units and the coordinates of the source."""
 
 from __future__ import annotations
 

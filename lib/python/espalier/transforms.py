@@ -1,15 +1,18 @@
 """Places of blobs in a world: a rotation, a translation and a uniform scale, as rows of eight float32.
 
 The eight numbers are a quaternion x, y, z, w of any length but zero, a translation x, y, z, and a scale above 0.
+Also places in the coordinates of a blob's source: those of the blob count from its origin, which float32 may not hold.
 """
 
 from __future__ import annotations
+
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .results import Status
+from .results import Lists, Status
 
 
 def transform(rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0), translation: ArrayLike = (0.0, 0.0, 0.0),
@@ -61,3 +64,53 @@ def normal_to_world(transforms: ArrayLike, normals: ArrayLike) -> NDArray[np.flo
 def direction_to_world(transforms: ArrayLike, directions: ArrayLike) -> NDArray[np.float32]:
     """Rotates and scales directions, (..., 3), from the local space of transforms, (..., 8), into the world."""
     return _core.directions_to_world(transforms, directions)
+
+
+Origin = Optional[NDArray[np.float64]]
+"""Where 0 0 0 of a blob, or of the world of two, lies in the source: (3,), or (..., 3), one for each result. None where
+the two have the same coordinates."""
+
+PLACES = ("point", "on_shape", "corners", "points", "on_a", "on_b")
+"""The fields of results that are places."""
+
+
+def source_type(local: np.dtype[Any]) -> np.dtype[Any]:
+    """Returns the type of results in the coordinates of the source: their places are float64."""
+    fields: list[Any] = []
+    for name in local.names or ():
+        field = local[name]
+        fields.append((name, np.float64 if name in PLACES else field.base, field.shape))
+    return np.dtype(fields)
+
+
+def in_source(results: NDArray[Any], origin: Origin) -> NDArray[Any]:
+    """Returns results, or places (..., 3), in the coordinates of the source; without an origin as they are."""
+    if origin is None:
+        return results
+    if results.dtype.names is None:
+        return results + origin
+    moved = np.empty(results.shape, source_type(results.dtype))
+    for name in results.dtype.names:
+        moved[name] = results[name]
+        if name in PLACES:
+            inner = results.dtype[name].shape[:-1]
+            moved[name] += origin.reshape(origin.shape[:-1] + (1,) * len(inner) + (3,))
+    return moved
+
+
+def lists_in_source(lists: Lists, origin: Origin) -> Lists:
+    """Returns lists whose elements are in the coordinates of the source; without an origin as they are."""
+    return lists if origin is None else lists._replace(items=in_source(lists.items, origin))
+
+
+def transforms_from_origin(transforms: ArrayLike, origin: Origin) -> NDArray[np.float64]:
+    """Returns the places of what counts from an origin, (..., 8), of transforms of the source's coordinates."""
+    rows = np.array(transforms, np.float64)
+    if origin is None:
+        return rows
+    axis, w, scale = rows[..., :3], rows[..., 3:4], rows[..., 7:]
+    with np.errstate(all="ignore"):  # the library refuses what is no transform
+        square = (rows[..., :4] ** 2).sum(axis=-1, keepdims=True)
+        turned = 2 * np.cross(axis, scale * origin)
+        rows[..., 4:7] += scale * origin + (w * turned + np.cross(axis, turned)) / square
+    return rows

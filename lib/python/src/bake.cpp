@@ -101,11 +101,18 @@ espalier_bake_options options_of(const py::dict& given) {
     options.builder = given["builder"].cast<std::uint8_t>();
     options.original_ids = given["original_ids"].cast<bool>();
     options.drop_bad_triangles = given["drop_bad_triangles"].cast<bool>();
+    options.max_dropped = given["max_dropped"].cast<double>();
+    options.allow_empty = given["allow_empty"].cast<bool>();
+    options.strict = given["strict"].cast<bool>();
     options.with_remap = 1;
     options.oriented_box = options.sphere = options.k_dop = given["bounds"].cast<bool>();
     options.flat_angle = given["flat_angle"].is_none() ? -1.0 : given["flat_angle"].cast<double>();
-    const auto origin = given["origin"].cast<std::array<double, 3>>();
-    std::memcpy(options.origin, origin.data(), sizeof options.origin);
+    if (given["origin"].is_none()) {
+        options.chooses_origin = 1;
+    } else {
+        const auto origin = given["origin"].cast<std::array<double, 3>>();
+        options.origin = {origin[0], origin[1], origin[2]};
+    }
     options.duplicate_budget = given["duplicate_budget"].cast<double>();
     options.byte_price = given["byte_price"].cast<float>();
     options.max_leaf_triangles = given["max_leaf_triangles"].cast<std::uint32_t>();
@@ -132,6 +139,7 @@ py::dict report_of(const espalier_bake_report& report) {
     py::dict result;
     result["source_triangles"] = report.source_triangles;
     result["source_vertices"] = report.source_vertices;
+    result["equal_corners"] = report.equal_corners;
     result["not_finite"] = finding_of(report.not_finite);
     result["index_out_of_range"] = finding_of(report.index_out_of_range);
     result["zero_area"] = finding_of(report.zero_area);
@@ -144,7 +152,7 @@ py::dict report_of(const espalier_bake_report& report) {
     result["k_dop_volume"] = report.k_dop_volume;
     result["step"] = report.step;
     result["max_error"] = report.max_error;
-    result["conversion_error"] = report.conversion_error;
+    result["origin"] = py::make_tuple(report.origin.x, report.origin.y, report.origin.z);
     result["bits"] = report.bits;
     result["triangles"] = report.triangles;
     result["duplicate_references"] = report.duplicate_references;

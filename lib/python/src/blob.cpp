@@ -1,6 +1,7 @@
 // Blobs: opening, facts, their bytes, and other poses of deformable ones.
 #include "bindings.hpp"
 #include "held_blob.hpp"
+#include "origin.hpp"
 
 #include <array>
 #include <cstddef>
@@ -23,7 +24,12 @@ namespace espalier::python {
 
 namespace {
 
-std::tuple<float, float, float> numbers(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }
+/// Returns a place of a blob in the coordinates of the source.
+std::array<double, 3> in_source(const Vec3& place, const Origin& origin) {
+    const std::array<double, 3> numbers = {double(place.x), double(place.y), double(place.z)};
+    if (!origin) return numbers;
+    return {numbers[0] + origin->x, numbers[1] + origin->y, numbers[2] + origin->z};
+}
 
 /// Returns a blob, or the number of the refusal.
 py::object open_bytes(const py::object& object) {
@@ -40,6 +46,8 @@ py::dict facts_of(const HeldBlob& self) {
     const Blob& blob = self.blob;
     const Lattice lattice = blob.lattice();
     const Box bounds = blob.bounds();
+    const Origin origin = origin_of(blob);
+    const Vec3d from = blob.source_origin();
     py::dict facts;
     facts["triangle_count"] = blob.triangle_count();
     facts["duplicate_reference_count"] = blob.duplicate_reference_count();
@@ -49,8 +57,10 @@ py::dict facts_of(const HeldBlob& self) {
     facts["depth"] = blob.depth();
     facts["profile"] = static_cast<int>(blob.profile());
     facts["max_error"] = blob.max_error();
-    facts["bounds"] = py::make_tuple(numbers(bounds.min), numbers(bounds.max));
-    facts["lattice_origin"] = numbers(lattice.origin);
+    facts["bounds"] = py::make_tuple(py::tuple(py::cast(in_source(bounds.min, origin))),
+                                     py::tuple(py::cast(in_source(bounds.max, origin))));
+    facts["origin"] = py::make_tuple(from.x, from.y, from.z);
+    facts["lattice_origin"] = py::tuple(py::cast(in_source(lattice.origin, origin)));
     facts["lattice_step_exponent"] = lattice.step_exponent;
     facts["lattice_extent"] = std::make_tuple(lattice.extent[0], lattice.extent[1], lattice.extent[2]);
     facts["is_closed"] = blob.is_closed();

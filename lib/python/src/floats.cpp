@@ -29,8 +29,7 @@ std::size_t count_of(const std::vector<py::ssize_t>& shape) {
     return static_cast<std::size_t>(count);
 }
 
-/// Returns the numbers as float32 in the machine's byte order, without a copy where they are.
-py::array as_float32(py::handle given, const char* name) {
+py::array array_of(py::handle given, const char* name) {
     const py::array array = py::array::ensure(given);
     if (!array) {
         PyErr_Clear();
@@ -40,15 +39,38 @@ py::array as_float32(py::handle given, const char* name) {
     if (kind != 'f' && kind != 'i' && kind != 'u')
         throw py::type_error(std::string(name) + " has no real numbers but values of type " +
                              py::str(array.dtype()).cast<std::string>());
+    return array;
+}
+
+/// Returns the numbers as float32 in the machine's byte order, without a copy where they are.
+py::array as_float32(const py::array& array) {
     const py::dtype float32 = py::dtype::of<float>();
     if (array.dtype().is(float32)) return array;
     return array.attr("astype")(float32, py::arg("copy") = false);
 }
 
+/// Returns places, or planes, as they are seen from an origin, in float64.
+py::array seen_from(const Vec3d& origin, const py::array& places) {
+    py::array moved = places.attr("astype")(py::dtype::of<double>(), py::arg("order") = "C");
+    const bool are_planes = moved.shape(moved.ndim() - 1) == 4;
+    const py::ssize_t width = are_planes ? 4 : 3;
+    auto* const first = static_cast<double*>(moved.mutable_data());
+    for (double* row = first; row != first + moved.size(); row += width) {
+        if (are_planes) {
+            row[3] -= row[0] * origin.x + row[1] * origin.y + row[2] * origin.z;
+        } else {
+            row[0] -= origin.x;
+            row[1] -= origin.y;
+            row[2] -= origin.z;
+        }
+    }
+    return moved;
+}
+
 }  // namespace
 
-Floats::Floats(py::handle given, const char* name, ElementShape element)
-    : array_(as_float32(given, name)), name_(name), element_(element) {
+Floats::Floats(py::handle given, const char* name, ElementShape element, const Origin& origin)
+    : array_(array_of(given, name)), name_(name), element_(element) {
     std::vector<py::ssize_t> all = shape_of(array_);
     const std::size_t axes = element_.size();
     bool fits = all.size() >= axes;
@@ -61,6 +83,7 @@ Floats::Floats(py::handle given, const char* name, ElementShape element)
                               text_of(all, false));
     for (std::size_t axis = 0; axis < axes; ++axis) element_[axis] = all[all.size() - axes + axis];
     shape_.assign(all.begin(), all.end() - static_cast<std::ptrdiff_t>(axes));
+    array_ = as_float32(origin ? seen_from(*origin, array_) : array_);
 
     // An element must lie in one piece.
     py::ssize_t expected = sizeof(float);

@@ -10,6 +10,8 @@
 
 #include <espalier/batches/arrays.hpp>
 
+#include "origin.hpp"
+
 namespace espalier::python {
 
 namespace py = pybind11;
@@ -26,8 +28,9 @@ inline constexpr py::ssize_t any = -1;
 class Floats {
 public:
     /// Throws ValueError, which names the argument, where its last axes are not those of an element, and TypeError
-    /// where it has no real numbers.
-    Floats(py::handle given, const char* name, ElementShape element);
+    /// where it has no real numbers. With an origin the elements are places, or planes of four numbers, in the
+    /// coordinates of the source: it is subtracted in float64, before they are rounded.
+    Floats(py::handle given, const char* name, ElementShape element, const Origin& origin = {});
 
     /// Returns the axes before those of an element.
     [[nodiscard]] const std::vector<py::ssize_t>& shape() const { return shape_; }

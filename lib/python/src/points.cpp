@@ -24,8 +24,8 @@ struct Points {
     Strided<Vec3> point;
     Strided<float> distance;
 
-    Points(const py::handle& given_points, const py::handle& given_distances)
-        : points(given_points, "points", {3}),
+    Points(const py::handle& given_points, const py::handle& given_distances, const Origin& origin)
+        : points(given_points, "points", {3}, origin),
           distances(given_distances, "max_distance", {}),
           batch({&points, &distances}),
           point(points.as<Vec3>()),
@@ -34,7 +34,7 @@ struct Points {
 
 py::array closest_points(const HeldBlob& self, const py::handle& given, const py::handle& max_distance, bool is_signed,
                          unsigned threads) {
-    const Points all(given, max_distance);
+    const Points all(given, max_distance, origin_of(self.blob));
     py::array results = all.batch.results(dtype_of("closest_point"));
     const Blob& blob = self.blob;
     answer_each(static_cast<ClosestPoint*>(results.mutable_data()), all.batch.count(), threads, [&](std::size_t i) {
@@ -49,14 +49,14 @@ py::array closest_to_shapes(const HeldBlob& self, const std::string& kind, const
                             const py::handle& max_distance, unsigned threads) {
     Floats distances(max_distance, "max_distance", {});
     return answer_shapes(
-        kind, given, &distances, dtype_of("closest_point"),
+        {kind, given, origin_of(self.blob)}, &distances, dtype_of("closest_point"),
         threads, [&](const auto& shape, std::size_t i) requires requires { closest_point(self.blob, shape, 0.0f); } {
             return closest_point(self.blob, shape, distances.as<float>().at(i));
         });
 }
 
 py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads) {
-    Floats points(given, "points", {3});
+    Floats points(given, "points", {3}, origin_of(self.blob));
     const Batch batch({&points});
     const auto point = points.as<Vec3>();
     py::array results = batch.results(py::dtype::of<std::uint8_t>());
@@ -66,7 +66,7 @@ py::array inside(const HeldBlob& self, const py::handle& given, unsigned threads
 }
 
 py::array winding_numbers(const HeldBlob& self, const py::handle& given, unsigned directions, unsigned threads) {
-    Floats points(given, "points", {3});
+    Floats points(given, "points", {3}, origin_of(self.blob));
     const Batch batch({&points});
     const auto point = points.as<Vec3>();
     py::array results = batch.results(dtype_of("winding"));
@@ -78,7 +78,7 @@ py::array winding_numbers(const HeldBlob& self, const py::handle& given, unsigne
 /// Returns (offsets, nearest, statuses).
 py::tuple closest_triangle_lists(const HeldBlob& self, const py::handle& given, const py::handle& max_distance,
                                  std::size_t most, unsigned threads) {
-    const Points all(given, max_distance);
+    const Points all(given, max_distance, origin_of(self.blob));
     most = std::min<std::size_t>(most, self.blob.triangle_count());
     return make_lists<ClosestPoint>(
         all.batch, dtype_of("closest_point"), threads, [&](std::size_t i, Growing<ClosestPoint>& nearest) {

@@ -39,7 +39,7 @@ void write_occlusions(const Blob& blob, const RayArrays& rays, const TriangleFil
 py::array raycasts(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
                    const py::handle& t_min, const py::handle& t_max, int culling, const py::object& only,
                    unsigned threads) {
-    const Rays rays(origins, directions, t_min, t_max, culling);
+    const Rays rays(origins, directions, t_min, t_max, culling, origin_of(self.blob));
     const Flags flags(only);
     py::array results = rays.batch.results(dtype_of("ray_hit"));
     auto* hits = static_cast<RayHit*>(results.mutable_data());
@@ -61,7 +61,7 @@ void write_place(const Ray& ray, const RayHit& hit, double* place) {
 py::tuple raycast_sources(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
                           const py::handle& t_min, const py::handle& t_max, int culling, const py::object& only,
                           unsigned threads) {
-    const Rays rays(origins, directions, t_min, t_max, culling);
+    const Rays rays(origins, directions, t_min, t_max, culling, origin_of(self.blob));
     const Flags flags(only);
     py::array hit_array = rays.batch.results(dtype_of("ray_hit"));
     std::vector<py::ssize_t> place_shape = rays.batch.shape();
@@ -83,7 +83,7 @@ py::tuple raycast_sources(const HeldBlob& self, const py::handle& origins, const
 py::array occlusions(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
                      const py::handle& t_min, const py::handle& t_max, int culling, const py::object& only,
                      unsigned threads) {
-    const Rays rays(origins, directions, t_min, t_max, culling);
+    const Rays rays(origins, directions, t_min, t_max, culling, origin_of(self.blob));
     const Flags flags(only);
     py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
     static_assert(sizeof(YesNo) == 1);
@@ -100,7 +100,7 @@ py::array occlusions(const HeldBlob& self, const py::handle& origins, const py::
 py::tuple hit_lists(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
                     const py::handle& t_min, const py::handle& t_max, int culling, const py::object& only,
                     unsigned threads, int kind, std::size_t most) {
-    const Rays rays(origins, directions, t_min, t_max, culling);
+    const Rays rays(origins, directions, t_min, t_max, culling, origin_of(self.blob));
     const Flags flags(only);
     most = std::min<std::size_t>(most, self.blob.triangle_count());
     return make_lists<RayHit>(rays.batch, dtype_of("ray_hit"), threads, [&](std::size_t query, Growing<RayHit>& hits) {

@@ -7,7 +7,7 @@
 
 namespace espalier::python {
 
-/// The rays of a batch.
+/// The rays of a batch. Those for a blob with an origin begin in the coordinates of the source.
 struct Rays {
     Floats origins;
     Floats directions;
@@ -17,8 +17,8 @@ struct Rays {
     RayArrays arrays;
 
     Rays(const py::handle& given_origins, const py::handle& given_directions, const py::handle& given_t_min,
-         const py::handle& given_t_max, int culling)
-        : origins(given_origins, "origins", {3}),
+         const py::handle& given_t_max, int culling, const Origin& origin = {})
+        : origins(given_origins, "origins", {3}, origin),
           directions(given_directions, "directions", {3}),
           t_min(given_t_min, "t_min", {}),
           t_max(given_t_max, "t_max", {}),

@@ -1,4 +1,6 @@
-// The bounds of a blob and the materials of its triangles.
+// The bounds of a blob, where it lies in the source, and the materials of its triangles.
+#include <bit>
+
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/deformable_blob.hpp>
@@ -13,6 +15,16 @@ Box Blob::bounds() const noexcept {
     if (!is_deformable()) return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_world(data_, data_.extent)};
     const PoseBounds bounds = pose_bounds_of(data_);
     return {to_world(data_, bounds.low), to_world(data_, bounds.high)};
+}
+
+Vec3d Blob::source_origin() const noexcept {
+    if ((data_.features & format::feature::source_origin) == 0) return {};
+    const std::byte* const section = data_.bytes + data_.size - format::source_origin::bytes;  // the last one
+    const auto number = [section](std::size_t k) {
+        const std::uint64_t low = load_u32(section + 8 * k), high = load_u32(section + 8 * k + 4);
+        return std::bit_cast<double>(high << 32 | low);
+    };
+    return {number(0), number(1), number(2)};
 }
 
 std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept {

@@ -58,7 +58,7 @@ namespace espalier::detail {
     twin(strided_vec3, Strided<Vec3>) twin(strided_float, Strided<float>)                                     \
     twin(strided_triangle_id, Strided<TriangleId>) twin(filled_lists, FilledLists)                            \
     twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)                 \
-    other(scene_sweep_options, SceneSweepOptions)
+    other(scene_sweep_options, SceneSweepOptions) twin(vec3d, Vec3d)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.

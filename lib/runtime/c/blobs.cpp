@@ -43,6 +43,7 @@ unsigned espalier_blob_depth(const espalier_blob* blob) { return cpp(blob).depth
 espalier_profile espalier_blob_profile(const espalier_blob* blob) { return c(cpp(blob).profile()); }
 espalier_lattice espalier_blob_lattice(const espalier_blob* blob) { return c(cpp(blob).lattice()); }
 float espalier_blob_max_error(const espalier_blob* blob) { return cpp(blob).max_error(); }
+espalier_vec3d espalier_blob_source_origin(const espalier_blob* blob) { return c(cpp(blob).source_origin()); }
 espalier_box espalier_blob_bounds(const espalier_blob* blob) { return c(cpp(blob).bounds()); }
 bool espalier_blob_is_closed(const espalier_blob* blob) { return cpp(blob).is_closed(); }
 bool espalier_blob_is_deformable(const espalier_blob* blob) { return cpp(blob).is_deformable(); }

@@ -144,6 +144,9 @@ OpenStatus read_header(BlobData& blob) {
                   blob.source_triangles > ~std::uint32_t{0} / corner_factor(blob)
             : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
         return OpenStatus::bad_header;
+    if ((blob.features & read_features & format::feature::source_origin) != 0 &&
+        load_u16(h + version_minor_at) < format::version_minor_of_source_origin)
+        return OpenStatus::bad_header;
     if (has_runs(blob) && (!ids || load_u16(h + version_minor_at) < format::version_minor_of_id_runs))
         return OpenStatus::bad_header;
 
@@ -186,6 +189,11 @@ OpenStatus locate_sections(BlobData& blob, bool looks_at_padding) {
         rest.take(format::corners::guard_bytes, 8);
         rest.take(load_u32(blob.bytes + format::header::vertex_slots_at),
                   format::vertex_sources::number_bits(load_u32(blob.bytes + format::header::position_count_at)));
+    }
+    if ((features & format::feature::source_origin) != 0) {
+        const std::byte* const origin = rest.take(format::source_origin::bytes, 8);
+        for (std::size_t k = 0; origin != nullptr && k < 3; ++k)
+            if ((load_u32(origin + 8 * k + 4) >> 20 & 0x7FF) == 0x7FF) return OpenStatus::bad_section;  // not finite
     }
     return rest.at == end ? OpenStatus::ok : OpenStatus::bad_section;
 }

@@ -154,8 +154,7 @@ bool are_bounds_sound(const BlobData& blob) {
         }
         if (any == 0) return false;
     }
-    // They are the last section.
-    for (; at != blob.bytes + blob.size; at += 4)
+    for (; at != blob.bounds + bytes(blob.features); at += 4)
         if (!is_within(load_i32(at), max_length)) return false;
     return true;
 }

@@ -10,7 +10,10 @@ export interface StridedArray {
     offset?: number;
 }
 
-/** Three numbers for each query, or three that serve all. Other numbers than float32 are rounded to the nearest. */
+/**
+ * Three numbers for each query, or three that serve all. Other numbers than float32 are rounded to the nearest; places after
+ * the origin of the blob, if it has one, was subtracted in double.
+ */
 export type Vectors = NumberArray | StridedArray;
 /** A number for each query, or one that serves all. */
 export type Numbers = number | NumberArray | StridedArray;

@@ -48,12 +48,16 @@ export class Strided {
         if (isPacked && length % components !== 0)
             throw new RangeError(`${name} must have ${components} numbers for each query, but has ${length} in all`);
         this.name = name;
+        this.components = components;
         this.stride = stride;
         this.count = length < components ? 0 : Math.floor((length - components) / stride) + 1;
         const used = this.count === 0 ? 0 : (this.count - 1) * stride + components;
         this.array = used === all.length ? all : part(all, offset, used);
     }
 }
+
+/// Makes an argument of places, or of planes with four numbers, in the coordinates of the source.
+export const places = (given, name, components = 3) => Object.assign(new Strided(given, components, name), { isOfPlaces: true });
 
 const part = (array, offset, length) =>
     ArrayBuffer.isView(array) ? array.subarray(offset, offset + length) : array.slice(offset, offset + length);

@@ -3,7 +3,7 @@ import type { NumberArray, Vectors } from './arguments.js';
 
 export type Profile = 'fast' | 'balanced' | 'small' | 'tiny';
 
-/** A mesh to bake. float32 is baked as it is; other positions are rounded to it after `origin` was subtracted. */
+/** A mesh to bake. Positions are rounded once, to the blob's lattice; those that are not float32 are taken as float64. */
 export interface Mesh {
     positions: Vectors;
     /** Three numbers of positions for each triangle, counter-clockwise when seen from the front. */
@@ -34,12 +34,22 @@ export interface BakeOptions {
     originalIds?: boolean;
     /** Drops triangles with NaN or wrong indices, which else refuse the bake. */
     dropBadTriangles?: boolean;
+    /** The share of triangles, in percent, that may be lost before the bake is refused: broken, without area, or flattened by the lattice. 10 unless given. */
+    maxDropped?: number;
+    /** Accepts that no triangle is left, which else refuses the bake. */
+    allowEmpty?: boolean;
+    /** Refuses the bake for what else is a warning. */
+    strict?: boolean;
     /** In degrees; stores how the surface bends at edges. */
     flatAngle?: number | null;
     /** Stores tighter bounds of the asset. */
     bounds?: boolean;
-    /** Three numbers, which are subtracted from all positions; queries then take coordinates relative to it. */
-    origin?: NumberArray;
+    /**
+     * Three numbers, which are subtracted from all positions in double and stored in the blob. Its queries take and return
+     * places in the coordinates of the source all the same. 'auto' unless given: one near the middle where float32 would move
+     * positions by more than a quarter of the lattice's step, as those of a map far from 0, and else none. null: none.
+     */
+    origin?: 'auto' | NumberArray | null;
     duplicateBudget?: number;
     bytePrice?: number;
     maxLeafTriangles?: number;
@@ -70,7 +80,8 @@ export interface BakeReport {
     kDopVolume: number;
     step: number;
     maxError: number;
-    conversionError: number;
+    /** What was subtracted from all positions. */
+    origin: number[];
     bits: number;
     triangles: number;
     duplicateReferences: number;

@@ -2,6 +2,7 @@
 import { choice, integer, integers, Strided } from './arguments.js';
 import { PROFILES } from './blob.js';
 import { BakeError } from './errors.js';
+import { inSource, originOf } from './source.js';
 
 const EFFORTS = ['fast', 'normal', 'best'];
 const BUILDERS = ['binned_sah', 'sweep_sah', 'spatial_splits', 'agglomerative', 'linear', 'insertion'];
@@ -20,19 +21,23 @@ function fieldsOfOptions(options) {
     const flag = (name, value) => { fields[name] = Number(Boolean(value)); };
     flag('originalIds', options.originalIds);
     flag('dropBadTriangles', options.dropBadTriangles);
+    flag('allowEmpty', options.allowEmpty);
+    flag('strict', options.strict);
     for (const bounds of ['orientedBox', 'sphere', 'kDop']) flag(bounds, options.bounds);
     for (const [name, names] of [['profile', PROFILES], ['effort', EFFORTS], ['builder', BUILDERS]])
         if (options[name] != null) fields[name] = choice(name, options[name], names);
-    for (const name of ['duplicateBudget', 'bytePrice'])
+    for (const name of ['maxDropped', 'duplicateBudget', 'bytePrice'])
         if (options[name] != null) fields[name] = options[name];
     if (options.maxLeafTriangles != null) fields.maxLeafTriangles = integer(options.maxLeafTriangles, 'maxLeafTriangles');
     if (options.flatAngle != null) {
         if (!(options.flatAngle >= 0)) throw new RangeError('flatAngle must be null, which stores no edges, or 0 or more degrees');
         fields.flatAngle = options.flatAngle;
     }
-    if (options.origin != null) {
-        if (options.origin.length !== 3) throw new RangeError('origin must have 3 numbers');
-        fields.origin = options.origin;
+    const { origin = 'auto' } = options;
+    if (origin === 'auto') fields.choosesOrigin = 1;
+    else if (origin !== null) {
+        if (typeof origin === 'string' || origin.length !== 3) throw new RangeError("origin must be 'auto', null or 3 numbers");
+        fields.origin = origin;
     }
     return fields;
 }
@@ -85,6 +90,8 @@ function readReport(instance, address) {
     report.warnings = Array.from({ length: fields.warningCount }, (_, i) =>
         instance.text(instance.read('bake_warning', fields.warnings + i * bytes).message));
     report.isClosed = fields.isClosed !== 0;
+    if (report.origin.some((x) => x !== 0))
+        for (const corner of ['boundsMin', 'boundsMax']) report[corner] = [...inSource(report[corner], report.origin)];
     return report;
 }
 
@@ -129,17 +136,24 @@ export function preparedJoin(blobs, translations) {
         throw new RangeError(`translations must have 3 numbers for each of the ${blobs.length} blobs`);
     return (instance) => {
         const { bytes: size } = instance.records.joined_blob, at = instance.allocate(size * blobs.length);
-        const places = blobs.map((bytes, i) => {
-            const address = instance.allocate(bytes.length), first = translations.count === 1 ? 0 : i * translations.stride;
-            instance.array(Uint8Array, address, bytes.length).set(bytes);
-            const translation = Array.from(translations.array.slice(first, first + 3));
-            instance.write('joined_blob', at + i * size, { bytes: address, byteCount: bytes.length, translation });
-            return address;
+        const copies = blobs.map((bytes) => place(instance, Uint8Array, bytes));
+        const origins = copies.map((address, i) => originOfCopy(instance, address, blobs[i].length));
+        copies.forEach((address, i) => {
+            const first = translations.count === 1 ? 0 : i * translations.stride;
+            // The library moves what blobs count from their origins.
+            const translation = Array.from(translations.array.slice(first, first + 3), (x, k) => x + (origins[i][k] - origins[0][k]));
+            instance.write('joined_blob', at + i * size, { bytes: address, byteCount: blobs[i].length, translation });
         });
         const result = resultOf(instance, 'espalier_join_borders', at, blobs.length, 0);
         if (result.status !== OK) throw errorOf(instance, result);
-        return blobs.map((bytes, i) => instance.array(Uint8Array, places[i], bytes.length));
+        return blobs.map((bytes, i) => instance.array(Uint8Array, copies[i], bytes.length));
     };
+}
+
+/// Returns where 0 0 0 of a blob is in its source: of bytes that do not open, 0 0 0.
+function originOfCopy(instance, address, length) {
+    const blob = instance.allocate(instance.records.blob.bytes);
+    return (instance.functions.espalier_open(address, length, blob) === OK ? originOf(instance, blob) : null) ?? [0, 0, 0];
 }
 
 /// Checks meshes and options, and returns what bakes them: a function of an instance, which serves once. It returns

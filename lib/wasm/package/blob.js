@@ -1,8 +1,9 @@
 // Blobs: facts and lookups by triangle.
-import { integers, Strided } from './arguments.js';
+import { integers, places } from './arguments.js';
 import { fieldsOf } from './memory/batch.js';
 import { EdgeQueries } from './edges.js';
 import { QueryError } from './errors.js';
+import { inSource, originOf } from './source.js';
 
 export const PROFILES = ['fast', 'balanced', 'small', 'tiny'];
 
@@ -10,16 +11,25 @@ const OK = 0;
 
 export class Blob extends EdgeQueries {
     #instance;
+    #origin;
 
     /// The figures of the bake, and the source of each triangle; null for a blob that was opened.
     constructor(instance, bytes, { report = null, remap = null } = {}) {
         super(instance, bytes, () => instance.records.blob.bytes,
               (view, address, length) => instance.functions.espalier_open(address, length, view));
         this.#instance = instance;
+        this.#origin = this.use(originOf);
         this.report = report;
         this.remap = remap;
     }
 
+    get sourceOrigin() {
+        return this.#origin;
+    }
+    /// What the bake subtracted from all positions: three numbers.
+    get origin() {
+        return Float64Array.from(this.#origin ?? [0, 0, 0]);
+    }
     get triangleCount() {
         return this.#number('triangle_count');
     }
@@ -38,14 +48,14 @@ export class Blob extends EdgeQueries {
     get profile() {
         return PROFILES[this.#number('profile')];
     }
-    /// The largest distance between the baked surface and its float32 source.
+    /// The largest distance between the baked surface and its source.
     get maxError() {
         return this.use(({ functions }, blob) => functions.espalier_blob_max_error(blob));
     }
     /// The lower and the upper corner of a box around all triangles, in one array.
     get bounds() {
         const { min, max } = this.structure('box', 'espalier_blob_bounds');
-        return Float32Array.of(...min, ...max);
+        return inSource([...min, ...max], this.#origin);
     }
 
     /// Returns all facts.
@@ -57,7 +67,7 @@ export class Blob extends EdgeQueries {
             checksum: this.#number('checksum'), depth: this.#number('depth'), profile: this.profile,
             isClosed: this.isClosed, isDeformable: this.isDeformable, hasOriginalIds: this.hasOriginalIds,
             hasMaterials: this.#number('has_materials') !== 0, hasEdgeFlags: this.#number('has_edge_flags') !== 0,
-            maxError: this.maxError, bounds: this.bounds, latticeOrigin: Float32Array.from(origin),
+            maxError: this.maxError, bounds: this.bounds, origin: this.origin, latticeOrigin: inSource(origin, this.#origin),
             latticeStepExponent: stepExponent,
         };
     }
@@ -70,7 +80,7 @@ export class Blob extends EdgeQueries {
 
     /// Returns the blob with its vertices at other positions, and the cost of its tree over that at rest.
     refit(positions) {
-        const given = new Strided(positions, 3, 'positions');
+        const given = places(positions, 'positions');
         return this.batch([], (batch) => {
             const { functions, instance } = batch, bytes = this.bytes();
             const copy = batch.allocate(bytes.length), blob = batch.allocateStructure('blob'), mesh = batch.allocateStructure('deformable');

@@ -1,9 +1,10 @@
 // Edges of triangles, bounds that a bake stored, and how far queries are rounded.
-import { integers, Strided } from './arguments.js';
+import { integers, places, Strided } from './arguments.js';
 import { QueryError } from './errors.js';
-import { fieldsOf } from './memory/batch.js';
+import { fieldsOf, PLACE } from './memory/batch.js';
 import { Lists } from './results.js';
 import { MOVING, shapesOf, ShapeQueries } from './shapes.js';
+import { inSource } from './source.js';
 
 const OK = 0;
 const ROUNDED = ['segment', 'sphere', 'capsule', 'box', 'orientedBox', 'triangle'];
@@ -12,7 +13,7 @@ const DIRECTIONS = [
     [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1], [1, 1, 1],
     [1, 1, -1], [1, -1, 1], [1, -1, -1],
 ];
-const CONTACT = { point: 3, normal: 3, distance: 1, triangle: 1, feature: 1, side: 1 };
+const CONTACT = { point: PLACE, normal: 3, distance: 1, triangle: 1, feature: 1, side: 1 };
 
 export class EdgeQueries extends ShapeQueries {
     roundingError(shape, displacements) {
@@ -23,7 +24,7 @@ export class EdgeQueries extends ShapeQueries {
         }
         if (shape?.kind === 'ray') {
             const rays = {
-                origin: new Strided(shape.origin, 3, 'ray.origin'), direction: new Strided(shape.direction, 3, 'ray.direction'),
+                origin: places(shape.origin, 'ray.origin'), direction: new Strided(shape.direction, 3, 'ray.direction'),
                 tMin: new Strided(0, 1, 'tMin'), tMax: new Strided(0, 1, 'tMax'), culling: new Strided(0, 1, 'culling'),
             };
             return this.#rounded(Object.values(rays), 'ray', (batch) => [batch.placeRecords('ray', rays)]);
@@ -32,7 +33,7 @@ export class EdgeQueries extends ShapeQueries {
             const shapes = shapesOf(shape, ROUNDED);
             return this.#rounded(shapes.arguments, shapes.name, (batch) => [shapes.place(batch)]);
         }
-        const points = new Strided(shape, 3, 'points');
+        const points = places(shape, 'points');
         return this.#rounded([points], 'point', (batch) => [batch.placePacked(points, 3)]);
     }
 
@@ -61,17 +62,21 @@ export class EdgeQueries extends ShapeQueries {
 
     boundingSphere() {
         const { center, radius } = this.#stored('sphere_result', 'espalier_bounding_sphere');
-        return { kind: 'sphere', center: Float32Array.from(center), radius };
+        return { kind: 'sphere', center: inSource(center, this.sourceOrigin), radius };
     }
 
     orientedBounds() {
         const { center, halfAxes } = this.#stored('oriented_box_result', 'espalier_oriented_bounds');
-        return { kind: 'orientedBox', center: Float32Array.from(center), halfAxes: Float32Array.from(halfAxes) };
+        return { kind: 'orientedBox', center: inSource(center, this.sourceOrigin), halfAxes: Float32Array.from(halfAxes) };
     }
 
     kDopBounds() {
         const { low, high } = this.#stored('k_dop_result', 'espalier_k_dop_bounds');
-        return { directions: Float32Array.from(DIRECTIONS.flat()), low: Float32Array.from(low), high: Float32Array.from(high) };
+        const directions = Float32Array.from(DIRECTIONS.flat()), origin = this.sourceOrigin;
+        if (origin === null) return { directions, low: Float32Array.from(low), high: Float32Array.from(high) };
+        const along = DIRECTIONS.map((direction) => direction.reduce((sum, x, k) => sum + x * origin[k], 0));
+        const moved = (bounds) => Float64Array.from(bounds, (x, i) => x + along[i]);
+        return { directions, low: moved(low), high: moved(high) };
     }
 
     #stored(record, name) {
@@ -100,6 +105,9 @@ export function reduced(batch, lists) {
     const { triangle: kept } = batch.columns('contact', contacts, ends.at(-1));
     return new Lists(ends, picked(items, kept, batch.count), status);
 }
+
+/// Where the points of contacts with a blob that has an origin count from in that batch: where the first one is.
+export const originOfContacts = ({ items: { point } }) => (point instanceof Float64Array && point.length > 0 ? [...point.subarray(0, 3)] : null);
 
 /// The arguments of a batch for reduced(). Throws TypeError for lists of other items.
 export function contactsOf(lists) {

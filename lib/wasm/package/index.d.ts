@@ -6,7 +6,7 @@ import type {
 } from './arguments.js';
 import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
-    ClosestPoints, Contacts, Corners, DistanceBounds, EdgeKinds, Lengths, Lists, OriginalHits, OriginalTriangles, RayHits, Remap, Slabs, SweepHits, WindingNumbers,
+    ClosestPoints, Contacts, Corners, DistanceBounds, EdgeKinds, Lengths, Lists, OriginalHits, OriginalTriangles, PlaceArray, RayHits, Remap, Slabs, SweepHits, WindingNumbers,
     YesNo,
 } from './results.js';
 import type { MovingScene, MovingSceneOptions } from './scenes/moving_scene.js';
@@ -35,13 +35,15 @@ export interface BlobInfo {
     hasMaterials: boolean;
     hasEdgeFlags: boolean;
     maxError: number;
-    bounds: Float32Array;
-    latticeOrigin: Float32Array;
+    bounds: PlaceArray;
+    origin: Float64Array;
+    latticeOrigin: PlaceArray;
     latticeStepExponent: number;
 }
 
 /**
- * A baked mesh in the memory of the module. It never changes. Coordinates are in the space and units of the mesh.
+ * A baked mesh in the memory of the module. It never changes. Coordinates are in the space and units of the mesh, also where
+ * the blob has an `origin`: then places in results are Float64Arrays, and those in arguments should not be float32.
  *
  * The methods take arguments for any number of queries and return arrays with one element for each. Errors of single
  * queries never throw: each has a status. Flags (`only`) are those of triangles, `triangleCount` of them.
@@ -60,10 +62,15 @@ export class Blob {
     readonly isDeformable: boolean;
     readonly hasOriginalIds: boolean;
     readonly profile: Profile;
-    /** The largest distance between the baked surface and its float32 source. */
+    /** The largest distance between the baked surface and its source. */
     readonly maxError: number;
+    /**
+     * What the bake subtracted from all positions: three numbers, 0 for most blobs. The blob stores it and counts places from
+     * there in float32. All calls but those of scenes take and return places in the coordinates of the source.
+     */
+    readonly origin: Float64Array;
     /** The lower and the upper corner of a box around all triangles: six numbers. */
-    readonly bounds: Float32Array;
+    readonly bounds: PlaceArray;
     readonly isFreed: boolean;
     info(): BlobInfo;
     /** Returns a copy of the bytes, for a file. */
@@ -131,13 +138,13 @@ export class Blob {
     kDopBounds(): Slabs;
     /**
      * Returns the blob with its vertices at other positions, without a bake: those of all baked meshes in a row. The quality
-     * is the cost of the tree over that at rest: from 1.5 on, bake again. Throws QueryError for a blob that was not baked
+     * is the cost of the tree over that at rest: from 1.5 on, bake again. The origin is subtracted. Throws QueryError for a blob that was not baked
      * for it, as the command and other languages do, and for positions that it does not take.
      */
     refit(positions: Vectors): { blob: Blob; quality: number };
 
     /** Returns the corners of all triangles, nine numbers for each. */
-    triangles(): Float32Array;
+    triangles(): PlaceArray;
     /** Returns the baked corners of triangles. */
     corners(triangles: Triangles): Corners;
     /** Returns the materials of triangles; 0 where the blob stores none. */
@@ -162,7 +169,7 @@ export interface Espalier {
     /**
      * Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the tiles of a
      * ground, on which contacts then do not lean over the seams. They have edge flags of one flatAngle and one lattice step.
-     * `translations` are whole steps by which each is moved. Throws BakeError with the number of the blob that does not fit.
+     * `translations` are whole steps by which each is moved from where its source is. Throws BakeError with the number of the blob that does not fit.
      */
     joinBorders(blobs: readonly (Blob | ArrayBuffer | ArrayBufferView)[], translations?: Vectors): Promise<Blob[]>;
     /**

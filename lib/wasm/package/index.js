@@ -2,7 +2,7 @@
 import { Strided } from './arguments.js';
 import { preparedBake, preparedJoin, resultOf } from './bake.js';
 import { Blob } from './blob.js';
-import { contactsOf, reduced } from './edges.js';
+import { contactsOf, originOfContacts, reduced } from './edges.js';
 import { VerifyError } from './errors.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
 import { Batch } from './memory/batch.js';
@@ -43,7 +43,7 @@ class Espalier {
     }
 
     reduceContacts(lists) {
-        const batch = new Batch(this.#instance, 0, contactsOf(lists));
+        const batch = new Batch(this.#instance, 0, contactsOf(lists), originOfContacts(lists));
         try {
             return reduced(batch, lists);
         } finally {

@@ -1,13 +1,16 @@
 // Queries of two blobs, each at one place in the world or at many. Results are in world space.
 import type { Blob, Numbers, Places } from './index.js';
-import type { Contacts, Lists, YesNo } from './results.js';
+import type { Contacts, Lists, PlaceArray, YesNo } from './results.js';
 
-/** A blob at a place for each query, or at one that serves all. */
+/**
+ * A blob at a place for each query, or at one that serves all. A place moves the coordinates of the blob's source. Where either
+ * blob has an origin, both are moved near 0 together before places are rounded to float32.
+ */
 export interface PlacedBlob extends Places {
     blob: Blob;
 }
 
-/** A blob alone is at the origin. */
+/** A blob alone is where its source is. */
 export type Placed = Blob | PlacedBlob;
 
 export interface PairOptions {
@@ -31,7 +34,7 @@ export interface PairContacts {
  * two alone.
  */
 export interface PairTouches {
-    points: Float32Array;
+    points: PlaceArray;
     normal: Float32Array;
     depth: Float32Array;
     a: Uint32Array;
@@ -46,8 +49,8 @@ export interface PairTouches {
  */
 export interface BlobDistances {
     distance: Float32Array;
-    onA: Float32Array;
-    onB: Float32Array;
+    onA: PlaceArray;
+    onB: PlaceArray;
     a: Uint32Array;
     b: Uint32Array;
     status: Uint8Array;

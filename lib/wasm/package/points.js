@@ -1,11 +1,11 @@
 // Points against one blob: closest points and triangles, inside, and how often the surface winds around.
-import { integer, Strided } from './arguments.js';
+import { integer, places } from './arguments.js';
 import { refuseFilter } from './filters.js';
-import { fieldsOf } from './memory/batch.js';
+import { fieldsOf, PLACE } from './memory/batch.js';
 import { RayQueries } from './rays.js';
 import { YesNo } from './results.js';
 
-const SHAPES = { segment: { from: 3, to: 3 }, box: { min: 3, max: 3 } };
+const SHAPES = { segment: { from: PLACE, to: PLACE }, box: { min: PLACE, max: PLACE } };
 
 export class PointQueries extends RayQueries {
     closestPoint(points, maxDistance = Infinity, options) {
@@ -59,7 +59,7 @@ export class PointQueries extends RayQueries {
     }
 
     #ofPoints(points, use) {
-        const given = new Strided(points, 3, 'points');
+        const given = places(points, 'points');
         return this.batch([given], (batch) => use(batch, given));
     }
 

@@ -1,5 +1,5 @@
 // Rays against one blob: the points origin + t * direction with tMin <= t <= tMax.
-import { cullingNumber, integer, Strided } from './arguments.js';
+import { cullingNumber, integer, places, Strided } from './arguments.js';
 import { flagsOf, placeFlags, refuseFilter } from './filters.js';
 import { Opened } from './memory/opened.js';
 import { YesNo } from './results.js';
@@ -27,7 +27,7 @@ export class RayQueries extends Opened {
     #nearlyOccluded(origins, directions, { accuracy, tMin = 0, tMax = Infinity, culling = 'none', ...others }) {
         refuseFilter(others, 'a ray with an accuracy');
         const rays = {
-            origin: new Strided(origins, 3, 'origins'), direction: new Strided(directions, 3, 'directions'),
+            origin: places(origins, 'origins'), direction: new Strided(directions, 3, 'directions'),
             tMin: new Strided(tMin, 1, 'tMin'), tMax: new Strided(tMax, 1, 'tMax'),
             culling: new Strided(cullingNumber(culling), 1, 'culling'),
         };
@@ -78,7 +78,7 @@ export class RayQueries extends Opened {
     /// Calls use(batch, rays), where rays(n) is the address of an espalier_ray_arrays of the rays from n on.
     #cast(origins, directions, { tMin = 0, tMax = Infinity, culling = 'none' } = {}, use) {
         const given = {
-            origins: new Strided(origins, 3, 'origins'), directions: new Strided(directions, 3, 'directions'),
+            origins: places(origins, 'origins'), directions: new Strided(directions, 3, 'directions'),
             tMin: new Strided(tMin, 1, 'tMin'), tMax: new Strided(tMax, 1, 'tMax'),
         };
         const number = cullingNumber(culling);

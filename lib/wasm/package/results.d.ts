@@ -20,6 +20,9 @@ export const Feature: {
 /** The bend of the surface at an edge, seen from the front of its triangles. */
 export const EdgeKind: { readonly FLAT: 0; readonly CONVEX: 1; readonly CONCAVE: 2; readonly BOUNDARY: 3 };
 
+/** Places, three numbers each: a Float64Array where a blob has an origin, and else a Float32Array. */
+export type PlaceArray = Float32Array | Float64Array;
+
 /** One element for each ray; `normal` has three numbers. A miss has an infinite t and NO_TRIANGLE. */
 export interface RayHits {
     t: Float32Array;
@@ -33,8 +36,8 @@ export interface RayHits {
 
 /** One element for each point or shape; point, onShape and faceNormal have three numbers each. */
 export interface ClosestPoints {
-    point: Float32Array;
-    onShape: Float32Array;
+    point: PlaceArray;
+    onShape: PlaceArray;
     faceNormal: Float32Array;
     distance: Float32Array;
     u: Float32Array;
@@ -48,7 +51,7 @@ export interface ClosestPoints {
 /** One element for each sweep; point, normal and faceNormal have three numbers each. A miss has t 1, a refusal 0. */
 export interface SweepHits {
     t: Float32Array;
-    point: Float32Array;
+    point: PlaceArray;
     normal: Float32Array;
     faceNormal: Float32Array;
     triangle: Uint32Array;
@@ -60,7 +63,7 @@ export interface SweepHits {
 /** Where bodies are near a triangle or in it: then the distance is below 0. point and normal have three numbers each. */
 export interface Contacts {
     /** On the triangle. */
-    point: Float32Array;
+    point: PlaceArray;
     /** Leads from the surface to the body, which leaves along it. */
     normal: Float32Array;
     distance: Float32Array;
@@ -93,8 +96,8 @@ export interface EdgeKinds {
 /** Slabs along 13 directions, of three numbers each: low <= dot(direction, corner) <= high for each corner. */
 export interface Slabs {
     directions: Float32Array;
-    low: Float32Array;
-    high: Float32Array;
+    low: PlaceArray;
+    high: PlaceArray;
 }
 
 /** How often the surface winds around each point. A value counts where the status is OK. */
@@ -127,7 +130,7 @@ export type Remap = Omit<OriginalTriangles, 'status'>;
 
 /** Corners of triangles: nine numbers for each. */
 export interface Corners {
-    corners: Float32Array;
+    corners: PlaceArray;
     status: Uint8Array;
 }
 

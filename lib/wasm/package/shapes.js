@@ -1,19 +1,19 @@
 // Volumes, bodies and moving shapes against one blob.
-import { cullingNumber, integer, integers, Strided } from './arguments.js';
+import { cullingNumber, integer, integers, places, Strided } from './arguments.js';
 import { placeFlags, refuseFilter } from './filters.js';
-import { fieldsOf } from './memory/batch.js';
+import { fieldsOf, PLACE } from './memory/batch.js';
 import { PointQueries } from './points.js';
 import { YesNo } from './results.js';
 
 /// The fields of each shape of fixed size, and how many numbers each of them has.
 const FIELDS = {
-    sphere: { center: 3, radius: 1 },
-    capsule: { from: 3, to: 3, radius: 1 },
-    box: { min: 3, max: 3 },
-    orientedBox: { center: 3, halfAxes: 9 },
-    cone: { apex: 3, axis: 3, radius: 1 },
-    triangle: { a: 3, b: 3, c: 3 },
-    segment: { from: 3, to: 3 },
+    sphere: { center: PLACE, radius: 1 },
+    capsule: { from: PLACE, to: PLACE, radius: 1 },
+    box: { min: PLACE, max: PLACE },
+    orientedBox: { center: PLACE, halfAxes: 9 },
+    cone: { apex: PLACE, axis: 3, radius: 1 },
+    triangle: { a: PLACE, b: PLACE, c: PLACE },
+    segment: { from: PLACE, to: PLACE },
 };
 export const VOLUMES = ['sphere', 'capsule', 'box', 'orientedBox', 'cone', 'triangle'];
 const VOLUMES_OF_BLOBS = [...VOLUMES, 'convexVolume'];
@@ -37,7 +37,7 @@ export function shapesOf(given, kinds) {
 }
 
 function shapesOfParts(given, name, { field, components }) {
-    const parts = new Strided(given[field], components, `${given.kind}.${field}`);
+    const parts = places(given[field], `${given.kind}.${field}`, components);
     const offsets = given.offsets == null ? Uint32Array.of(0, parts.count) : integers(given.offsets, `${given.kind}.offsets`);
     const isOrdered = offsets.every((offset, i) => i === 0 || offset >= offsets[i - 1]);
     if (offsets.length === 0 || !isOrdered || offsets.at(-1) > parts.count)

@@ -49,6 +49,8 @@ constexpr Numbers numbers_of() {
         return {'d', 1};
     } else if constexpr (std::is_same_v<Field, espalier_vec3>) {
         return {'f', 3};
+    } else if constexpr (std::is_same_v<Field, espalier_vec3d>) {
+        return {'d', 3};
     } else if constexpr (std::is_same_v<Field, espalier_quaternion>) {
         return {'f', 4};
     } else if constexpr (std::is_same_v<Field, espalier_triangle>) {
@@ -100,6 +102,7 @@ struct Record {
 #define FINDING(name) FIELD(name.count), FIELD(name.first)
 
 RECORD(blob, FIELD(opaque_))
+RECORD(vec3d, FIELD(x), FIELD(y), FIELD(z))
 RECORD(filled, FIELD(count), FIELD(status))
 RECORD(filled_lists, FIELD(lists), FIELD(count), FIELD(needed), FIELD(status))
 RECORD(strided_vec3, FIELD(first), FIELD(stride))
@@ -173,15 +176,15 @@ RECORD(mesh_view, FIELD(size), FIELD(positions), FIELD(position_count), FIELD(po
        FIELD(triangle_count), FIELD(triangle_stride), FIELD(materials), FIELD(name), FIELD(file), FIELD(mesh),
        FIELD(coordinate_type), FIELD(index_type))
 RECORD(bake_options, FIELD(size), FIELD(resolution), FIELD(resolution_kind), FIELD(profile), FIELD(effort),
-       FIELD(builder), FIELD(original_ids), FIELD(drop_bad_triangles), FIELD(with_remap), FIELD(oriented_box),
-       FIELD(sphere), FIELD(k_dop), FIELD(flat_angle), FIELD(origin), FIELD(duplicate_budget), FIELD(byte_price),
-       FIELD(max_leaf_triangles))
+       FIELD(builder), FIELD(original_ids), FIELD(drop_bad_triangles), FIELD(allow_empty), FIELD(strict),
+       FIELD(with_remap), FIELD(oriented_box), FIELD(sphere), FIELD(k_dop), FIELD(chooses_origin), FIELD(flat_angle),
+       FIELD(origin), FIELD(max_dropped), FIELD(duplicate_budget), FIELD(byte_price), FIELD(max_leaf_triangles))
 RECORD(bake_report, FIELD(source_triangles), FIELD(source_vertices), FINDING(not_finite), FINDING(index_out_of_range),
        FINDING(zero_area), FINDING(collapsed), FINDING(duplicate), FIELD(bounds_min), FIELD(bounds_max), FIELD(extent),
        FIELD(box_volume), FIELD(oriented_box_volume), FIELD(sphere_volume), FIELD(k_dop_volume), FIELD(step),
-       FIELD(max_error), FIELD(conversion_error), FIELD(bits), FIELD(triangles), FIELD(duplicate_references),
-       FIELD(vertices), FIELD(nodes), FIELD(leaves), FIELD(depth), FIELD(bits_that_keep_closed), FIELD(bytes),
-       FIELD(seconds), FIELD(warnings), FIELD(warning_count), FIELD(is_closed))
+       FIELD(max_error), FIELD(origin), FIELD(bits), FIELD(triangles), FIELD(duplicate_references), FIELD(vertices),
+       FIELD(nodes), FIELD(leaves), FIELD(depth), FIELD(bits_that_keep_closed), FIELD(bytes), FIELD(seconds),
+       FIELD(warnings), FIELD(warning_count), FIELD(is_closed))
 RECORD(bake_warning, FIELD(message), FIELD(kind))
 RECORD(bake_result, FIELD(bytes), FIELD(byte_count), FIELD(remap), FIELD(remap_count), FIELD(report), FIELD(message),
        FIELD(place.file), FIELD(place.mesh), FIELD(place.triangle), FIELD(place.is_known), FIELD(status))
@@ -195,19 +198,20 @@ struct Records {
 };
 
 using AllRecords =
-    Records<blob_table, filled_table, filled_lists_table, strided_vec3_table, ray_arrays_table, ray_hit_table,
-            closest_point_result_table, float_result_table, distance_bounds_result_table, edge_kinds_result_table,
-            sphere_result_table, oriented_box_result_table, k_dop_result_table, box_result_table, deformable_table,
-            refit_result_table, scene_candidate_table, scene_contact_table, sweep_hit_table, sweep_options_table,
-            original_triangle_table, original_triangle_result_table, original_hit_table, triangle_result_table,
-            sphere_table, capsule_table, box_table, oriented_box_table, cone_table, convex_hull_table,
-            convex_volume_table, triangle_table, segment_table, contact_table, transform_table, pair_contact_table,
-            pair_touch_table, blob_distance_table, scene_table, instance_table, ray_table, scene_ray_hit_table,
-            scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
-            flags_table, scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
-            instance_word_table, movement_table, pair_filter_table, instance_pair_table, filled_instance_pairs_table,
-            baked_pair_table, filled_baked_pairs_table, bytes_table, joined_blob_table, lattice_table, mesh_view_table,
-            bake_options_table, bake_report_table, bake_warning_table, bake_result_table>;
+    Records<blob_table, vec3d_table, filled_table, filled_lists_table, strided_vec3_table, ray_arrays_table,
+            ray_hit_table, closest_point_result_table, float_result_table, distance_bounds_result_table,
+            edge_kinds_result_table, sphere_result_table, oriented_box_result_table, k_dop_result_table,
+            box_result_table, deformable_table, refit_result_table, scene_candidate_table, scene_contact_table,
+            sweep_hit_table, sweep_options_table, original_triangle_table, original_triangle_result_table,
+            original_hit_table, triangle_result_table, sphere_table, capsule_table, box_table, oriented_box_table,
+            cone_table, convex_hull_table, convex_volume_table, triangle_table, segment_table, contact_table,
+            transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table, instance_table,
+            ray_table, scene_ray_hit_table, scene_closest_point_result_table, scene_sweep_hit_table,
+            scene_sweep_options_table, scene_triangle_table, flags_table, scene_selection_table, moving_scene_table,
+            instance_handle_table, instance_handle_result_table, instance_word_table, movement_table, pair_filter_table,
+            instance_pair_table, filled_instance_pairs_table, baked_pair_table, filled_baked_pairs_table, bytes_table,
+            joined_blob_table, lattice_table, mesh_view_table, bake_options_table, bake_report_table,
+            bake_warning_table, bake_result_table>;
 
 }  // namespace
 

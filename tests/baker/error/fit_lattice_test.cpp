@@ -55,7 +55,7 @@ TEST_CASE("lattice: a triangle without area whose error has no float32 is refuse
 
 TEST_CASE("weld: several positions that snap to one lattice point are stored once") {
     baker::Source source;
-    source.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {9, 0.25f, 0}, {9, 9, 0}, {0, 9, 0.25f}};
+    source.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {9, 0.25, 0}, {9, 9, 0}, {0, 9, 0.25}};
     source.triangles = {{{0, 1, 2}, 0}, {{3, 4, 5}, 1}};
     Findings findings;
     const baker::LatticeMesh mesh = baker::snap_and_weld(source, {{0, 0, 0}, 0, 4}, findings);

@@ -100,30 +100,30 @@ TEST_CASE("input: zero area is decided exactly") {
     using baker::has_zero_area;
     CHECK(has_zero_area({1, 2, 3}, {1, 2, 3}, {9, 9, 9}));
     CHECK(has_zero_area({0, 0, 0}, {1, 2, 3}, {2, 4, 6}));
-    CHECK(!has_zero_area({0, 0, 0}, {1, 2, 3}, {2, 4, 6.0000005f}));
+    CHECK(!has_zero_area({0, 0, 0}, {1, 2, 3}, {2, 4, 6.0000005}));
     // Far apart in size: differences of these are not exact, even in double.
-    CHECK(has_zero_area({0x1p-120f, 0, 0}, {0x1p100f, 0, 0}, {-0x1p90f, 0, 0}));
-    CHECK(!has_zero_area({0, 0x1p-120f, 0}, {0x1p100f, 0, 0}, {-0x1p90f, 0, 0}));
-    const float denormal = std::numeric_limits<float>::denorm_min();
+    CHECK(has_zero_area({0x1p-120, 0, 0}, {0x1p100, 0, 0}, {-0x1p90, 0, 0}));
+    CHECK(!has_zero_area({0, 0x1p-120, 0}, {0x1p100, 0, 0}, {-0x1p90, 0, 0}));
+    const auto denormal = double(std::numeric_limits<float>::denorm_min());
     CHECK(has_zero_area({0, 0, 0}, {denormal, denormal, 0}, {3 * denormal, 3 * denormal, 0}));
     CHECK(!has_zero_area({0, 0, 0}, {denormal, denormal, 0}, {3 * denormal, 2 * denormal, 0}));
-    const float largest = std::numeric_limits<float>::max();
+    const auto largest = double(std::numeric_limits<float>::max());
     CHECK(has_zero_area({-largest, -largest, 0}, {largest, largest, 0}, {0, 0, 0}));
     CHECK(!has_zero_area({-largest, -largest, 0}, {largest, largest, 0}, {0, denormal, 0}));
     Random random(7);
     for (int i = 0; i < 20'000; ++i) {
         // Three points on one line, exactly: small integers, shifted alike.
-        const Vec3 along = {static_cast<float>(random.between(-999, 999)),
-                            static_cast<float>(random.between(-999, 999)),
-                            static_cast<float>(random.between(-999, 999))};
-        const Vec3 from = {static_cast<float>(random.between(-99999, 99999)), 77.0f, -5.0f};
+        const Vec3d along = {double(random.between(-999, 999)), double(random.between(-999, 999)),
+                             double(random.between(-999, 999))};
+        // Of float64: products take more bits than it has.
+        const double far = random.coin() ? 0x1p47 : 0.0;
+        const Vec3d from = {far + random.between(-99999, 99999), far + 77.0, -5.0};
         const auto at = [&](int share) {
-            const auto times = static_cast<float>(share);
-            return Vec3{from.x + times * along.x, from.y + times * along.y, from.z + times * along.z};
+            return Vec3d{from.x + share * along.x, from.y + share * along.y, from.z + share * along.z};
         };
         REQUIRE(has_zero_area(at(random.between(-50, 50)), at(random.between(-50, 50)), at(random.between(-50, 50))));
-        Vec3 beside = at(60);
-        beside.z += along.x != 0 || along.y != 0 ? 0.25f : 0.0f;
+        Vec3d beside = at(60);
+        beside.z += along.x != 0 || along.y != 0 ? 0x1p-30 : 0.0;
         if (along.x != 0 || along.y != 0) REQUIRE(!has_zero_area(at(0), at(1), beside));
     }
 }

@@ -2,6 +2,7 @@
 #include "support/testing.hpp"
 
 #include <baker/bake_with.hpp>
+#include <baker/base/float_rounding.hpp>
 #include <baker/quantise/closed.hpp>
 
 #include "baker/baking_support.hpp"
@@ -210,7 +211,7 @@ TEST_CASE("closed: corners of the source are one vertex exactly where their posi
     Random random(2430);
     const auto is_closed = [](const Mesh& mesh) {
         baker::Source source;
-        source.positions = mesh.positions;
+        for (const Vec3& position : mesh.positions) source.positions.push_back(baker::to_float64(position));
         for (const TriangleVertices& corners : mesh.triangles)
             source.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
         const bool result = baker::is_closed(source);

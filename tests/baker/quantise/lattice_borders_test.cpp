@@ -14,7 +14,7 @@ constexpr float least_normal = std::numeric_limits<float>::min();
 /// Of a triangle with these two corners.
 baker::SourceBounds bounds_between(Vec3 low, Vec3 high) {
     baker::Source source;
-    source.positions = {low, high, low};
+    source.positions = {baker::to_float64(low), baker::to_float64(high), baker::to_float64(low)};
     source.triangles = {{{0, 1, 2}, 0}};
     return baker::bounds_of(source);
 }
@@ -47,7 +47,7 @@ TEST_CASE("lattice: a coordinate snaps to the nearest multiple of the step and f
         if (!std::isfinite(coordinate)) continue;
         CAPTURE(coordinate);
         CAPTURE(exponent);
-        const double snapped = baker::snap_to_step(coordinate, 1.0 / step);
+        const double snapped = baker::snap_to_step(double(coordinate), 1.0 / step);
         REQUIRE(snapped == std::nearbyint(snapped));
         REQUIRE(!(snapped == 0.0 && std::signbit(snapped)));
         const double place = snapped * step;
@@ -57,9 +57,9 @@ TEST_CASE("lattice: a coordinate snaps to the nearest multiple of the step and f
         if (moved == 0.5 * step) REQUIRE(std::fmod(snapped, 2.0) == 0.0);
     }
     for (const float largest : {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()})
-        CHECK(baker::snap_to_step(largest, 0x1p-100) * 0x1p100 == double(largest));
-    CHECK(!std::signbit(baker::snap_to_step(-0.0f, 1.0)));
-    CHECK(!std::signbit(baker::snap_to_step(-least_normal, 1.0)));
+        CHECK(baker::snap_to_step(double(largest), 0x1p-100) * 0x1p100 == double(largest));
+    CHECK(!std::signbit(baker::snap_to_step(-0.0, 1.0)));
+    CHECK(!std::signbit(baker::snap_to_step(double(-least_normal), 1.0)));
 }
 
 TEST_CASE("lattice: the origin is the lowest corner snapped to the step") {

@@ -49,6 +49,10 @@ Options some_options(const Mesh& mesh, Random& random) {
     options.cpp.original_ids = (options.c.original_ids = static_cast<std::uint8_t>(random.below(2) * 3)) != 0;
     options.cpp.drop_bad_triangles = (options.c.drop_bad_triangles = static_cast<std::uint8_t>(random.below(2))) != 0;
     options.c.with_remap = static_cast<std::uint8_t>(random.below(2));
+    options.cpp.policy.emplace();
+    options.cpp.policy->max_dropped = options.c.max_dropped = 10.0 * random.below(11);
+    options.cpp.policy->allow_empty = (options.c.allow_empty = static_cast<std::uint8_t>(random.below(3))) != 0;
+    options.cpp.policy->strict = (options.c.strict = random.below(8) == 0 ? 1 : 0) != 0;
     if (random.coin()) options.cpp.flat_angle = options.c.flat_angle = random.below(80);
     options.cpp.bounds.oriented_box = (options.c.oriented_box = static_cast<std::uint8_t>(random.below(2))) != 0;
     options.cpp.bounds.sphere = (options.c.sphere = static_cast<std::uint8_t>(random.below(2))) != 0;
@@ -185,7 +189,6 @@ TEST_CASE("c api: the baker gives the bytes and the report of C++") {
         const MeshView view = mesh.view();
         const BakeResult cpp = bake(std::span(&view, 1), options.cpp);
         check_same(*c, cpp, options.c.with_remap != 0);
-        CHECK(c->report->conversion_error == 0.0);
         baked += cpp ? 1u : 0u;
         deformable += cpp && options.cpp.deformation ? 1u : 0u;
     }
@@ -204,13 +207,15 @@ TEST_CASE("c api: the baker takes several meshes and none") {
     options.original_ids = options.with_remap = 1;
     const BakedFromC both(c99_bake(views.data(), views.size(), &options));
     check_same(*both, bake(cpp_views, {.original_ids = true}), true);
-    const BakedFromC none(c99_bake(nullptr, 0, nullptr));
+    options = default_options_of_c();
+    options.allow_empty = 1;
+    const BakedFromC none(c99_bake(nullptr, 0, &options));
     check_same(*none, bake({}), false);
     const BakedFromC by_default(c99_bake(views.data(), views.size(), nullptr));
     check_same(*by_default, bake(cpp_views), false);
 }
 
-TEST_CASE("c api: the report bounds the error of float64 and of an origin") {
+TEST_CASE("c api: float64 positions and an origin are those of C++") {
     Random random(32);
     for (std::uint64_t i = 0; i < scaled(200); ++i) {
         const double power = std::ldexp(1.0, static_cast<int>(random.below(24)));
@@ -219,42 +224,44 @@ TEST_CASE("c api: the report bounds the error of float64 and of an origin") {
         const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5, 6, 7, 8};
         const espalier_mesh_view view = view_of(positions, indices);
         espalier_bake_options options = default_options_of_c();
-        if (random.coin()) std::copy_n(positions.begin() + 3, 3, options.origin);
+        BakeOptions cpp_options;
+        if (random.coin()) {
+            options.origin = {positions[3], positions[4], positions[5]};
+            cpp_options.origin = Vec3d{positions[3], positions[4], positions[5]};
+        } else if (random.coin()) {
+            options.chooses_origin = 1;
+            cpp_options.origin.reset();
+        }
         const BakedFromC baked = bake_from_c(view, options);
         REQUIRE(baked->status == ESPALIER_BAKE_OK);
-        Mesh mesh;
-        long double largest = 0.0L;  // of errors, with 11 bits more
-        for (std::size_t v = 0; v < 10; ++v) {
-            float single[3];
-            long double squared = 0.0L;
-            for (std::size_t k = 0; k < 3; ++k) {
-                single[k] = static_cast<float>(positions[3 * v + k] - options.origin[k]);
-                const long double error =
-                    static_cast<long double>(single[k]) -
-                    (static_cast<long double>(positions[3 * v + k]) - static_cast<long double>(options.origin[k]));
-                squared += error * error;
-            }
-            largest = std::max(largest, std::sqrt(squared));
-            mesh.positions.push_back({single[0], single[1], single[2]});
-        }
-        mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
-        const MeshView cpp_view = mesh.view();
-        CHECK(std::ranges::equal(bytes_of(*baked), bake(std::span(&cpp_view, 1)).bytes));
-        REQUIRE(baked->report->conversion_error >= static_cast<double>(largest));
-        REQUIRE(baked->report->conversion_error <= static_cast<double>(largest) * 1.0001 + power * 0x1p-49);
+        std::vector<Vec3d> points;
+        for (std::size_t v = 0; v < 10; ++v)
+            points.push_back({positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]});
+        const std::vector<TriangleVertices> triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+        MeshView cpp_view;
+        cpp_view.float64_positions = points;
+        cpp_view.triangles = triangles;
+        check_same(*baked, bake(std::span(&cpp_view, 1), cpp_options), false);
     }
 }
 
-TEST_CASE("c api: an origin keeps the details of places far away") {
+TEST_CASE("c api: an origin keeps the details of places far away and the blob keeps it") {
     const Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
     const double far[3] = {445'123.375, 5'411'234.25, 310.5};
     GivenMesh given(mesh, {.coordinates = ESPALIER_COORDINATE_FLOAT64}, far);
     espalier_bake_options options = default_options_of_c();
     const BakedFromC coarse = bake_from_c(given.view(), options);
-    std::copy_n(far, 3, options.origin);
+    options.origin = {far[0], far[1], far[2]};
     const BakedFromC fine = bake_from_c(given.view(), options);
-    CHECK(coarse->report->conversion_error > 0.1);
-    CHECK(fine->report->conversion_error < 1e-7);
+    CHECK(coarse->report->max_error > 0.1);
+    CHECK(fine->report->max_error < 1e-4);
     CHECK(fine->report->bounds_max.x == doctest::Approx(1.0).epsilon(0.01));
     CHECK(std::string(coarse->report->not_finite.first).empty());
+    espalier_blob blob;
+    REQUIRE(espalier_open(fine->bytes, fine->byte_count, &blob) == ESPALIER_OPEN_OK);
+    const espalier_vec3d origin = espalier_blob_source_origin(&blob);
+    CHECK(origin.x == far[0]);
+    CHECK(origin.y == far[1]);
+    CHECK(origin.z == far[2]);
+    CHECK(fine->report->origin.y == far[1]);
 }

@@ -93,7 +93,7 @@ TEST_CASE("c api: the baker refuses each wrong argument and its message names it
         {option, "flat_angle", WITH(options.flat_angle = nan)},
         {option, "max_leaf_triangles is 63", WITH(options.max_leaf_triangles = 63)},
         {option, "byte_price", WITH(options.byte_price = -1)},
-        {option, "origin", WITH(options.origin[2] = -HUGE_VAL)},
+        {option, "origin", WITH(options.origin.z = -HUGE_VAL)},
         {argument, "poses is null", WITH(options.deformable = 1, options.pose_count = 2)},
         {argument, "pose_count", WITH(options.deformable = 1, options.pose_count = huge, options.poses = &options)},
     };
@@ -127,10 +127,14 @@ TEST_CASE("c api: a coordinate beyond float32 is refused by that name") {
     const espalier_mesh_view view = view_of(positions, triangles);
     espalier_bake_options options = default_options_of_c();
     const BakedFromC refused = bake_from_c(view, options);
-    check_refusal(*refused, ESPALIER_BAKE_INVALID_MESH, "triangle 0|vertex 1|x = infinity|beyond float32");
+    check_refusal(*refused, ESPALIER_BAKE_INVALID_MESH, "triangle 0|vertex 1|the coordinate 1e+300|beyond float32");
     CHECK(refused->place.is_known == 1);
     CHECK(refused->place.triangle == 0);
     options.drop_bad_triangles = 1;
+    const BakedFromC lost = bake_from_c(view, options);
+    check_refusal(*lost, ESPALIER_BAKE_INVALID_MESH, "dropped 2 of 2 triangles|2 not finite|max_dropped|allow_empty");
+    options.max_dropped = 100.0;
+    options.allow_empty = 1;
     const BakedFromC dropped = bake_from_c(view, options);
     CHECK(dropped->status == ESPALIER_BAKE_OK);
     CHECK(dropped->report->not_finite.count == 2);

@@ -101,7 +101,9 @@ def obj(claims):
     claims.refuses("OBJ: two coordinates are refused", "short.obj", "v 0 0\n", "line 1", "2 coordinates")
     claims.refuses("OBJ: a binary file is refused", "binary.obj", b"v 0 0 0\n\0\0", "no Wavefront OBJ")
     claims.refuses("OBJ: a call of another file is refused", "call.obj", "call other.obj\n", "line 1", "'call'")
-    claims.refuses("OBJ: an infinite coordinate is refused", "infinite.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "infinity")
+    for number, words in (("inf", "x = infinity"), ("1e400", "x = infinity"), ("1e39", "1e+39, beyond float32")):
+        claims.refuses("OBJ: a coordinate that is infinite or beyond float32 is refused", "infinite.obj",
+                       f"v {number} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", words)
 
     for huge in ("1e400", "-.1e401", "1" + "0" * 400, "1e99999999999999999999"):
         claims.refuses("OBJ: a coordinate beyond every type is infinite", "infinite.obj", f"v {huge} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "infinity")

@@ -305,6 +305,10 @@ private:
         }
         for (int i = 0; has(7) && i < 4; ++i) head_.sphere.push_back(length());
         for (int i = 0; has(8) && i < 20; ++i) head_.k_dop.push_back(length());
+        if (random_.below(4) != 0) return;
+        head_.features |= 1u << 11;
+        // Any that is finite: of its exponent one bit is zero.
+        for (std::uint64_t& coordinate : head_.source_origin) coordinate = random_.next() & ~(std::uint64_t{1} << 52);
     }
 
     Random& random_;

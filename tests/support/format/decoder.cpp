@@ -29,6 +29,7 @@ public:
 
 private:
     [[nodiscard]] bool has_copies() const { return (decoded_.features & format::feature::split_references) != 0; }
+    [[nodiscard]] std::size_t source_origin_bytes() const { return (decoded_.features & 1u << 11) != 0 ? 24 : 0; }
     [[nodiscard]] bool is_deformable() const { return (decoded_.features & format::feature::deformable) != 0; }
 
     void read_header() {
@@ -69,7 +70,7 @@ private:
         const std::size_t number_bytes = decoded_.position_count > 65536 ? 4 : 2;
         const std::size_t source_bytes = padded(number_bytes * vertex_slots_);
         const std::size_t corner_bytes = std::size_t{3} * decoded_.triangle_count;
-        const std::size_t end = bytes_.u32(at::total_bytes_at);
+        const std::size_t end = bytes_.u32(at::total_bytes_at) - source_origin_bytes();
         if (source_bytes + 64 + padded(corner_bytes) > end)
             throw std::runtime_error("decoder: the corners and the vertex sources are more than the blob");
         vertex_sources_at_ = end - source_bytes;
@@ -363,7 +364,13 @@ private:
         if (is_deformable()) {
             if (at != corner_rows_.at)
                 throw std::runtime_error("decoder: the corners do not follow the other sections");
-            at = bytes_.u32(format::header::total_bytes_at);
+            at = bytes_.u32(format::header::total_bytes_at) - source_origin_bytes();
+        }
+        if (source_origin_bytes() != 0) {
+            for (std::uint64_t& coordinate : decoded_.source_origin) {
+                coordinate = std::uint64_t{bytes_.u32(at + 4)} << 32 | bytes_.u32(at);
+                at += 8;
+            }
         }
         if (at != bytes_.u32(format::header::total_bytes_at)) {
             throw std::runtime_error("decoder: the sections do not fill the blob");

@@ -67,9 +67,10 @@ struct DecodedBlob {
     std::uint32_t flat_limit = 0;
     std::vector<std::array<std::uint8_t, 3>> edge_flags;  // one for each triangle, or none
     // Bounds, each empty where there are none.
-    std::vector<std::int32_t> oriented_box;  // quaternion w x y z, low 3, high 3
-    std::vector<std::int32_t> sphere;        // center 3, radius
-    std::vector<std::int32_t> k_dop;         // low, high for each direction
+    std::vector<std::int32_t> oriented_box;        // quaternion w x y z, low 3, high 3
+    std::vector<std::int32_t> sphere;              // center 3, radius
+    std::vector<std::int32_t> k_dop;               // low, high for each direction
+    std::array<std::uint64_t, 3> source_origin{};  // bits of float64; zero where there is none
     // Of a deformable blob, else zero or empty.
     std::uint32_t position_count = 0;  // of the sources
     float rest_cost = 0.0f;

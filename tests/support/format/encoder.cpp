@@ -109,6 +109,8 @@ private:
     [[nodiscard]] bool has_strips() const { return head_.profile != Profile::fast; }
     [[nodiscard]] bool is_deformable() const { return (head_.features & 1u << 9) != 0; }
 
+    [[nodiscard]] bool has_source_origin() const { return (head_.features & 1u << 11) != 0; }
+
     void put_sources(const PlainNode& node, Writer& out) {
         for (const PlainChild& child : node.children) {
             if (!child.leaf) continue;
@@ -300,12 +302,15 @@ private:
             out.put(static_cast<std::uint32_t>(head_.oriented_box[i]), i < 4 ? 2 : 4);
         for (const std::int32_t number : head_.sphere) out.put(static_cast<std::uint32_t>(number), 4);
         for (const std::int32_t number : head_.k_dop) out.put(static_cast<std::uint32_t>(number), 4);
-        if (!is_deformable()) return;
-        out.append(corners_);
-        out.pad_to(4);
-        for (std::size_t i = 0; i < 64; ++i) out.put(0, 1);
-        for (const Writer& sources : sources_) out.append(sources);
-        out.pad_to(4);
+        if (is_deformable()) {
+            out.append(corners_);
+            out.pad_to(4);
+            for (std::size_t i = 0; i < 64; ++i) out.put(0, 1);
+            for (const Writer& sources : sources_) out.append(sources);
+            out.pad_to(4);
+        }
+        if (!has_source_origin()) return;
+        for (const std::uint64_t coordinate : head_.source_origin) out.put(coordinate, 8);
     }
 
     void put_ids(Writer& out) {
@@ -382,7 +387,7 @@ private:
             128 + std::size_t{has_strips() ? 64u : 256u} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
         out.put(0x4C505345u, 4);
         out.put(2, 2);
-        out.put((head_.features & 1u << 10) != 0 ? 2 : is_deformable() ? 1 : 0, 2);
+        out.put((head_.features & 1u << 10) != 0 || has_source_origin() ? 2 : is_deformable() ? 1 : 0, 2);
         out.put(total, 4);
         out.put(0, 4);  // the checksum comes last
         out.put(head_.features, 4);

@@ -3,7 +3,7 @@ import {
     BakeError, Blob, EdgeKind, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
     VerifyError, YesNo, type BakedPairs, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type CollectedPairs, type Contacts,
     type ConvexHull, type ConvexVolume, type Corners, type Espalier, type Flags, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
-    type Mesh, type OriginalHits, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
+    type Mesh, type OriginalHits, type PlaceArray, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
 } from 'espalier';
 
 const library: Espalier = await load();
@@ -19,6 +19,7 @@ const blob: Blob = await library.bake([mesh, { positions: { array: [0, 0, 0], st
 const report: BakeReport | null = blob.report;
 const first: string | undefined = report?.zeroArea.first;
 const info: BlobInfo = blob.info();
+const places: PlaceArray[] = [blob.origin, blob.bounds, (await library.bake(mesh, { origin: 'auto' })).triangles()];
 const other: Blob = library.openBlob(blob.bytes());
 await library.verify(other);
 
@@ -123,4 +124,4 @@ for (const type of [BakeError, OpenError, QueryError, MemoryError, VerifyError])
 
 export { collisions, collisionsWithScene, filtered, hullContacts, hullInScene, inMoving, inVolume, movingFacts, slots, statuses, sweptHulls, trianglesIn };
 export { apart, baked, closest, contact, facts, hidden, inScene, sweptIn, throughAll, touchedAll, touchedAny,
-    contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, several, sources, sweeps, touched, touches, touching, windings, within, yes };
+    contacts, corners, first, hasIt, info, inside, isFace, isHit, items, materials, near, nearest, places, several, sources, sweeps, touched, touches, touching, windings, within, yes };

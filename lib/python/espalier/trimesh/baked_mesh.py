@@ -1,9 +1,9 @@
-"""A mesh of trimesh with its blob, and how coordinates of the one become those of the other."""
+"""A mesh of trimesh with its blob."""
 
 from __future__ import annotations
 
 import weakref
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,39 +16,33 @@ BITS = 22
 
 
 class BakedMesh:
-    """A mesh and its blob. Queries take coordinates of the mesh, and subtract `origin` in float64."""
+    """A mesh and its blob, whose queries take float64 in the coordinates of the mesh."""
 
-    def __init__(self, mesh: Any, blob: Blob, origin: ArrayLike) -> None:
+    def __init__(self, mesh: Any, blob: Blob) -> None:
         self.mesh = mesh
         self.blob = blob
-        self.origin = np.asarray(origin, np.float64)
+        self.origin = blob.origin
         self.faces = np.asarray(mesh.faces).reshape(-1, 3)
         self.vertices = np.asarray(mesh.vertices, np.float64).reshape(-1, 3)
         remap = blob.remap
         assert remap is not None  # bake() has returned one
         self.face_of = remap["triangle"].astype(np.int64)
-        report = blob.report or {}
-        self.error = blob.max_error + float(report.get("conversion_error", 0.0))
+        self.error = blob.max_error
         """How far the baked surface is from the mesh at most."""
 
     def corners(self, faces: NDArray[np.int64]) -> NDArray[np.float64]:
         """Returns the corners of faces of the mesh, (n, 3, 3)."""
         return self.vertices[self.faces[faces]]
 
-    def local(self, points: NDArray[np.float64]) -> NDArray[np.float32]:
-        """Returns points in the coordinates of the blob."""
-        with np.errstate(over="ignore"):
-            return (points - self.origin).astype(np.float32)
-
     def bounds(self) -> NDArray[np.float64]:
-        """Returns a box around the blob in the coordinates of the mesh, (2, 3)."""
-        return self.blob.bounds.astype(np.float64) + self.origin
+        """Returns a box around the blob, (2, 3)."""
+        return self.blob.bounds.astype(np.float64)
 
     def contains(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Returns whether points are inside: of an open surface, whether it winds around them by more than a half."""
         low, high = self.bounds() + np.array([[-1.0], [1.0]]) * self.error
         inside = ((points >= low) & (points <= high)).all(axis=1)
-        near = self.local(points[inside])
+        near = points[inside]
         if self.blob.is_closed:
             inside[inside] = self.blob.contains(near).yes
         else:
@@ -57,11 +51,11 @@ class BakedMesh:
         return inside
 
 
-def bake_trimesh(mesh: Any, *, origin: Optional[ArrayLike] = None, **options: Any) -> BakedMesh:
+def bake_trimesh(mesh: Any, *, origin: Union[str, ArrayLike, None] = None, **options: Any) -> BakedMesh:
     """Bakes a mesh with `vertices` and `faces`.
 
-    origin: (3,), subtracted from all coordinates in float64; by default the middle of the mesh. Other options are those
-    of espalier.bake(). Faces that no surface has, of NaN or of no area, are left out.
+    origin: as that of espalier.bake(), but by default the middle of the mesh. Other options are those of
+    espalier.bake(). Faces that no surface has, of NaN or of no area, are left out.
     """
     vertices = np.asarray(mesh.vertices, np.float64).reshape(-1, 3)
     faces = np.asarray(mesh.faces).reshape(-1, 3)
@@ -71,7 +65,7 @@ def bake_trimesh(mesh: Any, *, origin: Optional[ArrayLike] = None, **options: An
         origin = (used.min(axis=0) + used.max(axis=0)) / 2 if len(used) else np.zeros(3)
     if not {"bits", "tolerance", "step_exponent"} & set(options):
         options["bits"] = BITS
-    return BakedMesh(mesh, _quietly(vertices, faces, {"drop_bad_triangles": True, **options, "origin": origin}), origin)
+    return BakedMesh(mesh, _quietly(vertices, faces, {"drop_bad_triangles": True, **options, "origin": origin}))
 
 
 def _quietly(vertices: NDArray[np.float64], faces: NDArray[Any], options: dict[str, Any]) -> Blob:

@@ -52,7 +52,7 @@ class DistanceData:
 class _Object(NamedTuple):
     baked: BakedMesh
     matrix: NDArray[np.float64]
-    place: NDArray[np.float32]
+    place: NDArray[np.float64]
     low: NDArray[np.float64]
     high: NDArray[np.float64]
     is_solid: bool
@@ -63,14 +63,14 @@ class _Object(NamedTuple):
         if matrix.shape != (4, 4):
             raise ValueError("transform must be (4,4)!")
         baked = baked_of(mesh)
-        of_blob = matrix.copy()
-        of_blob[:3, 3] = matrix[:3, :3] @ baked.origin + matrix[:3, 3]
-        low, high = baked.blob.bounds.astype(np.float64)
-        middle = of_blob[:3, :3] @ ((low + high) / 2) + of_blob[:3, 3]
-        half = np.abs(of_blob[:3, :3]) @ ((high - low) / 2)
+        place = transform_from_matrix(matrix).astype(np.float64)
+        place[4:7] = matrix[:3, 3]
+        low, high = baked.bounds()
+        middle = matrix[:3, :3] @ ((low + high) / 2) + matrix[:3, 3]
+        half = np.abs(matrix[:3, :3]) @ ((high - low) / 2)
         half = half + 1e-5 * (np.abs(middle).max() + half.max())  # more than float32 rounds
         is_solid = bool(getattr(mesh, "is_convex", False)) and baked.blob.is_closed
-        return _Object(baked, matrix, transform_from_matrix(of_blob), middle - half, middle + half, is_solid)
+        return _Object(baked, matrix, place, middle - half, middle + half, is_solid)
 
     def contains(self, other: _Object) -> bool:
         """Returns whether a point of another object is in this one, which is solid."""

@@ -65,13 +65,13 @@ def _closest(baked: BakedMesh, points: NDArray[np.float64]) -> Found:
 
 def _near_faces(baked: BakedMesh, points: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[np.int64]]:
     """Returns the faces, one or more of each point, among which the closest is, and those at about the same distance."""
-    blob, local = baked.blob, baked.local(points)
-    found, moved = blob.closest_point(local), blob.rounding_error(local)
+    blob = baked.blob
+    found, moved = blob.closest_point(points), blob.rounding_error(points)
     answered = (found["status"] == 0) & (moved["status"] == 0)
     distance = found["distance"].astype(np.float64)
     bound = baked.error + moved["value"].astype(np.float64) + 2.0**-20 * distance
     reach = np.where(distance > TIE**0.5 - bound, np.sqrt(distance**2 + TIE), distance) + 4 * bound
-    near = blob.overlapping_triangles(Sphere(local[answered], reach[answered]))
+    near = blob.overlapping_triangles(Sphere(points[answered], reach[answered]))
     rows = np.flatnonzero(answered)[near.queries()]
     faces = baked.face_of[near.items]
     rest = np.setdiff1d(np.arange(len(points)), rows)  # too far away for the lattice: all faces

@@ -64,9 +64,9 @@ class RayMeshIntersector:
         origins, directions = np.broadcast_arrays(origins, directions)
         ways = unit(directions)
         starts = _starts(baked, origins, ways)
-        local = baked.local(origins + starts[:, np.newaxis] * ways)
-        hits = _on_faces(baked, origins, ways, directions, starts, baked.blob.crossings(local, ways)) \
-            if multiple_hits else _firsts(baked, origins, ways, directions, starts, local)
+        begins = origins + starts[:, np.newaxis] * ways
+        hits = _on_faces(baked, origins, ways, directions, starts, baked.blob.crossings(begins, ways)) \
+            if multiple_hits else _firsts(baked, origins, ways, directions, starts, begins)
         return hits
 
 
@@ -93,7 +93,8 @@ def _on_faces(baked: BakedMesh, origins: NDArray[np.float64], ways: NDArray[np.f
     to_plane = dot(across, corners[:, 0] - origins[rays])
     exact = np.divide(to_plane, slope, out=along.copy(), where=np.abs(slope) > 1e-9)
     # A ray along a face meets its plane anywhere: there the place is that of the baked surface.
-    bound = 16 * (baked.error + 2.0**-22 * (np.abs(along - starts[rays]) + np.abs(baked.blob.bounds).max(initial=0.0)))
+    reach = np.abs(baked.bounds() - baked.origin).max(initial=0.0)
+    bound = 16 * (baked.error + 2.0**-22 * (np.abs(along - starts[rays]) + reach))
     along = np.where(np.abs(exact - along) * np.abs(slope) <= bound, exact, along)
     length = np.sqrt(dot(directions, directions))
     forward = along * length[rays] > -BEHIND
@@ -104,15 +105,15 @@ def _on_faces(baked: BakedMesh, origins: NDArray[np.float64], ways: NDArray[np.f
 
 
 def _firsts(baked: BakedMesh, origins: NDArray[np.float64], ways: NDArray[np.float64],
-            directions: NDArray[np.float64], starts: NDArray[np.float64], local: NDArray[np.float32]) -> _Hits:
+            directions: NDArray[np.float64], starts: NDArray[np.float64], begins: NDArray[np.float64]) -> _Hits:
     """Returns the first hit of each ray that has one: the closest, unless it is behind the origin."""
-    lists = baked.blob.closest_hits(local, ways, 1)
+    lists = baked.blob.closest_hits(begins, ways, 1)
     hits = _on_faces(baked, origins, ways, directions, starts, lists)
     left = np.setdiff1d(np.unique(lists.queries()), hits.rays)
     if len(left) == 0:
         return hits
     every = _on_faces(baked, origins[left], ways[left], directions[left], starts[left],
-                      baked.blob.all_hits(local[left], ways[left]))
+                      baked.blob.all_hits(begins[left], ways[left]))
     _, first = np.unique(every.rays, return_index=True)
     more = _Hits(every.faces[first], left[every.rays[first]], every.places[first])
     order = np.argsort(np.concatenate([hits.rays, more.rays]), kind="stable")

@@ -32,7 +32,7 @@ py::tuple mesh_of(ImportedMesh&& imported, bool has_materials) {
     const py::capsule owner(mesh, [](void* kept) { delete static_cast<ImportedMesh*>(kept); });
     py::object materials = py::none();
     if (has_materials) materials = array_of<std::uint32_t>(mesh->materials, 1, owner);
-    return py::make_tuple(array_of<float>(mesh->positions, 3, owner),
+    return py::make_tuple(array_of<double>(mesh->positions, 3, owner),
                           array_of<std::uint32_t>(mesh->triangles, 3, owner), materials, mesh->name, mesh->file,
                           mesh->mesh);
 }

@@ -120,7 +120,7 @@ py::array sweeps(const Scene& self, const std::string& kind, const py::tuple& gi
         sweep(self.scene, shape, Vec3{}, SceneFilter());
     }
     { return sweep(self.scene, shape, ways.as<Vec3>().at(i), options); };
-    return answer_shapes(kind, given, &ways, dtype_of("scene_sweep_hit"), threads, answer, reading(self));
+    return answer_shapes({kind, given}, &ways, dtype_of("scene_sweep_hit"), threads, answer, reading(self));
 }
 
 template <class Scene>
@@ -130,7 +130,7 @@ py::array touching(const Scene& self, const std::string& kind, const py::tuple& 
     const auto answer = [&](const SceneShape auto& shape, std::size_t) {
         return overlaps(self.scene, shape, flags.of_instances(mask));
     };
-    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads, answer, reading(self));
+    return answer_shapes({kind, given}, nullptr, py::dtype::of<std::uint8_t>(), threads, answer, reading(self));
 }
 
 template <class Scene>
@@ -147,7 +147,7 @@ py::tuple touching_lists(const Scene& self, const std::string& kind, const py::t
                 flags.of_instances(mask));
         });
     };
-    return list_for_shapes<SceneTriangle>(kind, given, nullptr, dtype_of("scene_triangle"), threads, list,
+    return list_for_shapes<SceneTriangle>({kind, given}, nullptr, dtype_of("scene_triangle"), threads, list,
                                           reading(self));
 }
 
@@ -155,7 +155,7 @@ py::tuple touching_lists(const Scene& self, const std::string& kind, const py::t
 template <class Scene>
 py::tuple candidate_lists(const Scene& self, const py::tuple& given, std::uint32_t mask, unsigned threads) {
     return list_for_shapes<InstanceId>(
-        "Box", given, nullptr, dtype_of("candidate"), threads,
+        {"Box", given}, nullptr, dtype_of("candidate"), threads,
         [&](const auto& box, std::size_t, Growing<InstanceId>& instances) requires requires {
             for_each_candidate(
                 self.scene, box, [](InstanceId) { return Visit::next; }, mask);

@@ -14,7 +14,7 @@ namespace {
 py::array nearly_occluded(const HeldBlob& self, const py::handle& origins, const py::handle& directions,
                           const py::handle& t_min, const py::handle& t_max, int culling, float accuracy,
                           unsigned threads) {
-    const Rays rays(origins, directions, t_min, t_max, culling);
+    const Rays rays(origins, directions, t_min, t_max, culling, origin_of(self.blob));
     py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
     answer_each(static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
                 [&](std::size_t i) { return occluded(self.blob, rays.arrays.at(i), Accuracy{accuracy}); });
@@ -24,7 +24,7 @@ py::array nearly_occluded(const HeldBlob& self, const py::handle& origins, const
 py::array nearly_touching(const HeldBlob& self, const std::string& kind, const py::tuple& given, float accuracy,
                           unsigned threads) {
     return answer_shapes(
-        kind, given, nullptr, py::dtype::of<std::uint8_t>(),
+        {kind, given, origin_of(self.blob)}, nullptr, py::dtype::of<std::uint8_t>(),
         threads, [&](const auto& shape, std::size_t) requires requires { overlaps(self.blob, shape, Accuracy{}); } {
             return overlaps(self.blob, shape, Accuracy{accuracy});
         });
@@ -32,7 +32,7 @@ py::array nearly_touching(const HeldBlob& self, const std::string& kind, const p
 
 py::array bounds_of_distances(const HeldBlob& self, const py::handle& given, const py::handle& max_distance,
                               float accuracy, unsigned threads) {
-    Floats points(given, "points", {3});
+    Floats points(given, "points", {3}, origin_of(self.blob));
     Floats distances(max_distance, "max_distance", {});
     const Batch batch({&points, &distances});
     const auto point = points.as<Vec3>();

@@ -16,10 +16,10 @@ namespace espalier::python {
 /// Returns answer(shape, query) for each shape of a batch, which `more` is spread with. Refuses the kinds of shapes
 /// that `answer` does not take. Holds what lock() returns while it answers.
 template <class Answer, class Lock = WithoutLock>
-py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats* more, const py::dtype& type,
-                        unsigned threads, const Answer& answer, const Lock& lock = {}) {
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::array {
+py::array answer_shapes(const GivenShapes& given, Floats* more, const py::dtype& type, unsigned threads,
+                        const Answer& answer, const Lock& lock = {}) {
+    ShapeFields fields(given.origin);
+    return with_shape(given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::array {
         if constexpr (std::invocable<const Answer&, const Shape&, std::size_t>) {
             const Batch batch = spread(fields, more);
             py::array results = batch.results(type);
@@ -29,7 +29,7 @@ py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats*
                 [&](std::size_t i) { return at(i, [&](const Shape& shape) { return answer(shape, i); }); }, lock);
             return results;
         } else {
-            refuse_shape(kind);
+            refuse_shape(given.kind);
         }
     });
 }
@@ -38,10 +38,10 @@ py::array answer_shapes(const std::string& kind, const py::tuple& given, Floats*
 /// status. `more` is spread with the shapes. Refuses the kinds of shapes that `list` does not take. Holds what lock()
 /// returns meanwhile.
 template <class Value, class List, class Lock = WithoutLock>
-py::tuple list_for_shapes(const std::string& kind, const py::tuple& given, Floats* more, const py::dtype& type,
-                          unsigned threads, const List& list, const Lock& lock = {}) {
-    ShapeFields fields;
-    return with_shape(kind, given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::tuple {
+py::tuple list_for_shapes(const GivenShapes& given, Floats* more, const py::dtype& type, unsigned threads,
+                          const List& list, const Lock& lock = {}) {
+    ShapeFields fields(given.origin);
+    return with_shape(given, fields, [&]<class Shape>(std::type_identity<Shape>, const auto& at) -> py::tuple {
         if constexpr (std::invocable<const List&, const Shape&, std::size_t, Growing<Value>&>) {
             const Batch batch = spread(fields, more);
             return make_lists<Value>(
@@ -51,7 +51,7 @@ py::tuple list_for_shapes(const std::string& kind, const py::tuple& given, Float
                 },
                 lock);
         } else {
-            refuse_shape(kind);
+            refuse_shape(given.kind);
         }
     });
 }

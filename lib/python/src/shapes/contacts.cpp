@@ -19,7 +19,7 @@ py::tuple contact_lists(const HeldBlob& self, const std::string& kind, const py:
                         std::size_t most, unsigned threads) {
     Floats margins(margin, "margin", {});
     return list_for_shapes<Contact>(
-        kind, given, &margins, dtype_of("contact"), threads,
+        {kind, given, origin_of(self.blob)}, &margins, dtype_of("contact"), threads,
         [&](const auto& shape, std::size_t i, Growing<Contact>& contacts) requires requires {
             find_contacts(self.blob, shape, 0.0f, std::span<Contact>());
         } {

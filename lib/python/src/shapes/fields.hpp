@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -16,15 +17,26 @@
 
 namespace espalier::python {
 
+/// Shapes as Python has them: the name of their class, their fields, and the origin of the blob that they are for.
+struct GivenShapes {
+    std::string_view kind;
+    const py::tuple& fields;
+    Origin origin = {};
+};
+
 /// The fields of the shapes of a batch, in the order in which Python has them.
 class ShapeFields {
 public:
-    ShapeFields() = default;
+    explicit ShapeFields(const Origin& origin) : origin_(origin) {}
     ShapeFields(const ShapeFields&) = delete;
     ShapeFields& operator=(const ShapeFields&) = delete;
 
-    Floats& add(const py::tuple& fields, std::size_t place, const char* name, ElementShape element) {
-        return fields_.emplace_back(fields[place], name, element);
+    Floats& add(const py::tuple& fields, std::size_t number, const char* name, ElementShape element) {
+        return fields_.emplace_back(fields[number], name, element);
+    }
+    /// Adds a field of places, or of planes.
+    Floats& add_places(const py::tuple& fields, std::size_t number, const char* name, ElementShape element) {
+        return fields_.emplace_back(fields[number], name, element, origin_);
     }
     /// Returns a field's element for a query.
     template <class Value>
@@ -47,6 +59,7 @@ public:
     [[nodiscard]] std::size_t size() const { return fields_.size(); }
 
 private:
+    Origin origin_;
     std::deque<Floats> fields_;
 };
 
@@ -59,78 +72,81 @@ inline Batch spread(ShapeFields& fields, Floats* more = nullptr) {
 }
 
 /// Throws TypeError: the query takes no such shape.
-[[noreturn]] inline void refuse_shape(const std::string& kind) { throw py::type_error("this query takes no " + kind); }
+[[noreturn]] inline void refuse_shape(std::string_view kind) {
+    throw py::type_error("this query takes no " + std::string(kind));
+}
 
-/// Adds the fields of a kind of shape and calls action(type, at), where at(query, use) calls `use` with a shape.
+/// Adds the fields of shapes and calls action(type, at), where at(query, use) calls `use` with a shape.
 template <class Action>
-auto with_shape(const std::string& kind, const py::tuple& given, ShapeFields& fields, const Action& action) {
-    const auto vector = [&](std::size_t place, const char* name) { fields.add(given, place, name, {3}); };
-    const auto number = [&](std::size_t place, const char* name) { fields.add(given, place, name, {}); };
+auto with_shape(const GivenShapes& given, ShapeFields& fields, const Action& action) {
+    const std::string_view kind = given.kind;
+    const auto place = [&](std::size_t i, const char* name) { fields.add_places(given.fields, i, name, {3}); };
+    const auto number = [&](std::size_t i, const char* name) { fields.add(given.fields, i, name, {}); };
     if (kind == "Sphere") {
-        vector(0, "center");
+        place(0, "center");
         number(1, "radius");
         return action(std::type_identity<Sphere>(), [&fields](std::size_t i, const auto& use) {
             return use(Sphere{fields.at<Vec3>(0, i), fields.at<float>(1, i)});
         });
     }
     if (kind == "Capsule") {
-        vector(0, "start");
-        vector(1, "end");
+        place(0, "start");
+        place(1, "end");
         number(2, "radius");
         return action(std::type_identity<Capsule>(), [&fields](std::size_t i, const auto& use) {
             return use(Capsule{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i), fields.at<float>(2, i)});
         });
     }
     if (kind == "Box") {
-        vector(0, "min");
-        vector(1, "max");
+        place(0, "min");
+        place(1, "max");
         return action(std::type_identity<Box>(), [&fields](std::size_t i, const auto& use) {
             return use(Box{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i)});
         });
     }
     if (kind == "OrientedBox") {
-        vector(0, "center");
-        fields.add(given, 1, "half_axes", {3, 3});
+        place(0, "center");
+        fields.add(given.fields, 1, "half_axes", {3, 3});
         return action(std::type_identity<OrientedBox>(), [&fields](std::size_t i, const auto& use) {
             const auto axes = fields.at<Triangle>(1, i);
             return use(OrientedBox{fields.at<Vec3>(0, i), {axes.a, axes.b, axes.c}});
         });
     }
     if (kind == "Triangle") {
-        fields.add(given, 0, "corners", {3, 3});
+        fields.add_places(given.fields, 0, "corners", {3, 3});
         return action(std::type_identity<Triangle>(),
                       [&fields](std::size_t i, const auto& use) { return use(fields.at<Triangle>(0, i)); });
     }
     if (kind == "Cone") {
-        vector(0, "apex");
-        vector(1, "axis");
+        place(0, "apex");
+        fields.add(given.fields, 1, "axis", {3});
         number(2, "radius");
         return action(std::type_identity<Cone>(), [&fields](std::size_t i, const auto& use) {
             return use(Cone{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i), fields.at<float>(2, i)});
         });
     }
     if (kind == "ConvexVolume") {
-        fields.add(given, 0, "planes", {any, 4});
+        fields.add_places(given.fields, 0, "planes", {any, 4});
         return action(std::type_identity<ConvexVolume>(), [&fields](std::size_t i, const auto& use) {
             const auto planes = fields.all_at<Plane>(0, i);
             return use(ConvexVolume{planes});
         });
     }
     if (kind == "ConvexHull") {
-        fields.add(given, 0, "vertices", {any, 3});
+        fields.add_places(given.fields, 0, "vertices", {any, 3});
         return action(std::type_identity<ConvexHull>(), [&fields](std::size_t i, const auto& use) {
             const auto vertices = fields.all_at<Vec3>(0, i);
             return use(ConvexHull{vertices});
         });
     }
     if (kind == "Segment") {
-        vector(0, "start");
-        vector(1, "end");
+        place(0, "start");
+        place(1, "end");
         return action(std::type_identity<Segment>(), [&fields](std::size_t i, const auto& use) {
             return use(Segment{fields.at<Vec3>(0, i), fields.at<Vec3>(1, i)});
         });
     }
-    throw py::type_error("not a shape: " + kind);
+    throw py::type_error("not a shape: " + std::string(kind));
 }
 
 }  // namespace espalier::python

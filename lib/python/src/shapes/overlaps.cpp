@@ -12,7 +12,7 @@ namespace espalier::python {
 namespace {
 
 py::array touching(const HeldBlob& self, const std::string& kind, const py::tuple& given, unsigned threads) {
-    return answer_shapes(kind, given, nullptr, py::dtype::of<std::uint8_t>(), threads,
+    return answer_shapes({kind, given, origin_of(self.blob)}, nullptr, py::dtype::of<std::uint8_t>(), threads,
                          [&](const OverlapShape auto& shape, std::size_t) { return overlaps(self.blob, shape); });
 }
 
@@ -31,7 +31,7 @@ QueryStatus append_overlaps(const Blob& blob, const Shape& shape, Growing<Triang
 /// Returns (offsets, triangles, statuses).
 py::tuple touching_lists(const HeldBlob& self, const std::string& kind, const py::tuple& given, unsigned threads) {
     return list_for_shapes<TriangleId>(
-        kind, given, nullptr, py::dtype::of<std::uint32_t>(), threads,
+        {kind, given, origin_of(self.blob)}, nullptr, py::dtype::of<std::uint32_t>(), threads,
         [&](const OverlapShape auto& shape, std::size_t, Growing<TriangleId>& triangles) {
             return append_overlaps(self.blob, shape, triangles);
         });

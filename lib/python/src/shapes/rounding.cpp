@@ -12,7 +12,7 @@ namespace espalier::python {
 namespace {
 
 py::array of_points(const HeldBlob& self, const py::handle& given, unsigned threads) {
-    Floats points(given, "points", {3});
+    Floats points(given, "points", {3}, origin_of(self.blob));
     const Batch batch({&points});
     const auto point = points.as<Vec3>();
     py::array results = batch.results(dtype_of("length"));
@@ -22,7 +22,7 @@ py::array of_points(const HeldBlob& self, const py::handle& given, unsigned thre
 }
 
 py::array of_rays(const HeldBlob& self, const py::handle& origins, const py::handle& directions, unsigned threads) {
-    const Rays rays(origins, directions, py::float_(0.0), py::float_(0.0), 0);
+    const Rays rays(origins, directions, py::float_(0.0), py::float_(0.0), 0, origin_of(self.blob));
     py::array results = rays.batch.results(dtype_of("length"));
     answer_each(static_cast<Result<float>*>(results.mutable_data()), rays.batch.count(), threads,
                 [&](std::size_t i) { return rounding_error(self.blob, rays.arrays.at(i)); });
@@ -31,7 +31,7 @@ py::array of_rays(const HeldBlob& self, const py::handle& origins, const py::han
 
 py::array of_shapes(const HeldBlob& self, const std::string& kind, const py::tuple& given, unsigned threads) {
     return answer_shapes(
-        kind, given, nullptr, dtype_of("length"),
+        {kind, given, origin_of(self.blob)}, nullptr, dtype_of("length"),
         threads, [&](const auto& shape, std::size_t) requires requires { rounding_error(self.blob, shape); } {
             return rounding_error(self.blob, shape);
         });
@@ -41,7 +41,7 @@ py::array of_sweeps(const HeldBlob& self, const std::string& kind, const py::tup
                     const py::handle& displacement, unsigned threads) {
     Floats ways(displacement, "displacement", {3});
     return answer_shapes(
-        kind, given, &ways, dtype_of("length"),
+        {kind, given, origin_of(self.blob)}, &ways, dtype_of("length"),
         threads, [&](const auto& shape, std::size_t i) requires requires { rounding_error(self.blob, shape, Vec3{}); } {
             return rounding_error(self.blob, shape, ways.as<Vec3>().at(i));
         });

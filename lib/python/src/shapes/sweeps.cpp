@@ -19,7 +19,7 @@ py::array sweeps(const HeldBlob& self, const std::string& kind, const py::tuple&
     options.filter = flags.of_triangles();
     Floats ways(displacement, "displacement", {3});
     return answer_shapes(
-        kind, given, &ways, dtype_of("sweep_hit"),
+        {kind, given, origin_of(self.blob)}, &ways, dtype_of("sweep_hit"),
         threads, [&](const auto& shape, std::size_t i) requires requires { sweep(self.blob, shape, Vec3{}); } {
             return sweep(self.blob, shape, ways.as<Vec3>().at(i), options);
         });

@@ -1,18 +1,25 @@
 // One call of a batch: its memory, its arguments and its results.
-import { commonCount, Strided } from '../arguments.js';
+import { commonCount, places, Strided } from '../arguments.js';
 import { QueryError } from '../errors.js';
 import { Lists } from '../results.js';
+import { inSource, seenFrom } from '../source.js';
 
 const REFUSED = 16, OUTPUT_FULL = 3;
+/// The fields of results that are places.
+const PLACES = { closest_point_result: ['point', 'onShape'], sweep_hit: ['point'], contact: ['point'], triangle_result: ['value'] };
+/// A field of three numbers that is a place.
+export const PLACE = 'place';
 
 /// A call of some queries of a blob or another view. Its memory is released by release(), which Held.batch() calls.
 export class Batch {
     #memory = [];
 
-    constructor(instance, view, argumentsOfAll) {
+    /// `origin`: where 0 0 0 of the view is in the coordinates of arguments and results, or null.
+    constructor(instance, view, argumentsOfAll, origin = null) {
         this.instance = instance;
         this.functions = instance.functions;
         this.view = view;
+        this.origin = origin;
         this.count = commonCount(argumentsOfAll);
     }
 
@@ -36,7 +43,8 @@ export class Batch {
 
     /// Copies an argument into memory and returns where its first element is, and the bytes to the next.
     place(argument, Type = Float32Array) {
-        const { array, stride, count } = argument;
+        const { stride, count } = argument;
+        const array = this.origin !== null && argument.isOfPlaces ? seenFrom(this.origin, argument) : argument.array;
         const first = this.allocate(array.length * Type.BYTES_PER_ELEMENT);
         this.instance.array(Type, first, array.length).set(array);
         return { first, stride: count === 1 ? 0 : stride * Type.BYTES_PER_ELEMENT };
@@ -77,7 +85,7 @@ export class Batch {
         return records;
     }
 
-    /// Returns the fields of records, each in an array of its own.
+    /// Returns the fields of records, each in an array of its own; places in the coordinates of the source.
     columns(record, records, count = this.count) {
         const { bytes, fields } = this.instance.records[record];
         const column = this.allocate(bytes * count);
@@ -85,7 +93,8 @@ export class Batch {
         for (const [name, field] of Object.entries(fields)) {
             const width = field.count * field.Type.BYTES_PER_ELEMENT;
             this.functions.wasm_copy_fields(records + field.offset, bytes, column, width, width, count);
-            result[name.replace('value.', '')] = this.copy(field.Type, column, field.count * count);
+            const copy = this.copy(field.Type, column, field.count * count);
+            result[name.replace('value.', '')] = PLACES[record]?.includes(name) ? inSource(copy, this.origin) : copy;
         }
         return result;
     }
@@ -151,9 +160,10 @@ export class Batch {
     }
 }
 
-/// Makes the arguments of shapes: { center: 3, radius: 1 } states how many numbers the fields have.
+/// Makes the arguments of shapes: { center: PLACE, radius: 1 } states how many numbers the fields have.
 export function fieldsOf(given, components, name) {
     const fields = {};
-    for (const [field, count] of Object.entries(components)) fields[field] = new Strided(given[field], count, `${name}.${field}`);
+    for (const [field, count] of Object.entries(components))
+        fields[field] = count === PLACE ? places(given[field], `${name}.${field}`) : new Strided(given[field], count, `${name}.${field}`);
     return fields;
 }

@@ -80,10 +80,15 @@ export class Held {
         return this.use(() => this.#memories[0].hold());
     }
 
+    /// Where 0 0 0 of the view is in the coordinates of the source, of which arguments are: three numbers, or null.
+    get sourceOrigin() {
+        return null;
+    }
+
     /// Calls run(batch) for a batch with these arguments, and releases its memory.
     batch(argumentsOfAll, run) {
         return this.use((instance, view) => {
-            const batch = new Batch(instance, view, argumentsOfAll);
+            const batch = new Batch(instance, view, argumentsOfAll, this.sourceOrigin);
             try {
                 return run(batch);
             } finally {

@@ -30,7 +30,11 @@ export interface SceneCandidates extends InstanceIds {}
 /** An integer of 32 bits for each instance, or one that serves all. */
 export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonly number[];
 
-/** Instances to bake, or to insert in a moving scene: at each of the places one of a blob. */
+/**
+ * Instances to bake, or to insert in a moving scene: at each of the places one of a blob. A place moves what the blob counts
+ * from its `origin`: where its source is, the translation is the origin, less a place near all instances, from which the
+ * scene's coordinates then count.
+ */
 export interface InstancesToBake extends Places {
     /** The number of its blob among those that the scene is made of; 0 unless given. */
     mesh?: Integers;

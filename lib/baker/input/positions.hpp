@@ -1,0 +1,38 @@
+// Positions as they were given and less an origin: in float64, so that they lose nothing until they are lattice points.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include <espalier/bake.hpp>
+
+namespace espalier::baker {
+
+/// Returns the position of a mesh as it was given.
+[[nodiscard]] Vec3d given_position(const MeshView& mesh, std::size_t number);
+
+[[nodiscard]] inline bool is_finite(const Vec3d& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// Whether float32 holds a position as it is.
+[[nodiscard]] bool fits_float32(const Vec3d& point);
+
+/// Positions less an origin.
+class PositionsFromOrigin {
+public:
+    explicit PositionsFromOrigin(const Vec3d& origin) : origin_(origin) {}
+
+    /// Subtracts the origin, with one rounding in float64. What is beyond float32 becomes infinite.
+    [[nodiscard]] Vec3d at(const Vec3d& given);
+    /// Returns a bound on how far the rounding moved any finite position.
+    [[nodiscard]] double moved() const;
+
+private:
+    [[nodiscard]] double subtract(double given, double origin, double& error) const;
+
+    Vec3d origin_;
+    double largest_square_ = 0.0;
+};
+
+}  // namespace espalier::baker
