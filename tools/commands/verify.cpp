@@ -159,7 +159,6 @@ Measured measure(const Blob& blob, const Vec3d& place) {
         }));
     }
     measured.error = std::ldexp(length_of(point) + measured.distance, -48);
-    if (blob.is_deformable()) measured.error += rounded_by;  // refit() takes float32
     return measured;
 }
 

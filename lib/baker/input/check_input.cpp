@@ -247,7 +247,7 @@ Expected<Source> check_input(std::span<const MeshView> meshes, const Vec3d& orig
 
     source.origin = origin;
     report.origin = origin;
-    PositionsFromOrigin from_origin(source.origin);
+    PositionsFromOrigin from_origin(source.origin, options.deformation.has_value());
     std::optional<Complaint> complaint;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         append_mesh(meshes[i], source.first_triangle[i], options.deformation.has_value(), from_origin, source, report,

@@ -34,9 +34,10 @@ double PositionsFromOrigin::subtract(double given, double origin, double& error)
     // What the subtraction lost, exactly (Knuth's two-sum).
     const double of_given = difference + origin, of_origin = of_given - difference;
     error = (given - of_given) - (origin - of_origin);
-    if (std::abs(difference) >= hardly_zero || difference == 0.0) return difference;
-    error += difference;
-    return 0.0;
+    double kept = as_float32_ ? double(static_cast<float>(difference)) : difference;
+    if (std::abs(kept) < hardly_zero) kept = 0.0;
+    error += difference - kept;
+    return kept;
 }
 
 Vec3d PositionsFromOrigin::at(const Vec3d& given) {

@@ -21,7 +21,8 @@ namespace espalier::baker {
 /// Positions less an origin.
 class PositionsFromOrigin {
 public:
-    explicit PositionsFromOrigin(const Vec3d& origin) : origin_(origin) {}
+    /// `as_float32`: positions are rounded to float32 then, as refit() takes those of all other poses.
+    PositionsFromOrigin(const Vec3d& origin, bool as_float32) : origin_(origin), as_float32_(as_float32) {}
 
     /// Subtracts the origin, with one rounding in float64. What is beyond float32 becomes infinite.
     [[nodiscard]] Vec3d at(const Vec3d& given);
@@ -32,6 +33,7 @@ private:
     [[nodiscard]] double subtract(double given, double origin, double& error) const;
 
     Vec3d origin_;
+    bool as_float32_;
     double largest_square_ = 0.0;
 };
 

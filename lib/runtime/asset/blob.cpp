@@ -1,4 +1,5 @@
 // The bounds of a blob, where it lies in the source, and the materials of its triangles.
+#include <array>
 #include <bit>
 
 #include <espalier/blob.hpp>
@@ -20,11 +21,10 @@ Box Blob::bounds() const noexcept {
 Vec3d Blob::source_origin() const noexcept {
     if ((data_.features & format::feature::source_origin) == 0) return {};
     const std::byte* const section = data_.bytes + data_.size - format::source_origin::bytes;  // the last one
-    const auto number = [section](std::size_t k) {
-        const std::uint64_t low = load_u32(section + 8 * k), high = load_u32(section + 8 * k + 4);
-        return std::bit_cast<double>(high << 32 | low);
-    };
-    return {number(0), number(1), number(2)};
+    std::array<std::uint64_t, 3> coordinates;
+    for (std::size_t k = 0; k < 3; ++k)
+        coordinates[k] = std::uint64_t{load_u32(section + 8 * k + 4)} << 32 | load_u32(section + 8 * k);
+    return std::bit_cast<Vec3d>(coordinates);
 }
 
 std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept {

@@ -199,6 +199,37 @@ TEST_CASE("origin: without one a far mesh is baked with the error of float32 and
     CHECK(refused.message.find("choose an origin near the meshes") != std::string::npos);
 }
 
+TEST_CASE("origin: the error of a deformable blob has the float32 of its positions and a refit to them its bytes") {
+    Random random(6247);
+    for (std::uint64_t i = 0; i < scaled(50); ++i) {
+        const FarMesh mesh = far_mesh(random, {5e5, 5.4e6, 600.0}, 10.0);
+        BakeOptions options;
+        options.profile = Profile::fast;
+        options.deformation = Deformation{};
+        options.resolution = Resolution::bits(static_cast<unsigned>(random.between(8, 22)));
+        if (random.coin()) options.origin = Vec3d{5e5, 5.4e6, 600.0};
+        const BakeResult baked = bake_far(mesh, options);
+        REQUIRE(baked);
+        REQUIRE(Real(baked.report.lattice.max_error) >= largest_distance(mesh, baked.bytes));
+        std::vector<Vec3> positions;
+        for (const Vec3d& at : mesh.positions)
+            positions.push_back({static_cast<float>(at.x - options.origin->x),
+                                 static_cast<float>(at.y - options.origin->y),
+                                 static_cast<float>(at.z - options.origin->z)});
+        Mesh rounded;
+        rounded.positions = positions;
+        rounded.triangles = mesh.triangles;
+        const Vec3d origin = *options.origin;
+        options.origin = Vec3d{};
+        const BakeResult of_float32 = bake_mesh(rounded, options);
+        REQUIRE(of_float32);
+        const DecodedBlob a = decode(baked.bytes), b = decode(of_float32.bytes);
+        REQUIRE(a.triangles == b.triangles);
+        REQUIRE(a.origin == b.origin);
+        REQUIRE(open(baked.bytes).source_origin() == origin);
+    }
+}
+
 TEST_CASE("origin: float32 positions bake to the same bytes as in float64") {
     const Mesh mesh = make_icosphere(3, 7.0, {100.0f, -3.0f, 0.25f});
     FarMesh same;
