@@ -42,8 +42,9 @@ public:
         if (edges_cancel_in_pairs(mesh_) != blob_.is_closed())
             return at(format::header::features_at) + "calls the mesh " +
                    (blob_.is_closed() ? "closed, but its edges do not cancel" : "open, but its edges cancel");
-        if (blob_.max_error() != largest_snap_error(blob_.lattice().step_exponent))
-            return at(format::header::max_error_at) + "has another largest error than that of the lattice";
+        // More, where positions were rounded before: to float32, or by the subtraction of an origin.
+        if (blob_.max_error() < largest_snap_error(blob_.lattice().step_exponent))
+            return at(format::header::max_error_at) + "has a smaller largest error than that of the lattice";
         return std::nullopt;
     }
 

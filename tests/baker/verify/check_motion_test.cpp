@@ -79,7 +79,7 @@ TEST_CASE("verify: wrong counts and flags and boxes of a pose are found") {
     CHECK(contains(verdict(with(good, at::vertex_count_at, field(at::vertex_count_at) + 1, 4)), "vertices, but"));
     CHECK(contains(verdict(with(good, at::features_at, field(at::features_at) ^ format::feature::closed, 4)),
                    "edges cancel"));
-    CHECK(contains(verdict(with(good, at::max_error_at, field(at::max_error_at) + 1, 4)), "largest error"));
+    CHECK(contains(verdict(with(good, at::max_error_at, field(at::max_error_at) - 1, 4)), "largest error"));
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t low = at::pose_low_at + 4 * k, high = at::pose_high_at + 4 * k;
         CHECK(contains(verdict(with(good, low, field(low) - 1, 4)), "of the pose goes from"));
