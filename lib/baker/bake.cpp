@@ -26,7 +26,6 @@
 #include <baker/optimise/reinsertion.hpp>
 #include <baker/policy.hpp>
 #include <baker/progress.hpp>
-#include <baker/quantise/choose_origin.hpp>
 #include <baker/quantise/closed.hpp>
 #include <baker/quantise/lattice.hpp>
 #include <baker/sections/optional_sections.hpp>

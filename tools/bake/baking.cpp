@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <baker/bake_with.hpp>
-#include <baker/quantise/choose_origin.hpp>
+#include <baker/quantise/lattice.hpp>
 #include <espalier/import.hpp>
 
 #include "base/choices.hpp"

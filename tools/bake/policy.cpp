@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <baker/input/zero_area.hpp>
+#include <baker/policy.hpp>
 #include <import/base/numbers.hpp>
 
 #include "baking.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::array unit_names{"um", "mm", "cm", "in", "ft", "m", "km"};
 
-BakePolicy::SizeRange parse_size_range(const std::string& words) {
+AssetPolicy::SizeRange parse_size_range(const std::string& words) {
     constexpr const char* option = "--expect-size";
     const std::size_t dots = words.find("..");
     if (dots == std::string::npos) {
@@ -27,8 +28,8 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
                     "': write the least and the largest size with '..' between: "
                     "0.1m..10m.");
     }
-    BakePolicy::SizeRange range{parse_length(words.substr(0, dots), option),
-                                parse_length(words.substr(dots + 2), option), words};
+    AssetPolicy::SizeRange range{parse_length(words.substr(0, dots), option),
+                                 parse_length(words.substr(dots + 2), option), words};
     if (range.least < 0.0 || range.most < range.least) {
         throw_error(ExitCode::usage, option, " '", printable(words),
                     "': the least size is zero or more, and the largest no smaller.");
@@ -36,56 +37,23 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
     return range;
 }
 
-/// Returns how many triangles of a reason had a surface to lose.
-std::uint64_t lost_triangles(const BakeReport& report, const DropReason& reason, std::uint64_t equal_corners) {
-    if (reason.words_for_loss == nullptr) return 0;
-    const std::uint64_t count = (report.findings.*reason.finding).count;
-    return reason.finding == &Findings::zero_area ? count - std::min(count, equal_corners) : count;
-}
-
-std::uint64_t lost_triangles(const BakeReport& report, std::uint64_t equal_corners) {
-    std::uint64_t sum = 0;
-    for (const DropReason& reason : drop_reasons) sum += lost_triangles(report, reason, equal_corners);
-    return sum;
-}
-
-std::uint64_t triangles_with_surface(const BakeReport& report, std::uint64_t equal_corners) {
-    return report.source.triangles - std::min(report.source.triangles, equal_corners);
-}
-
-bool has_equal_corners(const ImportedMesh& mesh, const TriangleVertices& triangle) {
-    const auto are_equal = [&mesh](std::uint32_t a, std::uint32_t b) {
-        return a == b || mesh.positions[a] == mesh.positions[b];
-    };
-    const auto [a, b, c] = triangle;
-    return std::max({a, b, c}) < mesh.positions.size() && (are_equal(a, b) || are_equal(b, c) || are_equal(c, a));
-}
-
-void refuse_dropped(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
-    const std::uint64_t equal_corners = count_equal_corners(imported);
-    if (!drops_more_than(policy.max_dropped, report, equal_corners)) return;
-    std::string words;  // "3 without area (first: box.obj, mesh 0, triangle 5)" for each reason
+void refuse_dropped(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report) {
+    const baker::LostTriangles lost = baker::lost_triangles(report);
+    if (!lost.are_more_than(policy.max_dropped)) return;
     ErrorDetails details;
-    for (const DropReason& reason : drop_reasons) {
-        const Finding& found = report.findings.*reason.finding;
-        const std::uint64_t lost = lost_triangles(report, reason, equal_corners);
-        if (lost == 0) continue;
-        if (details.file.empty() && found.place) details = details_of(*found.place, imported);
-        words += text(words.empty() ? "" : ", ", lost, ' ', reason.words_for_loss, " (first: ", found.first, ")");
-    }
+    if (lost.place) details = details_of(*lost.place, imported);
     details.kind = "dropped";
     const bool is_empty = report.tree.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
-        text("dropped ", lost_triangles(report, equal_corners), " of ",
-             counted(triangles_with_surface(report, equal_corners), "triangle"), ": ", words, ". At most ",
+        text("dropped ", lost.count, " of ", counted(lost.of, "triangle"), ": ", lost.words, ". At most ",
              rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
              report.findings.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
         std::move(details));
 }
 
-void refuse_empty(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
+void refuse_empty(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report) {
     if (policy.allow_empty || report.tree.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
                        text(names_of_inputs(imported),
@@ -94,12 +62,12 @@ void refuse_empty(const BakePolicy& policy, const ImportResult& imported, const 
                        {.file = only_input(imported), .kind = "empty"});
 }
 
-bool is_within(const BakePolicy::SizeRange& range, const AssetSize& size) {
+bool is_within(const AssetPolicy::SizeRange& range, const AssetSize& size) {
     return size.extent + size.uncertainty >= range.least && size.extent - size.uncertainty <= range.most;
 }
 
 /// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
-std::string unit_hints(const BakePolicy::SizeRange& range, const ImportResult& imported, const AssetSize& size) {
+std::string unit_hints(const AssetPolicy::SizeRange& range, const ImportResult& imported, const AssetSize& size) {
     const double now = imported.files.front().metres_per_unit;
     for (const ImportedFile& file : imported.files)
         if (file.metres_per_unit != now) return {};
@@ -113,9 +81,9 @@ std::string unit_hints(const BakePolicy::SizeRange& range, const ImportResult& i
     return hints.empty() ? hints : hints + ".";
 }
 
-void refuse_size(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report) {
+void refuse_size(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report) {
     if (!policy.expected_size || report.tree.triangles == 0) return;
-    const BakePolicy::SizeRange& range = *policy.expected_size;
+    const AssetPolicy::SizeRange& range = *policy.expected_size;
     const AssetSize size = asset_size(imported);
     if (is_within(range, size)) return;
     throw CommandError(
@@ -149,8 +117,8 @@ std::vector<std::uint32_t> sound_vertices(const ImportedMesh& mesh) {
 
 }  // namespace
 
-BakePolicy bake_policy(const BakeArguments& arguments) {
-    BakePolicy policy;
+AssetPolicy asset_policy(const BakeArguments& arguments) {
+    AssetPolicy policy;
     policy.strict = arguments.source.strict;
     policy.allow_empty = arguments.source.allow_empty;
     policy.max_dropped = arguments.max_dropped;
@@ -158,7 +126,7 @@ BakePolicy bake_policy(const BakeArguments& arguments) {
     return policy;
 }
 
-void enforce(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report,
+void enforce(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report,
              std::span<const Warning> warnings) {
     if (!policy.allow_empty) refuse_empty_files(imported);
     refuse_dropped(policy, imported, report);
@@ -176,24 +144,6 @@ std::string names_of_inputs(const ImportResult& imported) {
     for (const ImportedFile& file : imported.files)
         names += text(names.empty() ? "'" : ", '", printable(file.path), '\'');
     return names;
-}
-
-std::uint64_t count_equal_corners(const ImportResult& imported) {
-    std::vector<std::uint64_t> of_mesh;
-    for (const ImportedMesh& mesh : imported.meshes) {
-        of_mesh.push_back(static_cast<std::uint64_t>(
-            std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                          [&mesh](const TriangleVertices& triangle) { return has_equal_corners(mesh, triangle); })));
-    }
-    if (imported.places.empty()) return std::accumulate(of_mesh.begin(), of_mesh.end(), std::uint64_t{0});
-    std::uint64_t sum = 0;
-    for (const ImportedPlace& place : imported.places) sum += of_mesh[place.mesh];
-    return sum;
-}
-
-bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equal_corners) {
-    return static_cast<double>(lost_triangles(report, equal_corners)) * 100.0 >
-           percent * static_cast<double>(triangles_with_surface(report, equal_corners));
 }
 
 void refuse_empty_files(const ImportResult& imported) {

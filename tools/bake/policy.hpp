@@ -18,15 +18,13 @@
 
 namespace espalier::tools {
 
-struct BakePolicy {
+/// What the command demands of a bake.
+struct AssetPolicy : BakePolicy {
     struct SizeRange {
         double least = 0.0;  ///< metres
         double most = 0.0;
         std::string words;  ///< as given
     };
-    bool strict = false;
-    bool allow_empty = false;
-    double max_dropped = 10.0;  ///< percent of the source's triangles
     std::optional<SizeRange> expected_size;
 };
 
@@ -35,31 +33,22 @@ struct DropReason {
     Finding Findings::*finding;
     const char* key;    ///< in JSON
     const char* words;  ///< in reports
-    /// In errors; null for duplicates, whose surface is in the blob once.
-    const char* words_for_loss;
 };
 inline constexpr DropReason drop_reasons[] = {
-    {&Findings::not_finite, "not_finite", "with a corner that is NaN, infinite or beyond float32", "not finite"},
-    {&Findings::index_out_of_range, "index_out_of_range", "with an index out of range", "with an index out of range"},
-    {&Findings::zero_area, "zero_area", "without area", "without area"},
-    {&Findings::collapsed, "collapsed", "that the lattice flattened to no area", "without area on the lattice"},
-    {&Findings::duplicate, "duplicate", "with the corners of another one", nullptr},
+    {&Findings::not_finite, "not_finite", "with a corner that is NaN, infinite or beyond float32"},
+    {&Findings::index_out_of_range, "index_out_of_range", "with an index out of range"},
+    {&Findings::zero_area, "zero_area", "without area"},
+    {&Findings::collapsed, "collapsed", "that the lattice flattened to no area"},
+    {&Findings::duplicate, "duplicate", "with the corners of another one"},
 };
 
 /// Throws CommandError (usage) for a range of sizes that is none.
-BakePolicy bake_policy(const BakeArguments& arguments);
+AssetPolicy asset_policy(const BakeArguments& arguments);
 
 /// Throws CommandError (invalid_input) when the result is not what the policy allows: too much dropped, empty, of an
 /// unexpected size, with warnings under --strict. Called before anything is written.
-void enforce(const BakePolicy& policy, const ImportResult& imported, const BakeReport& report,
+void enforce(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report,
              std::span<const Warning> warnings);
-
-/// Returns how many triangles, at all places, have two corners in one point: they have no surface to lose.
-std::uint64_t count_equal_corners(const ImportResult& imported);
-
-/// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob. Those with
-/// equal corners count neither as lost nor as the source's.
-bool drops_more_than(double percent, const BakeReport& report, std::uint64_t equal_corners);
 
 /// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
 void refuse_empty_files(const ImportResult& imported);
@@ -95,6 +84,6 @@ Json bake_json(const BakeArguments& arguments, const ImportResult& imported, con
                std::span<const Warning> warnings);
 
 /// Returns where the blob may not be what its user expects. A size that the policy states is expected.
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const ImportResult& imported);
+std::vector<Warning> bake_warnings(const BakeReport& report, const AssetPolicy& policy, const ImportResult& imported);
 
 }  // namespace espalier::tools

@@ -180,7 +180,7 @@ Json bake_json(const BakeArguments& arguments, const ImportResult& imported, con
     return document;
 }
 
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const ImportResult& imported) {
+std::vector<Warning> bake_warnings(const BakeReport& report, const AssetPolicy& policy, const ImportResult& imported) {
     std::vector<Warning> warnings;
     const std::string file = only_input(imported);
     const auto add = [&](const char* kind, const std::string& message) { warnings.push_back({kind, message, file}); };

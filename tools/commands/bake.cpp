@@ -66,7 +66,7 @@ BakeResult bake_or_pick(const ImportResult& imported, const BakeArguments& argum
 /// What a bake needs once its meshes are read.
 struct Baking {
     const BakeArguments& arguments;
-    const BakePolicy& policy;
+    const AssetPolicy& policy;
     const Console& console;
     const ImportResult& imported;
     const std::vector<ImportedFile>& poses;
@@ -130,7 +130,7 @@ ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings
     require_writable_mesh(arguments.reorder);
     require_writable(outputs);
     if (arguments.json) refuse_standard_output(outputs);
-    const BakePolicy policy = bake_policy(arguments);
+    const AssetPolicy policy = asset_policy(arguments);
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.materials;
     source.keep_places = arguments.instancing != Instancing::off;

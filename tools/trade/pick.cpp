@@ -5,8 +5,9 @@
 #include <tuple>
 #include <utility>
 
+#include <baker/policy.hpp>
+
 #include "bake/baking.hpp"
-#include "bake/policy.hpp"
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
 
@@ -66,8 +67,7 @@ public:
         : imported_(imported),
           options_(with_origin(imported, options)),
           rays_(make_sample_queries(imported, *options_.origin, counted_rays).rays),
-          goal_(goal),
-          equal_corners_(count_equal_corners(imported)) {}
+          goal_(goal) {}
 
     Picked run() {
         do {
@@ -116,7 +116,7 @@ private:
                 loss_ = "leaves no triangle";
                 return;
             }
-            if (drops_more_than(goal_.max_dropped, report, equal_corners_)) {
+            if (baker::lost_triangles(report).are_more_than(goal_.max_dropped)) {
                 loss_ = "drops more triangles than --max-dropped allows";
                 return;
             }
@@ -164,7 +164,6 @@ private:
     BakeOptions options_;
     std::vector<Ray> rays_;
     const PickGoal& goal_;
-    std::uint64_t equal_corners_;
     std::vector<TradePoint> tried_;
     bool some_fit_ = false;
     std::string loss_;  // what a lattice coarser than the tried ones does

@@ -1,5 +1,6 @@
 // The lattice of one asset: world = origin + q * 2^step_exponent with whole q. The origin is itself a whole multiple of
-// the step, so that all assets with one step lie on one lattice, whatever their origins are.
+// the step, so that all assets with one step lie on one lattice, whatever their origins are. Before, an origin of the
+// source is subtracted from all positions, which is a multiple of the step too where the baker chooses it.
 #pragma once
 
 #include <algorithm>
@@ -49,6 +50,11 @@ struct SourceBounds {
 };
 
 [[nodiscard]] SourceBounds bounds_of(const Source& source);
+
+/// Returns BakeOptions::origin; where there is none, 0 or a place near the middle of the meshes. The latter is a whole
+/// multiple of a power of two that no side of the meshes reaches, and so of any step: tiles with an origin each stay on
+/// one lattice.
+[[nodiscard]] Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options);
 
 /// Round to nearest, ties to even, for |value| < 2^51: in binary64 the sum keeps no bit below 1.
 [[nodiscard]] inline double round_half_even(double value) {

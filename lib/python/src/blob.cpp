@@ -1,7 +1,7 @@
 // Blobs: opening, facts, their bytes, and other poses of deformable ones.
 #include "bindings.hpp"
+#include "floats.hpp"
 #include "held_blob.hpp"
-#include "origin.hpp"
 
 #include <array>
 #include <cstddef>

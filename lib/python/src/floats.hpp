@@ -3,16 +3,26 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <pybind11/numpy.h>
 
 #include <espalier/batches/arrays.hpp>
-
-#include "origin.hpp"
+#include <espalier/blob.hpp>
+#include <espalier/types.hpp>
 
 namespace espalier::python {
+
+/// Where 0 0 0 of a blob lies in its source; none where the two have the same coordinates.
+using Origin = std::optional<Vec3d>;
+
+/// Returns the origin of a blob.
+inline Origin origin_of(const Blob& blob) {
+    const Vec3d origin = blob.source_origin();
+    return origin == Vec3d{} ? Origin() : Origin(origin);
+}
 
 namespace py = pybind11;
 
