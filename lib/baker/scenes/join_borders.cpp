@@ -40,6 +40,7 @@ struct BorderEdge {
     std::uint32_t blob;
     std::uint32_t triangle;
     std::uint8_t number;
+    bool is_crowded = false;  ///< another blob has two triangles there or more
 
     [[nodiscard]] auto ends() const { return std::tuple(low.x, low.y, low.z, high.x, high.y, high.z); }
 };
@@ -120,8 +121,9 @@ Expected<Part> open_part(const JoinedBlob& placed, std::size_t number, const Joi
     return part;
 }
 
-/// Adds the edges that a triangle has alone, and calls them boundaries, whatever an earlier call made of them.
-void add_border(Part& part, std::uint32_t number, std::vector<BorderEdge>& border) {
+/// Calls function(edge, count) for each edge of a blob, as one of its triangles runs along it, and the number of these.
+template <class Function>
+void for_each_edge(const Part& part, std::uint32_t number, Function function) {
     IndexedHashSet points(part.corners.size() * 3);
     std::vector<Integer3> vertices;
     std::vector<std::array<std::uint32_t, 3>> numbers;
@@ -143,16 +145,37 @@ void add_border(Part& part, std::uint32_t number, std::vector<BorderEdge>& borde
     const EdgeTable table(static_cast<std::uint32_t>(numbers.size()), vertices.size(),
                           [&](std::uint32_t i) -> const std::array<std::uint32_t, 3>& { return numbers[i]; });
     table.for_each_pair([&](std::uint32_t, std::span<const TriangleEdge> edges) {
-        if (edges.size() != 1) return;
         BorderEdge edge{{}, {}, true, number, triangles[edges[0].triangle], edges[0].number};
-        part.kinds[edge.triangle][edge.number] = boundary;
         const TriangleAtEdge at = part.at(edge);
         edge.low = at[0];
         edge.high = at[1];
         edge.ascends = std::tuple(at[0].x, at[0].y, at[0].z) < std::tuple(at[1].x, at[1].y, at[1].z);
         if (!edge.ascends) std::swap(edge.low, edge.high);
-        border.push_back(edge);
+        function(edge, edges.size());
     });
+}
+
+/// The edges that one triangle of a blob has alone, sorted by their ends. They are called boundaries, whatever an
+/// earlier call made of them.
+std::vector<BorderEdge> find_borders(std::vector<Part>& parts) {
+    std::vector<BorderEdge> border;
+    for (std::uint32_t number = 0; number < parts.size(); ++number) {
+        for_each_edge(parts[number], number, [&](const BorderEdge& edge, std::size_t count) {
+            if (count != 1) return;
+            parts[number].kinds[edge.triangle][edge.number] = boundary;
+            border.push_back(edge);
+        });
+    }
+    std::ranges::stable_sort(border, {}, &BorderEdge::ends);
+    // Where a third blob has several triangles, the edge is no border between two.
+    for (std::uint32_t number = 0; parts.size() > 2 && number < parts.size(); ++number) {
+        for_each_edge(parts[number], number, [&](const BorderEdge& edge, std::size_t count) {
+            if (count == 1) return;
+            for (BorderEdge& same : std::ranges::equal_range(border, edge.ends(), {}, &BorderEdge::ends))
+                same.is_crowded = true;
+        });
+    }
+    return border;
 }
 
 /// Writes the flags of each storage index; a copy has the corners of its owner, perhaps from another one on.
@@ -176,21 +199,19 @@ void write(std::span<std::byte> bytes, const Part& part) {
 
 Expected<std::uint64_t> join(std::span<const JoinedBlob> blobs) {
     std::vector<Part> parts;
-    std::vector<BorderEdge> border;
     for (std::size_t i = 0; i < blobs.size(); ++i) {
         Expected<Part> part = open_part(blobs[i], i, blobs[0]);
         if (!part) return part.refusal();
         if (i != 0 && part->flat_limit != parts[0].flat_limit)
             return refuse(i, "was baked with another flat_angle than blob 0");
         parts.push_back(std::move(*part));
-        add_border(parts.back(), static_cast<std::uint32_t>(i), border);
     }
-    std::ranges::stable_sort(border, {}, &BorderEdge::ends);
+    const std::vector<BorderEdge> border = find_borders(parts);
     std::uint64_t joined = 0;
     for (auto begin = border.begin(); begin != border.end();) {
         const auto end =
             std::find_if(begin, border.end(), [&](const BorderEdge& e) { return e.ends() != begin->ends(); });
-        if (end - begin == 2 && begin[0].ascends != begin[1].ascends) {
+        if (end - begin == 2 && begin[0].ascends != begin[1].ascends && !begin[0].is_crowded) {
             const EdgeKind kind =
                 kind_of_edge(parts[begin[0].blob].at(begin[0]), parts[begin[1].blob].at(begin[1]), parts[0].flat_limit);
             for (const BorderEdge* edge : {&begin[0], &begin[1]})

@@ -171,6 +171,26 @@ TEST_CASE("edge flags: a body over a seam of tiles has contacts as deep as over 
     }
 }
 
+TEST_CASE("edge flags: an edge at which four triangles meet is no border between two of their blobs") {
+    const auto wing = [](float y, float z, bool is_turned) {
+        Mesh mesh;
+        mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.5f, y, z}};
+        mesh.triangles = {{is_turned ? 1u : 0u, is_turned ? 0u : 1u, 2u}};
+        return mesh;
+    };
+    Mesh roof = wing(0.0f, 1.0f, false);
+    roof.positions.push_back({0.5f, 0.5f, 1.0f});
+    roof.triangles.push_back({1, 0, 3});
+    const BakeOptions options = {.resolution = Resolution::step(-8), .flat_angle = 5.0};
+    auto left = must_bake_mesh(wing(-1.0f, 0.0f, true), options).bytes,
+         right = must_bake_mesh(wing(1.0f, 0.0f, false), options).bytes, above = must_bake_mesh(roof, options).bytes;
+    const JoinedBlob all[] = {{left, {}}, {right, {}}, {above, {}}};
+    CHECK(join_borders(std::span(all).first(2)).edges == 1);
+    CHECK(join_borders(all).edges == 0);
+    const EdgeKinds kinds = *edge_kinds(open(left), TriangleId{0});
+    CHECK((kinds.ab == EdgeKind::boundary && kinds.bc == EdgeKind::boundary && kinds.ca == EdgeKind::boundary));
+}
+
 TEST_CASE("edge flags: a blob that cannot be joined is refused by number and nothing is changed") {
     const Mesh ground = centred(make_terrain(8, 5));
     const BakeOptions options = {.resolution = Resolution::step(-8), .flat_angle = 5.0};
