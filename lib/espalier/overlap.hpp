@@ -27,6 +27,9 @@ using FindOverlaps = QueryStatus (*)(const BlobData& blob, const void* shape, Ea
 /// links only those that it uses.
 template <OverlapShape Shape>
 QueryStatus find_overlaps_of(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy);
+template <>
+QueryStatus find_overlaps_of<Sphere>(const BlobData& blob, const void* shape, Each& answer,
+                                     const WalkAccuracy& accuracy);  // of its own, whichever file comes first
 
 /// A shape of any type.
 struct AnyShape {
