@@ -72,6 +72,7 @@ struct ContactsOf : Each {
     float margin;        ///< in the caller's units
     float margin_steps;  ///< lattice steps
     SortedContacts& sorted;
+    float flat_cosine;
     float deepest = infinity;  ///< the least distance of the body and a triangle, before any correction
 
     ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, SortedContacts& into)
@@ -80,7 +81,8 @@ struct ContactsOf : Each {
           owner(of_blob),
           margin(within),
           margin_steps(radius_in_steps(data_of(of_blob), within)),
-          sorted(into) {
+          sorted(into),
+          flat_cosine(square_root(1.0f - contacts::flat_limit_of(blob))) {
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
             return static_cast<ContactsOf&>(self).add(index, triangle);
         };
@@ -88,8 +90,8 @@ struct ContactsOf : Each {
 
     Visit add(std::uint32_t index, const LatticeTriangle& triangle) {
         const bool is_behind = is_origin_behind(body.seen(triangle));
-        FacingSide side = {is_behind, internal_features(owner, TriangleId{index}), {}, {}};
-        const SurfaceAround around(blob, body, index, triangle, side);
+        FacingSide side = {is_behind, internal_features(owner, TriangleId{index}), {}, {}, flat_cosine};
+        const SurfaceAround around(owner, body, index, triangle, side);
         const auto faces = [&around](Feature feature) { return around.faces(feature); };
         side.faces = faces;
         const auto find_nearest_side = [this](const Vec3& face, bool& is_behind_it) {

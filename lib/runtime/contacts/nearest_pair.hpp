@@ -89,13 +89,17 @@ struct FirstPlace {
             return true;
         const Vec3 to_middle = nearest.on_triangle * -1.0f;
         bool is_back = false, is_turned = false;
-        if (!side.finds_side(nearest.feature, seen.face, is_back)) {
-            if (!leads_through) return true;
-            GapAlong through = {seen.face};  // the side on which most of the shape is
+        const bool is_open = !side.finds_side(nearest.feature, seen.face, is_back);
+        if (is_open) {
+            GapAlong through = {seen.face};  // the side on which most of the shape is that is over the triangle
             find_gap(through);
             is_back = -through.to_touch > through.to_leave;
         }
         GapAlong along = {outward_from(seen.face, is_back, to_middle, size * 0x1p-20f, is_turned)};
+        if (is_open && side.is_bent(along.way, seen.face)) {
+            along.way = side.own_normal(seen.face);
+            is_turned = false;
+        }
         find_gap(along);
         if (!is_deep && !leads_through && !along.is_over()) return false;
         normal = along.way;

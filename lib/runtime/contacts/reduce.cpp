@@ -29,7 +29,7 @@ public:
         return {contact.normal, cross(arm, contact.normal)};
     }
 
-    /// Of all points about their middle.
+    /// How far the points reach from their middle.
     [[nodiscard]] float size() const { return size_; }
 
 private:

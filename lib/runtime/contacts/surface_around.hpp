@@ -18,14 +18,14 @@ inline float flat_limit_of(const BlobData& blob) {
     return static_cast<float>(load_u32(blob.edge_flags)) / static_cast<float>(format::edge_flags::max_flat_limit);
 }
 
-/// Hands the triangles at a corner to a callable.
+/// Hands the triangles at a place to a callable.
 template <class Take>
-struct AtCorner : Each {
+struct AtPlace : Each {
     Take& take;
 
-    AtCorner(const BlobData& from, const TriangleVisitor& by_id, Take& with) : Each(from, by_id), take(with) {
+    AtPlace(const BlobData& from, const TriangleVisitor& by_id, Take& with) : Each(from, by_id), take(with) {
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
-            return static_cast<AtCorner&>(self).take(index, triangle);
+            return static_cast<AtPlace&>(self).take(index, triangle);
         };
     }
 };
@@ -35,7 +35,7 @@ template <class Take>
 bool visit_triangles_at(const BlobData& blob, const std::int32_t* corner, Take take) {
     // Where the leaf is not at hand, on small cores, the triangle is searched.
     const auto search = [&](TriangleId id) { return take(id.index, find_triangle(blob, id.index)); };
-    AtCorner<Take> answer(blob, search, take);
+    AtPlace<Take> answer(blob, search, take);
     const LatticeBox at = {{corner[0], corner[1], corner[2]}, {corner[0], corner[1], corner[2]}};
     return find_overlaps_of<LatticeBox>(blob, &at, answer, exactly) == QueryStatus::stopped;
 }
@@ -44,10 +44,19 @@ inline bool is_same_place(const std::int32_t* a, const std::int32_t* b) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/// An edge of a triangle, from corner `from` to corner `to`, or the corner `from`.
+/// Returns the number of the corner of a triangle that is that place, or 3.
+inline unsigned corner_at(const LatticeTriangle& triangle, const std::int32_t* place) {
+    unsigned at = 0;
+    while (at < 3 && !is_same_place(triangle.corner[at], place)) ++at;
+    return at;
+}
+constexpr unsigned corner_after(unsigned corner) { return corner == 2 ? 0 : corner + 1; }
+constexpr unsigned corner_before(unsigned corner) { return corner == 0 ? 2 : corner - 1; }
+
+/// An edge of a triangle, from corner `from` to corner `to`, or the corner that is both.
 struct Part {
     bool is_edge;
-    unsigned from, to, before;
+    unsigned from, to;
 
     explicit Part(Feature feature) {
         const auto number = static_cast<unsigned>(feature);
@@ -55,9 +64,41 @@ struct Part {
                        first_vertex = static_cast<unsigned>(Feature::vertex_a);
         is_edge = number < first_vertex;
         from = number - (is_edge ? first_edge : first_vertex);
-        to = from == 2 ? 0 : from + 1;
-        before = from == 0 ? 2 : from - 1;
+        to = is_edge ? corner_after(from) : from;
     }
+};
+
+/// The triangles of a blob at a corner: whether an internal edge there has no second one, because the surface goes on
+/// in another blob, and how far their faces lean from one of them.
+class Fan {
+public:
+    explicit Fan(const Vec3& face) : face_(face) {}
+
+    void add(const LatticeTriangle& triangle, unsigned at, InternalFeatures internal, bool is_back) {
+        // Each edge is seen from both of its triangles, in opposite directions, so that pairs cancel.
+        const unsigned before = corner_before(at);
+        if (internal.have(edge_of(static_cast<int>(at)), is_back)) sum_ += mixed(triangle.corner[corner_after(at)]);
+        if (internal.have(edge_of(static_cast<int>(before)), is_back)) sum_ -= mixed(triangle.corner[before]);
+        const Vec3 face = face_normal_of(triangle);
+        if (largest(face) > 0.0f) least_cosine_ = minimum(least_cosine_, dot(face, face_));
+    }
+    [[nodiscard]] bool goes_on() const { return sum_ != 0; }
+    [[nodiscard]] float least_cosine() const { return least_cosine_; }
+
+private:
+    /// Spreads a place over all bits, so that sums of several hardly agree by chance (Steele, Lea and Flood 2014).
+    static std::uint64_t mixed(const std::int32_t* place) {
+        std::uint64_t bits = 0;
+        for (int k = 0; k < 3; ++k) {
+            bits = (bits ^ static_cast<std::uint32_t>(place[k])) * 0xbf58476d1ce4e5b9u;
+            bits ^= bits >> 31;
+        }
+        return bits;
+    }
+
+    Vec3 face_;
+    std::uint64_t sum_ = 0;
+    float least_cosine_ = 1.0f;
 };
 
 /// A triangle, seen from the middle of a body.
@@ -75,7 +116,7 @@ struct SeenFromMiddle {
     }
     /// How far the middle is from an edge, toward the inside of the triangle; times the length of the edge.
     [[nodiscard]] float inward_of(unsigned from) const {
-        const unsigned to = from == 2 ? 0 : from + 1;
+        const unsigned to = corner_after(from);
         return dot(cross(face, corner[to] - corner[from]), corner[from]) * -1.0f;
     }
 };
@@ -83,21 +124,22 @@ struct SeenFromMiddle {
 /// The surface around one triangle that a body touches, for places on its internal features.
 class SurfaceAround {
 public:
-    SurfaceAround(const BlobData& blob, Body& body, std::uint32_t index, const LatticeTriangle& triangle,
+    SurfaceAround(const Blob& blob, Body& body, std::uint32_t index, const LatticeTriangle& triangle,
                   const FacingSide& side)
-        : blob_(blob), body_(body), index_(index), triangle_(triangle), side_(side) {}
+        : owner_(blob), blob_(data_of(blob)), body_(body), index_(index), triangle_(triangle), side_(side) {}
 
     /// Whether the surface that goes on at an edge or corner has the body's middle on the same side as the triangle: of
     /// an edge the other triangle there, of a corner the one that the middle is over.
     [[nodiscard]] bool faces(Feature feature) const {
         const Part part(feature);
+        const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_known = false, is_same_side = true;
-        visit_triangles_at(blob_, triangle_.corner[part.from], [&](std::uint32_t, const LatticeTriangle& other) {
-            unsigned at = 0;  // the corner that both have
-            while (at < 2 && !is_same_place(other.corner[at], triangle_.corner[part.from])) ++at;
-            const unsigned before = at == 0 ? 2 : at - 1;
+        visit_triangles_at(blob_, less_crowded(part), [&](std::uint32_t, const LatticeTriangle& other) {
+            const unsigned at = corner_at(other, from);
+            if (at == 3) return Visit::next;
+            const unsigned before = corner_before(at);
             // Along an edge both run in opposite directions.
-            if (part.is_edge && !is_same_place(other.corner[before], triangle_.corner[part.to])) return Visit::next;
+            if (part.is_edge && !is_same_place(other.corner[before], to)) return Visit::next;
             const SeenFromMiddle seen(body_, other);
             if (!part.is_edge && (seen.inward_of(at) < 0.0f || seen.inward_of(before) < 0.0f)) return Visit::next;
             is_known = true;
@@ -112,15 +154,15 @@ public:
     bool has_nearer(Touches& touches) const {
         Touch& place = touches.touch[0];
         const Part part(place.feature);
-        const unsigned corners = 1u << part.from | (part.is_edge ? 1u << part.to : 0u);
-        unsigned joined_edges = 0;  // a bit for each edge that another triangle has
+        const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
+        bool is_joined = false;  // the edge has another triangle
+        Fan fan(face_normal_of(triangle_));
         const auto is_nearer = [&](std::uint32_t index, const LatticeTriangle& other) {
-            unsigned same = 0;
-            for (unsigned i = 0; i < 3; ++i)
-                for (const auto& corner : other.corner)
-                    same |= is_same_place(triangle_.corner[i], corner) ? 1u << i : 0u;
-            if (index == index_ || (same & corners) != corners) return Visit::next;
-            joined_edges |= same & (same >> 1 | same << 2);
+            const unsigned at = corner_at(other, from);
+            if (at == 3 || corner_at(other, to) == 3) return Visit::next;
+            if (!part.is_edge) fan.add(other, at, internal_features(owner_, TriangleId{index}), side_.is_back);
+            if (index == index_) return Visit::next;
+            is_joined = true;
             Touches of_other;
             body_.touch(other, FacingSide{}, touches.nearest, of_other);
             if (of_other.count == 0) return Visit::next;
@@ -128,23 +170,36 @@ public:
                 of_other.nearest < touches.nearest || (of_other.nearest == touches.nearest && index < index_);
             return comes_first ? Visit::stop : Visit::next;
         };
-        if (visit_triangles_at(blob_, triangle_.corner[part.from], is_nearer)) return true;
-        const unsigned edges = 1u << part.from | (part.is_edge ? 0u : 1u << part.before);
-        if ((edges & ~joined_edges) == 0) return false;
-        // Over an edge between flat faces a direction leans by less than the angle between them; over the tip of many
-        // it may lean by more.
-        const Vec3 outward = face_normal_of(triangle_) * (side_.is_back ? -1.0f : 1.0f);
-        const float lean = dot(outward, place.normal),
-                    least = part.is_edge ? 1.0f - flat_limit() : minimum(1.0f - flat_limit(), 0.5f);
-        if (lean < 0.0f || lean * lean < least - 0x1p-12f) return true;
+        if (visit_triangles_at(blob_, less_crowded(part), is_nearer)) return true;
+        if (part.is_edge ? is_joined : !fan.goes_on()) return false;
+        // What lies beyond leans by at most the flat angle from a face of this blob.
+        const Vec3 outward = side_.own_normal(face_normal_of(triangle_));
+        const float flat = side_.flat_cosine, least = fan.least_cosine();
+        const auto sine_of = [](float cosine) { return square_root(maximum(1.0f - cosine * cosine, 0.0f)); };
+        const float limit = least * flat - sine_of(least) * sine_of(flat);
+        if (dot(outward, place.normal) < maximum(limit - 0x1p-12f, 0.0f)) return true;
         place.normal = outward;
         touches.count = 1;  // the others were along the direction that is replaced
         return false;
     }
 
 private:
-    [[nodiscard]] float flat_limit() const { return flat_limit_of(blob_); }
+    /// The end of an edge where probably fewer triangles meet, because this one has the larger angle there: at the tip
+    /// of a cone of thousands each would else look at all others.
+    [[nodiscard]] const std::int32_t* less_crowded(const Part& part) const {
+        const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
+        const auto squared = [beyond = triangle_.corner[corner_before(part.from)]](const std::int32_t* end) {
+            float sum = 0.0f;
+            for (int k = 0; k < 3; ++k) {
+                const auto side = static_cast<float>(beyond[k] - end[k]);
+                sum += side * side;
+            }
+            return sum;
+        };
+        return squared(to) < squared(from) ? to : from;
+    }
 
+    const Blob& owner_;
     const BlobData& blob_;
     Body& body_;
     std::uint32_t index_;

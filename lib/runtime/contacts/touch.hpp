@@ -85,7 +85,14 @@ struct FacingSide {
     /// Sets whether the middle is behind the surface that is nearest to it, if that faces the way of `face`. Returns
     /// false if that is open. Empty: there is no other surface.
     FunctionRef<bool(const Vec3& face, bool& is_behind)> find_nearest_side;
+    float flat_cosine = 0.0f;  ///< of the largest angle that counts as flat
 
+    /// The normal of a face on the side of its plane where the middle is.
+    [[nodiscard]] Vec3 own_normal(const Vec3& face) const { return face * (is_back ? -1.0f : 1.0f); }
+    /// Whether a normal leans farther from that of a face than a surface that is flat there can bend.
+    [[nodiscard]] bool is_bent(const Vec3& normal, const Vec3& face) const {
+        return absolute(dot(normal, face)) < flat_cosine - 0x1p-18f;
+    }
     [[nodiscard]] bool is_internal(Feature feature) const { return internal.have(feature, is_back); }
     [[nodiscard]] bool is_flat(Feature feature) const {
         return internal.have(feature, false) && internal.have(feature, true);
@@ -100,18 +107,20 @@ struct FacingSide {
     /// valley whose other slope has the middle behind it.
     [[nodiscard]] bool keeps(Feature feature, const Vec3& normal, const Vec3& face) const {
         if (!is_internal(feature)) return true;
-        if (dot(face, normal) * (is_back ? -1.0f : 1.0f) > 1.0f - 0x1p-20f) return true;
+        if (dot(own_normal(face), normal) > 1.0f - 0x1p-20f) return true;
         return faces && !is_flat(feature) && !faces(feature);
     }
 };
 
 /// Returns the normal of a face on one side or, where that would lead the middle back, the direction nearest to it that
-/// does not.
+/// does not. Of a middle straight behind the face none is nearest: what is left of the normal is rounding.
 inline Vec3 outward_from(const Vec3& face, bool is_back, const Vec3& to_middle, float rounding, bool& is_turned) {
     const Vec3 outward = is_back ? face * -1.0f : face;
     const float level = dot(outward, to_middle);
-    is_turned = level < -rounding;
-    return is_turned ? direction_of(outward - to_middle * (level / dot(to_middle, to_middle))) : outward;
+    Vec3 turned;
+    if (level < -rounding) turned = outward - to_middle * (level / dot(to_middle, to_middle));
+    is_turned = largest(turned) > 0x1p-10f;
+    return is_turned ? direction_of(turned) : outward;
 }
 
 /// A closest or deepest place comes first. If it is on an internal feature, or the way out of it led the body's middle
@@ -120,9 +129,8 @@ struct Touches {
     static constexpr unsigned most = 8;
     Touch touch[most];
     unsigned count = 0;
-    float nearest = 0.0f;  ///< the distance of body and triangle, or minus the length of the shortest way out
-    bool is_beside =
-        false;  ///< the first place is on an internal feature, and no part of the body is over the triangle
+    float nearest = 0.0f;    ///< the distance of body and triangle, or minus the length of the shortest way out
+    bool is_beside = false;  ///< the first place is on an internal feature, and the body is not over the triangle
 
     /// Adds a place on the face unless it is nearer than `apart` to one before it.
     void add(const Vec3& point, const Vec3& normal, float distance, float apart) {

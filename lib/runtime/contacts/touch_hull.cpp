@@ -49,7 +49,10 @@ public:
         for_each_edge(hull, [&](const HullEdge& edge) {
             for (unsigned side = 0; side < 3; ++side) try_edges(edge, side);
             if (hull.vertex_count == 2) try_across(edge.units);
+            if (is_flat(hull)) try_within_plane(to_vector(edge.units));
         });
+        if (!is_flat(hull)) return;
+        for (const Integer3& side : triangle.side) try_within_plane(to_vector(side));
     }
 
 private:
@@ -89,6 +92,15 @@ private:
         if (goes_down && !best_.rules_out(-gap)) try_way(way * -1.0f);
     }
 
+    static bool is_flat(const HullBody& hull) { return hull.face_count <= 2; }
+
+    /// Tries both directions across an edge within the triangle's plane, in which a flat hull may lie beside it.
+    void try_within_plane(const Vec3& edge) {
+        const Vec3 way = direction_of(contacts::cross(triangle_.front, edge));
+        if (!(dot(way, way) > 0.0f)) return;
+        try_way(way);
+        try_way(way * -1.0f);
+    }
     /// Tries directions across a segment. A triangle that is a point has no sides, so that no product gives one.
     void try_across(const Integer3& along) {
         constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

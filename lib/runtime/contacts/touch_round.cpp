@@ -131,11 +131,22 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     bool leads_through = false;  // the middle, after the way out
     for (const Vec3& at : corner) leads_through = leads_through || (is_deep && dot(first.normal, at - middle) > 0.0f);
     bool is_back = false;
-    if (largest(face) > 0.0f && (leads_through || !side.keeps(first.feature, first.normal, face)) &&
-        (side.finds_side(first.feature, face, is_back) || leads_through)) {
+    if (largest(face) > 0.0f && (leads_through || !side.keeps(first.feature, first.normal, face))) {
+        const bool is_open = !side.finds_side(first.feature, face, is_back);
+        if (is_open) {
+            // The side on which most of what is over the triangle lies.
+            float low = 0.0f, high = 1.0f;
+            const bool is_over = Prism(corner, face).clip({}, along, low, high);
+            is_back = is_over ? dot(face, along * (0.5f * (low + high)) - corner[0]) < 0.0f : side.is_back;
+        }
         const Vec3 to_middle = start + middle - first.point;
+        const float rounding = (largest(start) + largest(along)) * 0x1p-22f;
         bool is_turned = false;
-        const Vec3 outward = outward_from(face, is_back, to_middle, largest(to_middle) * 0x1p-20f, is_turned);
+        Vec3 outward = outward_from(face, is_back, to_middle, rounding, is_turned);
+        if (is_open && side.is_bent(outward, face)) {
+            outward = side.own_normal(face);
+            is_turned = false;
+        }
         float low = 0.0f, high = 1.0f;
         const bool is_over = Prism(corner, outward).clip({}, along, low, high);
         const float steepness = dot(face, outward), at_low = dot(face, along * low - corner[0]) / steepness,

@@ -32,18 +32,50 @@ struct Ground {
     const char* name;
     Mesh mesh;
     bool is_within_flat_angle;  ///< all edges are flat but for those at a border
+    bool is_tiled = false;      ///< baked in four tiles, whose borders are joined
 };
 
 std::vector<Ground> grounds() {
     const double tan4 = std::tan(4.0 * 3.14159265358979 / 180.0);
-    return {{"level", make_ground(8, [](double, double) { return 0.0; }), true},
-            {"slope", make_ground(8, [](double x, double y) { return 0.36 * x + 0.05 * y; }), true},
-            {"flat roofs", make_ground(8, [&](double x, double) { return roof(x, 0.5 * tan4); }), true},
-            {"steep roofs", make_ground(8, [](double x, double) { return roof(x, 0.7); }), false},
-            {"dome", make_ground(16, [](double x, double y) { return -0.04 * (x * x + y * y); }), true},
-            {"bowl", make_ground(8, [](double x, double y) { return 0.1 * (x * x + y * y); }), false},
-            {"cube", make_cube(-1.0f, 1.0f), false},
-            {"ball", make_icosphere(4, 3.0, {0.0f, 0.0f, 0.0f}), true}};
+    std::vector<Ground> all = {
+        {"level", make_ground(8, [](double, double) { return 0.0; }), true},
+        {"slope", make_ground(8, [](double x, double y) { return 0.36 * x + 0.05 * y; }), true},
+        {"flat roofs", make_ground(8, [&](double x, double) { return roof(x, 0.5 * tan4); }), true},
+        {"steep roofs", make_ground(8, [](double x, double) { return roof(x, 0.7); }), false},
+        {"dome", make_ground(16, [](double x, double y) { return -0.04 * (x * x + y * y); }), true},
+        {"bowl", make_ground(8, [](double x, double y) { return 0.1 * (x * x + y * y); }), false},
+        {"cube", make_cube(-1.0f, 1.0f), false},
+        {"ball", make_icosphere(4, 3.0, {0.0f, 0.0f, 0.0f}), true}};
+    for (std::size_t i : {0, 1, 2, 4}) {
+        all.push_back(all[i]);
+        all.back().is_tiled = true;
+    }
+    return all;
+}
+
+/// The bytes of the ground's blobs: one, or that of each quadrant.
+std::vector<Bytes> bake_ground(const Ground& ground, double flat_angle) {
+    BakeOptions options;
+    if (flat_angle > 0.0) options.flat_angle = flat_angle;
+    if (!ground.is_tiled) return {bake_or_throw(ground.mesh, options)};
+    options.resolution = Resolution::step(-12);
+    std::vector<Bytes> tiles;
+    std::vector<JoinedBlob> joined;
+    for (unsigned i = 0; i < 4; ++i) {
+        Mesh tile = ground.mesh;
+        std::erase_if(tile.triangles, [&](const auto& t) {
+            float x = 0.0f, y = 0.0f;
+            for (const std::uint32_t corner : t) {
+                x += tile.positions[corner].x;
+                y += tile.positions[corner].y;
+            }
+            return (x > 0.0f) != (i % 2 == 1) || (y > 0.0f) != (i / 2 == 1);
+        });
+        tiles.push_back(bake_or_throw(tile, options));
+    }
+    for (auto& tile : tiles) joined.push_back({tile, {}});
+    if (flat_angle > 0.0) REQUIRE(join_borders(joined).edges >= 4);
+    return tiles;
 }
 
 /// A body as the library and as the reference have it.
@@ -141,26 +173,35 @@ double gap_seen_along(const Point& way, const Points& a, const Points& b) {
 class Tried {
 public:
     Tried(const Ground& ground, double flat_angle)
-        : ground_(ground),
-          flat_angle_(flat_angle),
-          blob_(ground.mesh, flat_angle > 0.0 ? BakeOptions{.flat_angle = flat_angle} : BakeOptions{}),
-          step_(std::ldexp(1.0, blob_.blob.lattice().step_exponent)) {
-        const auto surface = reference::baked_surface(blob_.bytes);
-        for (std::uint32_t t = 0; t < surface.size(); ++t) {
-            Plot plot = {{surface[t].begin(), surface[t].end()}, surface[t], {}};
-            if (const auto kinds = edge_kinds(blob_.blob, {t})) plot.kinds = *kinds;
-            plots_.push_back(plot);
+        : ground_(ground), flat_angle_(flat_angle), bytes_(bake_ground(ground, flat_angle)) {
+        for (const auto& bytes : bytes_) {
+            tiles_.push_back({open(bytes), static_cast<std::uint32_t>(plots_.size())});
+            const Blob& blob = tiles_.back().blob;
+            const auto surface = reference::baked_surface(bytes);
+            for (std::uint32_t t = 0; t < surface.size(); ++t) {
+                Plot plot = {{surface[t].begin(), surface[t].end()}, surface[t], {}};
+                if (const auto kinds = edge_kinds(blob, {t})) plot.kinds = *kinds;
+                plots_.push_back(plot);
+            }
+            step_ = std::ldexp(1.0, blob.lattice().step_exponent);
         }
     }
 
     void try_body(const Body& body, float margin) {
-        std::vector<Contact> contacts(2000);
-        const Filled found = body.contacts(blob_.blob, margin, contacts);
-        REQUIRE(found.status == QueryStatus::ok);
-        contacts.resize(found.count);
+        std::vector<Contact> contacts;
+        for (const Tile& tile : tiles_) {
+            std::vector<Contact> room(2000);
+            const Filled found = body.contacts(tile.blob, margin, room);
+            REQUIRE(found.status == QueryStatus::ok);
+            for (Contact contact : found.in(room)) {
+                contact.triangle.index += tile.first_plot;
+                contacts.push_back(contact);
+            }
+        }
+        std::ranges::stable_sort(contacts, {}, &Contact::distance);
         const Vec3 middle = {static_cast<float>(body.middle.x), static_cast<float>(body.middle.y),
                              static_cast<float>(body.middle.z)};
-        if (blob_.blob.is_closed() && contains(blob_.blob, middle).yes()) return;
+        if (tiles_[0].blob.is_closed() && contains(tiles_[0].blob, middle).yes()) return;
         error_ = step_ / 8.0 + 1e-5;
         near_.clear();
         double deepest = std::numeric_limits<double>::infinity(), reach = static_cast<double>(body.radius);
@@ -218,9 +259,13 @@ private:
         if (!plot.is_flat()) return;
         // Where all edges are flat, every contact has the direction of the surface, and is below the body.
         double cosine = -1.0;
+        // Behind one slope and in front of the plane of another a body may leave either. A tile does not know on which
+        // side of the next one the middle of a body is that reaches through that.
+        const bool is_in_doubt = ground_.is_tiled || level * side_ < 0.0;
         for (const std::uint32_t t : near_) {
             if (std::sqrt(reference::squared_distance(place, plots_[t].triangle)) > error_) continue;
-            cosine = std::max(cosine, side_ * reference::dot(normal, plots_[t].normal()));
+            const double aligned = side_ * reference::dot(normal, plots_[t].normal());
+            cosine = std::max(cosine, is_in_doubt ? std::abs(aligned) : aligned);
         }
         const auto degrees = [](double of_cosine) {
             return std::acos(std::min(of_cosine, 1.0)) * 180.0 / 3.14159265358979;
@@ -231,7 +276,9 @@ private:
         // Of a place that is nearly in the plane only rounding tells the direction.
         if (ground_.is_within_flat_angle && side_ != 0.0 && std::abs(plot.separation) > 64.0 * error_)
             REQUIRE(off <= flat_angle_ + 0.1);
-        REQUIRE(gap_seen_along(normal, body.core, plot.corners) <= error_);
+        // At a seam, beyond which the tile knows of nothing, the body may lean over by the flat angle.
+        const double over = ground_.is_tiled ? std::max(distance + radius, 0.0) * std::tan(flat_angle_ / 57.0) : 0.0;
+        REQUIRE(gap_seen_along(normal, body.core, plot.corners) <= error_ + over);
     }
 
     /// A triangle has a contact, unless it only joins another one of the surface that is nearer.
@@ -261,8 +308,13 @@ private:
 
     const Ground& ground_;
     double flat_angle_;
-    OpenedBlob blob_;
-    double step_;
+    std::vector<Bytes> bytes_;
+    struct Tile {
+        Blob blob;
+        std::uint32_t first_plot;
+    };
+    std::vector<Tile> tiles_;
+    double step_ = 0.0;
     double error_ = 0.0;
     double side_ = 0.0;  ///< of the surface, on which the middle of the body is: -1 behind, 0 in doubt
     Point below_ = {};   ///< the normal of what is nearest to it
@@ -274,6 +326,7 @@ TEST_CASE("contact: with and without edge flags a body is led to its side and ne
     for (const Ground& ground : grounds()) {
         for (const double flat_angle : {0.0, 5.0}) {
             CAPTURE(std::string(ground.name));
+            CAPTURE(ground.is_tiled);
             CAPTURE(flat_angle);
             Tried tried(ground, flat_angle);
             Random random(17);
@@ -294,8 +347,9 @@ TEST_CASE("contact: with and without edge flags a body is led to its side and ne
                 tried.try_body(some_body(random, static_cast<int>(i % 4), at, random.coin()), 0.1f);
             }
             CHECK(tried.count > 0);
-            MESSAGE(std::string(ground.name), ", flat angle ", flat_angle, ": ", tried.count, " contacts, ",
-                    tried.corrected, " with a face's normal on an edge, ", tried.left, " left to neighbours");
+            MESSAGE(std::string(ground.name), std::string(ground.is_tiled ? " in tiles" : ""), ", flat angle ",
+                    flat_angle, ": ", tried.count, " contacts, ", tried.corrected, " with a face's normal on an edge, ",
+                    tried.left, " left to neighbours");
         }
     }
 }

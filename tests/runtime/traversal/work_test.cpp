@@ -82,6 +82,25 @@ OpenedBlob torus() {
     return {make_torus(32, 16, 3.0, 1.0), {.resolution = Resolution::bits(12), .profile = Profile::balanced}};
 }
 
+TEST_CASE("contact: a ball at the tip of thousands of triangles takes work in proportion to their number") {
+    const auto decisions_at = [](std::uint32_t number) {
+        Mesh tip;
+        tip.positions.push_back({});
+        for (std::uint32_t i = 0; i < number; ++i) {
+            const double angle = 2.0 * 3.14159265358979 * i / number;
+            tip.positions.push_back(
+                {static_cast<float>(4.0 * std::cos(angle)), static_cast<float>(4.0 * std::sin(angle)), -0.1f});
+            tip.triangles.push_back({0, 1 + i, 1 + (i + 1) % number});
+        }
+        const OpenedBlob blob(tip, {.flat_angle = 5.0});
+        std::vector<Contact> room(number);
+        detail::step_counter = {};
+        REQUIRE(find_contacts(blob.blob, Sphere{{0.01f, 0.02f, 0.3f}, 0.5f}, 0.05f, room).count > 0);
+        return detail::step_counter.decisions;
+    };
+    CHECK(decisions_at(4000) < 3 * decisions_at(2000));
+}
+
 TEST_CASE("work: queries of a terrain visit the recorded numbers of nodes and leaves") {
     const OpenedBlob landscape = terrain_of(18);
     check_work(landscape.blob, detail::InstructionSet::scalar,
