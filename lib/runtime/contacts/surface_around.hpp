@@ -18,14 +18,14 @@ inline float flat_limit_of(const BlobData& blob) {
     return static_cast<float>(load_u32(blob.edge_flags)) / static_cast<float>(format::edge_flags::max_flat_limit);
 }
 
-/// Hands the triangles at a place to a callable.
+/// Hands the triangles at a corner to a callable.
 template <class Take>
-struct AtPlace : Each {
+struct AtCorner : Each {
     Take& take;
 
-    AtPlace(const BlobData& from, const TriangleVisitor& by_id, Take& with) : Each(from, by_id), take(with) {
+    AtCorner(const BlobData& from, const TriangleVisitor& by_id, Take& with) : Each(from, by_id), take(with) {
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
-            return static_cast<AtPlace&>(self).take(index, triangle);
+            return static_cast<AtCorner&>(self).take(index, triangle);
         };
     }
 };
@@ -35,7 +35,7 @@ template <class Take>
 bool visit_triangles_at(const BlobData& blob, const std::int32_t* corner, Take take) {
     // Where the leaf is not at hand, on small cores, the triangle is searched.
     const auto search = [&](TriangleId id) { return take(id.index, find_triangle(blob, id.index)); };
-    AtPlace<Take> answer(blob, search, take);
+    AtCorner<Take> answer(blob, search, take);
     const LatticeBox at = {{corner[0], corner[1], corner[2]}, {corner[0], corner[1], corner[2]}};
     return find_overlaps_of<LatticeBox>(blob, &at, answer, exactly) == QueryStatus::stopped;
 }

@@ -251,29 +251,25 @@ TEST_CASE("contact: on a floor with edge flags every contact has the normal of t
     });
 }
 
-TEST_CASE("contact: every normal has length 1 where the middle of a body is on a corner of a floor") {
-    for (const unsigned bits : {8u, 12u, 16u, 20u}) {
-        CAPTURE(bits);
-        const OpenedBlob floor(make_plane_grid(9), {.resolution = Resolution::bits(bits), .flat_angle = 5.0});
-        Random random(5);
-        std::uint64_t count = 0;
-        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Vec3 at = triangle_at(floor.blob, {random.below(floor.blob.triangle_count())})->a;
-            const Vec3 middle = {at.x, at.y, at.z + (i % 2 == 0 ? 1e-6f : 0.3f) * random.signed_unit()};
-            const float turn = 3.0f * random.signed_unit(), x = 0.3f * std::cos(turn), y = 0.3f * std::sin(turn);
-            const Capsule capsule = {
-                {middle.x - x, middle.y - y, middle.z}, {middle.x + x, middle.y + y, middle.z}, 0.1f};
-            const OrientedBox box = {middle, {{x, y, 0.0f}, {-y, x, 0.0f}, {0.0f, 0.0f, 0.03f}}};
-            std::array<Contact, 64> room;
-            const Filled found = i % 4 < 2 ? find_contacts(floor.blob, capsule, 0.05f, room)
-                                           : find_contacts(floor.blob, box, 0.05f, room);
-            for (const Contact& contact : found.in(room)) {
-                const Vec3& n = contact.normal;
-                REQUIRE(std::abs(n.x * n.x + n.y * n.y + n.z * n.z - 1.0f) < 1e-5f);
-                ++count;
-            }
+TEST_CASE("contact: every normal has length 1 where a leaning capsule has its middle in a floor") {
+    Mesh ground = make_plane_grid(9);
+    for (Vec3& p : ground.positions) p = {1.1f * p.x - 4.95f, 0.9f * p.y - 4.05f, 0.0f};  // no multiples of a step
+    const OpenedBlob floor(ground, {.resolution = Resolution::bits(20), .flat_angle = 5.0});
+    Random random(5);
+    for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+        Vec3 middle = triangle_at(floor.blob, {random.below(floor.blob.triangle_count())})->a;
+        middle.z += 1e-6f * random.signed_unit();
+        const Vec3 half = random.in_cube(0.3f);
+        const Capsule capsule = {{middle.x - half.x, middle.y - half.y, middle.z - half.z},
+                                 {middle.x + half.x, middle.y + half.y, middle.z + half.z},
+                                 0.1f};
+        std::array<Contact, 64> room;
+        const Filled found = find_contacts(floor.blob, capsule, 0.05f, room);
+        REQUIRE(found.count > 0);
+        for (const Contact& contact : found.in(room)) {
+            const Vec3& n = contact.normal;
+            REQUIRE(std::abs(n.x * n.x + n.y * n.y + n.z * n.z - 1.0f) < 1e-5f);
         }
-        CHECK(count > 100);
     }
 }
 

@@ -120,8 +120,10 @@ Body some_body(Random& random, int kind, Vec3 at, bool is_level) {
     if (kind == 1) body.core = {center - to_point(body.half[0]), center + to_point(body.half[0])};
     if (kind == 2) body.core = corners_of(center, body.half);
     if (kind == 3) {
+        const bool is_flat = random.below(4) == 0;  // level, it lies in a plane beside that of a level floor
         for (int i = 0; i < 7; ++i) {
-            const Vec3 share = random.in_cube(1.0f);
+            Vec3 share = random.in_cube(1.0f);
+            if (is_flat) share.z = 0.0f;
             const Point p = center + static_cast<double>(share.x) * axes[0] + static_cast<double>(share.y) * axes[1] +
                             static_cast<double>(share.z) * axes[2];
             body.vertices.push_back(vector(p));
@@ -217,6 +219,7 @@ public:
                 const double level = reference::dot(plot.normal(), body.middle - plot.triangle[0]);
                 side_ = std::abs(level) < 64.0 * error_ ? 0.0 : level < 0.0 ? -1.0 : 1.0;
                 below_ = plot.normal();
+                nearest_ = t;
                 nearest = to_middle;
             }
             plot.separation = reference::signed_separation(body.core, plot.corners);
@@ -260,8 +263,8 @@ private:
         // Where all edges are flat, every contact has the direction of the surface, and is below the body.
         double cosine = -1.0;
         // Behind one slope and in front of the plane of another a body may leave either. A tile does not know on which
-        // side of the next one the middle of a body is that reaches through that.
-        const bool is_in_doubt = ground_.is_tiled || level * side_ < 0.0;
+        // side of the next one the middle of a body is that is nearest to that.
+        const bool is_in_doubt = tile_of(contact.triangle.index) != tile_of(nearest_) || level * side_ < 0.0;
         for (const std::uint32_t t : near_) {
             if (std::sqrt(reference::squared_distance(place, plots_[t].triangle)) > error_) continue;
             const double aligned = side_ * reference::dot(normal, plots_[t].normal());
@@ -277,8 +280,17 @@ private:
         if (ground_.is_within_flat_angle && side_ != 0.0 && std::abs(plot.separation) > 64.0 * error_)
             REQUIRE(off <= flat_angle_ + 0.1);
         // At a seam, beyond which the tile knows of nothing, the body may lean over by the flat angle.
-        const double over = ground_.is_tiled ? std::max(distance + radius, 0.0) * std::tan(flat_angle_ / 57.0) : 0.0;
+        const bool is_at_seam = ground_.is_tiled && std::ranges::any_of(plot.corners, [](const Point& p) {
+                                    return p.x == 0.0 || p.y == 0.0;
+                                });
+        const double over = is_at_seam ? std::max(distance + radius, 0.0) * std::tan(flat_angle_ / 57.0) : 0.0;
         REQUIRE(gap_seen_along(normal, body.core, plot.corners) <= error_ + over);
+    }
+
+    [[nodiscard]] std::size_t tile_of(std::uint32_t plot) const {
+        std::size_t tile = 0;
+        while (tile + 1 < tiles_.size() && tiles_[tile + 1].first_plot <= plot) ++tile;
+        return tile;
     }
 
     /// A triangle has a contact, unless it only joins another one of the surface that is nearer.
@@ -316,8 +328,9 @@ private:
     std::vector<Tile> tiles_;
     double step_ = 0.0;
     double error_ = 0.0;
-    double side_ = 0.0;  ///< of the surface, on which the middle of the body is: -1 behind, 0 in doubt
-    Point below_ = {};   ///< the normal of what is nearest to it
+    double side_ = 0.0;          ///< of the surface, on which the middle of the body is: -1 behind, 0 in doubt
+    std::uint32_t nearest_ = 0;  ///< the triangle that is nearest to it
+    Point below_ = {};           ///< the normal of that
     std::vector<Plot> plots_;
     std::vector<std::uint32_t> near_;
 };
