@@ -166,13 +166,14 @@ std::vector<BorderEdge> find_borders(std::vector<Part>& parts) {
             border.push_back(edge);
         });
     }
-    std::ranges::stable_sort(border, {}, &BorderEdge::ends);
+    const auto before = [](const BorderEdge& a, const BorderEdge& b) { return a.ends() < b.ends(); };
+    std::ranges::stable_sort(border, before);
     // Where a third blob has several triangles, the edge is no border between two.
     for (std::uint32_t number = 0; parts.size() > 2 && number < parts.size(); ++number) {
         for_each_edge(parts[number], number, [&](const BorderEdge& edge, std::size_t count) {
             if (count == 1) return;
-            for (BorderEdge& same : std::ranges::equal_range(border, edge.ends(), {}, &BorderEdge::ends))
-                same.is_crowded = true;
+            const auto [begin, end] = std::equal_range(border.begin(), border.end(), edge, before);
+            std::for_each(begin, end, [](BorderEdge& same) { same.is_crowded = true; });
         });
     }
     return border;

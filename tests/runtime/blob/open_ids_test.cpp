@@ -50,6 +50,7 @@ struct Section {
     Bytes steps;
     std::vector<std::uint32_t> blocks = {0, 0};  // where the bits of each begin, and those of its runs
     std::uint64_t source_triangles = 0;          // 0: as baked
+    bool has_runs = true;
 
     [[nodiscard]] Bytes blob() const {
         Bytes bytes = bake_or_throw(make_plane_grid(side), {.profile = profile, .original_ids = true});
@@ -71,6 +72,8 @@ struct Section {
         put(bytes, at::id_kind_bits_at, kind_bits, 1);
         put(bytes, at::id_step_bytes_at, steps.size(), 4);
         if (source_triangles != 0) put(bytes, at::source_triangles_at, source_triangles, 4);
+        if (!has_runs)
+            put(bytes, at::features_at, get(bytes, at::features_at, 4) & ~std::uint64_t{format::feature::id_runs}, 4);
         put(bytes, at::total_bytes_at, bytes.size(), 4);
         repair_checksum(bytes);
         return bytes;
@@ -122,6 +125,22 @@ TEST_CASE("open: steps of ids end where the header states and no byte behind the
                 }
             }
         }
+    });
+}
+
+TEST_CASE("open: steps of ids without runs follow each other without a gap") {
+    for_each_profile([](Profile profile) {
+        // A first number and 49 steps of 3 bits.
+        const std::size_t bits = (profile == Profile::fast ? 6 : 8) + 49 * 3, bytes = (bits + 7) / 8;
+        const auto status = [&](const Bytes& steps) {
+            return Section{profile, 5, {{0, 3}}, steps, {0}, 0, false}.status();
+        };
+        CHECK(status(zeros(bytes)) == OpenStatus::ok);
+        CHECK(status(zeros(bytes - 1)) == OpenStatus::bad_section);
+        CHECK(status(zeros(bytes + 1)) == OpenStatus::bad_section);
+        Bytes padded = zeros(bytes);
+        padded.back() = static_cast<std::byte>(1u << bits % 8);
+        CHECK(status(padded) == OpenStatus::bad_section);
     });
 }
 

@@ -46,7 +46,7 @@ std::vector<Ground> grounds() {
         {"bowl", make_ground(8, [](double x, double y) { return 0.1 * (x * x + y * y); }), false},
         {"cube", make_cube(-1.0f, 1.0f), false},
         {"ball", make_icosphere(4, 3.0, {0.0f, 0.0f, 0.0f}), true}};
-    for (std::size_t i : {0, 1, 2, 4}) {
+    for (const std::size_t i : {0u, 1u, 2u, 4u}) {
         all.push_back(all[i]);
         all.back().is_tiled = true;
     }
