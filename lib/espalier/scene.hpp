@@ -76,7 +76,9 @@ struct SceneData {
     float coarsest_step = 0.0f;  ///< the largest lattice step of any instance, in world units
     float largest_scale = 0.0f;
     float farthest_origin = 0.0f;  ///< how far the origin of an instance may lie outside of the tree's region
+    float view_slack = 0.0f;       ///< how far the view of a MovingScene may round a translation along an axis
     bool must_refit = false;       ///< why a MovingScene is not open to queries
+    std::int32_t origin[3] = {};   ///< of the view of a MovingScene, in steps of its world
 };
 
 constexpr const SceneData& data_of(const BakedScene& scene) noexcept;

@@ -21,7 +21,7 @@ ONLY_IN_CPP = set("""
 ONLY_IN_CPP = {name.strip() for name in ONLY_IN_CPP}
 # What C has instead of C++ constructors, defaults and conversions. Tests call it one by one.
 BY_HAND = {"version": "", "abi": "", "size_of": "", "default_ray": "", "identity": "", "moving_scene_is_open": "",
-           "moving_scene_view": "", "open": "open(span<byte>)", "open_unchecked": "open_unchecked(span<byte>)",
+           "moving_scene_view": "", "moving_scene_seen_from": "seen_from(MovingScene, Vec3d)", "open": "open(span<byte>)", "open_unchecked": "open_unchecked(span<byte>)",
            "open_scene": "open_scene(span<byte>, span<Blob>, span<BakedScene>)",
            "create_deformable": "create_deformable(Blob, span<byte>)",
            "create_moving_scene": "create_moving_scene(span<byte>, uint32_t, int, span<Blob>, span<BakedScene>)",

@@ -54,6 +54,40 @@ TEST_CASE("c api: changes and queries and pairs of a moving scene give the bits 
             CHECK_MESSAGE(both.answered.count(entry.name) == 1, std::string(entry.name));
 }
 
+TEST_CASE("c api: a view of a moving scene from a place in its world gives the bits of C++") {
+    const std::vector<std::byte> bytes = bake_instances(some_instances());
+    Random random(22);
+    Both both;
+    REQUIRE(both.open_scene(bytes) == OpenStatus::ok);
+    REQUIRE(both.create_moving_scene(capacity, -16, bytes_of(capacity)));
+    std::uint64_t views = 0;
+    for (std::uint64_t i = 0; i < scaled(200); ++i) {
+        const auto coordinate = [&] { return std::ldexp(double{random.signed_unit()}, random.between(-20, 17)); };
+        const Vec3d place = {coordinate(), coordinate(), coordinate()};
+        espalier_moving_scene view = both.c->moving_scene[0];
+        const MovingScene expected = seen_from(both.moving(), place);
+        const bool is_open = c99_moving_scene_seen_from(&both.c->moving_scene[0], {place.x, place.y, place.z}, &view);
+        REQUIRE(is_open == static_cast<bool>(expected));
+        REQUIRE(is_open == c99_moving_scene_is_open(&view));
+        if (!is_open) continue;
+        ++views;
+        const espalier_vec3d origin = c99_moving_scene_origin(&view);
+        REQUIRE(Vec3d{origin.x, origin.y, origin.z} == expected.origin());
+        both.c->moving_scene[0] = view;
+        both.moving() = expected;
+        both.compare_moving(some_question(both.scene(), random), random);
+    }
+    if (asks_enough()) CHECK(views > scaled(100));
+    // Memory that a scene cannot lie in.
+    alignas(espalier_moving_scene) unsigned char room[sizeof(espalier_moving_scene) + 1] = {};
+    CHECK_FALSE(
+        c99_moving_scene_seen_from(&both.c->moving_scene[0], {}, reinterpret_cast<espalier_moving_scene*>(room + 1)));
+    for (const unsigned char byte : room) CHECK(byte == 0);
+    espalier_moving_scene empty = {};
+    CHECK_FALSE(c99_moving_scene_seen_from(&empty, {}, &both.c->moving_scene[0]));
+    CHECK_FALSE(c99_moving_scene_is_open(&both.c->moving_scene[0]));
+}
+
 TEST_CASE("c api: any bits are safe as a question about a moving scene") {
     const std::vector<std::byte> bytes = bake_instances(some_instances());
     Random random(23);

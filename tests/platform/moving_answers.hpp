@@ -135,8 +135,22 @@ private:
         hash_.add(box->min, box->max);
     }
     void end_or_repack() {
-        if (word() % 64 == 0) repack(scene_);
+        const std::uint32_t kind = word() % 64;
+        if (kind == 0) repack(scene_);
+        else if (kind < 16) see_from_elsewhere();
         else end_step(scene_);
+    }
+    /// Goes on in a view from another place: near, so that most instances are in sight, or anywhere in the world.
+    void see_from_elsewhere() {
+        const Vec3 place = in_cube(word() % 4 == 0 ? 0x1p21f : 16.0f);
+        const MovingScene view = seen_from(scene_, {place.x, place.y, place.z});
+        hash_.add(static_cast<bool>(view));
+        const Vec3d origin = view.origin();
+        for (const double coordinate : {origin.x, origin.y, origin.z}) {
+            const auto bits = std::bit_cast<std::uint64_t>(coordinate);
+            hash_.add(static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits));
+        }
+        if (view) scene_ = view;
     }
 
     void ask_ray() {

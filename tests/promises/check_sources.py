@@ -139,7 +139,7 @@ TESTS = {
     "runtime/transforms": f"{SUPPORT} oracle",
     "runtime/pairs": f"{SUPPORT} support/exact",
     "runtime/scenes": f"{SUPPORT} platform",
-    "runtime/moving_scenes": f"{SUPPORT} runtime/scenes",
+    "runtime/moving_scenes": f"{SUPPORT} runtime/scenes oracle",
     "runtime/deformation": f"{SUPPORT} runtime/moving_scenes runtime/pairs",
     "runtime/batches": SUPPORT,
     "runtime/asset": f"{SUPPORT} support/exact oracle",

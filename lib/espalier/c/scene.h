@@ -57,7 +57,7 @@ typedef struct ESPALIER_SHARED_ espalier_mesh_result {
  * unchanged. Filled with zeros it was never opened: it has no instances, and queries refuse it. Its content may
  * change. */
 typedef struct ESPALIER_BLOB_ espalier_scene {
-    unsigned char opaque_[sizeof(void*) == 8 ? 288 : 240];
+    unsigned char opaque_[sizeof(void*) == 8 ? 304 : 256];
 } espalier_scene;
 
 /* Returns the number of meshes that a scene states in its header, those of its tiles included: the size of the array

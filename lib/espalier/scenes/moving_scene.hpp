@@ -9,6 +9,12 @@
 // ray passes between two that share an edge. It is that of the world: its points are whole steps from the origin.
 // common_lattice() describes what lies on it.
 //
+// A world that float32 does not resolve, such as 100 km with millimetres, is seen from places in it. A view that
+// seen_from() makes takes and returns coordinates from its origin(), which is near the place: an instance that is
+// inserted through it keeps its place exactly, and one that was inserted from elsewhere has its translation rounded
+// once to float32. So every query is exact for the instances as they are seen from there, and those near the view lie
+// where they were placed.
+//
 // The block has no pointers. A copy of its bytes is a snapshot: it may be written back over the block of the same
 // scene, under views that exist, or opened elsewhere by open_moving_scene(). The same calls, those for pairs included,
 // give the same bytes on every machine of one byte order.
@@ -76,15 +82,21 @@ public:
     [[nodiscard]] std::uint32_t slot_end() const noexcept;
     /// Returns e; a step of the world is 2^e long.
     [[nodiscard]] int step_exponent() const noexcept;
+    /// Returns the place in the world from which this view counts coordinates: a multiple of 128 steps on each axis. To
+    /// give a place to the view, subtract the origin in float64 and round the difference to float32; to an answer, add
+    /// it in float64. 0 unless seen_from() made the view.
+    [[nodiscard]] Vec3d origin() const noexcept;
     /// Returns the region for which rays are rounded once: for instances whose transforms move by whole steps of the
     /// world and do nothing else, and whose meshes have a lattice with that step (Resolution::step(step_exponent)). For
     /// a tile, its own common lattice counts. Not found until there has been one.
     ///
-    /// The region is a cube around the origin, which reaches 2^17 steps to each side. It doubles until it holds such an
-    /// instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks: it changes six times at most,
-    /// and no other instance that comes or goes changes how rays are rounded for the rest. An instance beyond 2^23
-    /// steps rounds rays for itself, as all do that are not on the lattice; so may one whose translation is beyond
-    /// that. To round for a region of your own, pass the rounded ray with the ray: raycast(scene, ray, rounded). O(1).
+    /// The region is a cube around the origin of the view, which reaches 2^17 steps to each side. It doubles until it
+    /// holds such an instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks: it changes six
+    /// times at most, and no other instance that comes or goes changes how rays are rounded for the rest. An instance
+    /// beyond 2^23 steps rounds rays for itself, as all do that are not on the lattice; so may one whose translation is
+    /// beyond that. In a scene with instances that were inserted or moved through another origin than 0, and in a view
+    /// from another one, the cube reaches 2^23 steps. To round for a region of your own, pass the rounded ray with the
+    /// ray: raycast(scene, ray, rounded). O(1).
     [[nodiscard]] Result<Lattice> common_lattice() const noexcept;
     /// Returns whether instances were moved by a batch since the last refit(): queries then refuse the scene with
     /// not_refitted.
@@ -102,13 +114,14 @@ private:
     const BakedScene* tiles_ = nullptr;
     std::uint32_t mesh_count_ = 0;
     std::uint32_t tile_count_ = 0;
+    std::int32_t origin_[3] = {};  ///< in steps, multiples of 128
 };
 
-/// Returns the bytes of a block for so many instances, 1 .. 2^24, else 0: about 161 an instance. No order of insertions
+/// Returns the bytes of a block for so many instances, 1 .. 2^24, else 0: about 173 an instance. No order of insertions
 /// and removals needs more. Most sizes are no multiple of 32: ::operator new(size, std::align_val_t{32}) returns
 /// such memory.
 [[nodiscard]] std::uint64_t moving_scene_bytes(std::uint32_t instances) noexcept;
-/// Returns the fewest bytes that create_moving_scene() accepts: about 126 an instance. When nodes run out in such a
+/// Returns the fewest bytes that create_moving_scene() accepts: about 138 an instance. When nodes run out in such a
 /// block, insert() repacks the tree, which takes O(n) time.
 [[nodiscard]] std::uint64_t least_moving_scene_bytes(std::uint32_t instances) noexcept;
 
@@ -144,6 +157,15 @@ template <class Meshes = std::span<const Blob>, class Tiles = std::span<const Ba
 requires detail::TemporaryArray<Meshes> || detail::TemporaryArray<Tiles> MovingScene
 open_moving_scene(std::span<std::byte> snapshot, Meshes&& meshes, Tiles&& tiles = {})
 = delete;
+
+/// Returns a view of the same block whose origin() is the multiple of 128 steps that is nearest to a place in the
+/// world, on each axis. Not open if a coordinate is not finite or 2^30 - 64 steps or more from 0, or if the scene is
+/// not open. Changes nothing: any number of views may be in use. O(1).
+///
+/// What counts from the origin: shapes and answers of queries, transforms that are inserted, moved and returned, boxes,
+/// common_lattice(), and a baked scene in pairs with this one. What does not depend on it: the world's bounds, handles,
+/// the tree, pairs, and the bytes of the block but for the instances that a view places.
+[[nodiscard]] MovingScene seen_from(const MovingScene& scene, const Vec3d& place) noexcept;
 
 /// Inserts an instance; Instance::source is not stored. It takes the slot of the latest removal that is still free,
 /// else the lowest that was never used.

@@ -55,6 +55,7 @@ uint32_t espalier_moving_scene_instance_count(const espalier_moving_scene* scene
 uint32_t espalier_moving_scene_capacity(const espalier_moving_scene* scene) { return cpp(scene).capacity(); }
 uint32_t espalier_moving_scene_slot_end(const espalier_moving_scene* scene) { return cpp(scene).slot_end(); }
 int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene) { return cpp(scene).step_exponent(); }
+espalier_vec3d espalier_moving_scene_origin(const espalier_moving_scene* scene) { return c(cpp(scene).origin()); }
 espalier_lattice_result espalier_moving_scene_common_lattice(const espalier_moving_scene* scene) {
     return c(cpp(scene).common_lattice());
 }
@@ -73,6 +74,13 @@ const espalier_scene* espalier_moving_scene_tiles(const espalier_moving_scene* s
     const std::span<const BakedScene> tiles = cpp(scene).tiles();
     *count = tiles.size();
     return twin(tiles.data());
+}
+
+bool espalier_moving_scene_seen_from(const espalier_moving_scene* scene, espalier_vec3d place,
+                                     espalier_moving_scene* view) {
+    if (!is_aligned<MovingScene>(view)) return false;
+    *view = c(seen_from(cpp(scene), cpp(place)));
+    return static_cast<bool>(cpp(view));
 }
 
 espalier_instance_handle_result espalier_moving_scene_insert(espalier_moving_scene* scene,

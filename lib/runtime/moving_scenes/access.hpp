@@ -4,6 +4,7 @@
 #include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/moving_scenes/seen.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier::detail {
@@ -18,6 +19,12 @@ public:
         scene.tiles_ = tiles.data();
         scene.mesh_count_ = static_cast<std::uint32_t>(meshes.size());
         scene.tile_count_ = static_cast<std::uint32_t>(tiles.size());
+        return scene;
+    }
+    /// Returns the origin of the view, in steps.
+    static const std::int32_t (&origin(const MovingScene& scene))[3] { return scene.origin_; }
+    static MovingScene with_origin(MovingScene scene, const std::int32_t (&steps)[3]) {
+        for (int k = 0; k < 3; ++k) scene.origin_[k] = steps[k];
         return scene;
     }
     static SceneBlock block(const MovingScene& scene) { return parts_of(scene.block_); }
@@ -61,7 +68,11 @@ inline InstanceSlot* find_slot(const SceneBlock& block, InstanceHandle handle) {
     return is_live(slot) && slot.generation == handle.generation ? &slot : nullptr;
 }
 
-/// Returns a box of whole steps, rounded outward to float.
-Box box_in_world(const StepsBox& box, std::int32_t step_exponent);
+/// Returns the transform of an instance, seen from the origin of the view.
+inline Transform seen_transform(const MovingScene& scene, const InstanceSlot& slot) {
+    return seen_transform(slot, MovingSceneAccess::origin(scene), MovingSceneAccess::head(scene).step_exponent);
+}
+/// Returns the box of an instance, seen from the origin of the view, rounded outward to float.
+Box box_in_view(const MovingScene& scene, const StepsBox& box);
 
 }  // namespace espalier::detail

@@ -13,29 +13,37 @@ using namespace detail;
 
 namespace {
 
-/// Finds the box of a placeable part at a place. Returns ok or a refusal.
-QueryStatus find_box(const PartBounds& bounds, const Transform& transform, const BlockHead& head, StepsBox& box) {
+/// Finds the box of a placeable part in the world, at a place that counts from an origin. Returns ok or a refusal.
+QueryStatus find_box(const PartBounds& bounds, const Transform& transform, const std::int32_t (&origin)[3],
+                     const BlockHead& head, StepsBox& box) {
     if (!is_in_range(transform.scale)) return QueryStatus::invalid_argument;
     // The box of any other transform that is not valid is NaN.
-    if (find_steps_box(bounds, transform, head.step_exponent, box)) return QueryStatus::ok;
+    if (find_steps_box(bounds, transform, head.step_exponent, box) && move_to_world(origin, box))
+        return QueryStatus::ok;
     return is_valid(transform) ? QueryStatus::out_of_range : QueryStatus::invalid_argument;
 }
 
+/// Writes a new box to the slot of a part, and not to the tree.
+void write_box(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const StepsBox& box) {
+    InstanceSlot& slot = block.slots[number];
+    slot.box = box;
+    block.moved[number] = block.head->step;
+    block.head->common_region = common_region_with(scene, slot);
+}
 /// Writes a new place and its box to the slot of a part, and not to the tree.
 void write_place(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const Transform& transform,
                  const StepsBox& box) {
     InstanceSlot& slot = block.slots[number];
     slot.transform = transform;
-    slot.box = box;
-    block.moved[number] = block.head->step;
-    block.head->common_region = common_region_with(scene, slot.mesh, transform);
+    for (int k = 0; k < 3; ++k) slot.origin[k] = MovingSceneAccess::origin(scene)[k];
+    write_box(scene, block, number, box);
 }
 
 /// The same after a test of the place. Returns ok or a refusal.
 QueryStatus place_slot(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const PartBounds& bounds,
                        const Transform& transform) {
     StepsBox box;
-    const QueryStatus status = find_box(bounds, transform, *block.head, box);
+    const QueryStatus status = find_box(bounds, transform, MovingSceneAccess::origin(scene), *block.head, box);
     if (status != QueryStatus::ok) return status;
     write_place(scene, block, number, transform, box);
     block.head->coarseness.add(bounds, transform);
@@ -64,8 +72,13 @@ bool move_eight(const MovingScene& scene, SceneBlock& block, std::span<const Mov
     }
     EightStepsBoxes boxes;
     if (!find_steps_boxes_by_best_set(places, block.head->step_exponent, boxes)) return false;
+    StepsBox in_world[count];
     for (unsigned i = 0; i < count; ++i) {
-        write_place(scene, block, movements[i].instance.slot, *places.transforms[i], boxes[i]);
+        in_world[i] = boxes[i];
+        if (!move_to_world(MovingSceneAccess::origin(scene), in_world[i])) return false;
+    }
+    for (unsigned i = 0; i < count; ++i) {
+        write_place(scene, block, movements[i].instance.slot, *places.transforms[i], in_world[i]);
         set_box(block, movements[i].instance.slot);
         const bool is_known = i != 0 && places.parts[i] == places.parts[i - 1] &&
                               places.transforms[i]->scale == places.transforms[i - 1]->scale;
@@ -91,7 +104,7 @@ Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noex
     SceneBlock block = block_of(scene);
     const PartBounds bounds = bounds_of_part(scene, instance.mesh);
     StepsBox box;
-    const QueryStatus status = find_box(bounds, instance.transform, *block.head, box);
+    const QueryStatus status = find_box(bounds, instance.transform, MovingSceneAccess::origin(scene), *block.head, box);
     if (status != QueryStatus::ok) return {{}, status};
     const std::uint32_t number = take_slot(block);
     if (number == no_child) return {{}, QueryStatus::no_room};
@@ -162,7 +175,7 @@ QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept {
             const InstanceSlot& slot = block.slots[number];
             if (!is_live(slot) || slot.mesh != mesh) continue;
             StepsBox box;
-            const QueryStatus status = find_box(bounds, slot.transform, *block.head, box);
+            const QueryStatus status = find_box(bounds, slot.transform, slot.origin, *block.head, box);
             if (status != QueryStatus::ok) return status;
             change(number, box);
         }
@@ -171,7 +184,7 @@ QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept {
     const QueryStatus status = for_each_instance([](std::uint32_t, const StepsBox&) {});
     if (status != QueryStatus::ok) return status;
     return for_each_instance([&](std::uint32_t number, const StepsBox& box) {
-        write_place(scene, block, number, block.slots[number].transform, box);  // the mesh may have another lattice
+        write_box(scene, block, number, box);  // the mesh may have another lattice
         set_box(block, number);
         block.head->must_refit = 1;
     });

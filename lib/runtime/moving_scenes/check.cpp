@@ -36,6 +36,8 @@ bool are_slots_sound(const SceneBlock& block) {
     for (std::uint32_t number = 0; number < head.slots_used; ++number) {
         const InstanceSlot& slot = block.slots[number];
         if (block.moved[number] > head.step) return false;
+        for (const std::int32_t steps : slot.origin)
+            if (steps % origin_grid != 0 || steps < -most_world_steps || steps > most_world_steps) return false;
         worn += is_worn(slot) ? 1u : 0u;
         live += is_live(slot) ? 1u : 0u;
     }
@@ -151,8 +153,9 @@ bool has_boxes_of_instances(const MovingScene& scene) {
         const PartBounds bounds = bounds_of_part(scene, slot.mesh);
         StepsBox box;
         // The box of any other transform that is not valid is NaN.
-        if (!find_steps_box(bounds, slot.transform, block.head->step_exponent, box) || box != slot.box) return false;
-        if (common_region_with(scene, slot.mesh, slot.transform) != block.head->common_region) return false;
+        if (!find_steps_box(bounds, slot.transform, block.head->step_exponent, box)) return false;
+        if (!move_to_world(slot.origin, box) || box != slot.box) return false;
+        if (common_region_with(scene, slot) != block.head->common_region) return false;
         coarseness.add(bounds, slot.transform);
     }
     // No number below 0 and no NaN includes another one.

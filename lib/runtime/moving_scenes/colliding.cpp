@@ -12,21 +12,23 @@ using namespace detail;
 
 namespace {
 
-PlacedPart placed_part(const MovingScene& scene, const InstanceSlot& slot) {
-    return {part_of(scene, slot.mesh), slot.transform};
+/// Returns a part at its place, seen from an origin.
+PlacedPart placed_part(const MovingScene& scene, const InstanceSlot& slot, const std::int32_t (&origin)[3]) {
+    return {part_of(scene, slot.mesh), seen_transform(slot, origin, scene.step_exponent())};
 }
 
 QueryStatus find_collision(const MovingScene& scene, const SceneBlock& block, const InstancePair& pair,
                            PairWork& work) {
-    return detail::find_collision(placed_part(scene, block.slots[pair.a]), placed_part(scene, block.slots[pair.b]),
-                                  work);
+    // Seen from the origin of the first, so that no view has other pairs.
+    const InstanceSlot &a = block.slots[pair.a], &b = block.slots[pair.b];
+    return detail::find_collision(placed_part(scene, a, a.origin), placed_part(scene, b, a.origin), work);
 }
 
 /// A walk over the instances of a moving scene, and for each over those of a baked scene that its box meets.
 class BakedPairWalk {
 public:
     BakedPairWalk(const MovingScene& moving, const BakedScene& baked, const PairFilter& filter, BakedPair from)
-        : block_(block_of(moving)), baked_(baked), filter_(filter), from_(from) {}
+        : moving_(moving), block_(block_of(moving)), baked_(baked), filter_(filter), from_(from) {}
 
     /// Calls `visit(pair, slot)` with each pair that counts, in ascending order, until it returns stop.
     template <class OnPair>
@@ -34,7 +36,7 @@ public:
         for (std::uint32_t number = from_.moving; number < block_.head->slots_used; ++number) {
             const InstanceSlot& slot = block_.slots[number];
             if (!is_live(slot) || (filter_.only_moved && !has_moved(block_, number))) continue;
-            const Box box = box_in_world(slot.box, block_.head->step_exponent);
+            const Box box = box_in_view(moving_, slot.box);
             const auto visit_baked = [&](InstanceId baked) {
                 const BakedPair pair = {number, baked};
                 if (pair < from_ || (filter_.keep && !filter_.keep(InstanceId{number}, baked))) return Visit::next;
@@ -46,6 +48,7 @@ public:
     [[nodiscard]] BakedPair end() const { return {block_.head->slots_used, {0, 0}}; }
 
 private:
+    const MovingScene& moving_;
     const SceneBlock block_;
     const BakedScene& baked_;
     const PairFilter& filter_;
@@ -65,7 +68,7 @@ PlacedPart part_in(const SceneData& holder, std::uint32_t number) {
 
 QueryStatus find_collision(const MovingScene& moving, const InstanceSlot& slot, const BakedScene& baked,
                            InstanceId instance, PairWork& work) {
-    PlacedPart mover = placed_part(moving, slot);
+    PlacedPart mover = placed_part(moving, slot, MovingSceneAccess::origin(moving));
     PlacedPart other = part_in(data_of(baked), instance.index);
     if (instance.in_tile != no_instance.in_tile) {
         mover.transform = to_local(other.transform, mover.transform);

@@ -13,11 +13,14 @@ Lattice detail::common_region(const BlockHead& head, std::uint8_t number) {
     return {{low, low, low}, head.step_exponent, {extent, extent, extent}};
 }
 
-std::uint8_t detail::common_region_with(const MovingScene& scene, std::uint32_t mesh, const Transform& transform) {
+std::uint8_t detail::common_region_with(const MovingScene& scene, const InstanceSlot& slot) {
     const BlockHead& head = MovingSceneAccess::head(scene);
-    const MeshOrTile part = part_of(scene, mesh);
-    const auto is_held_by = [&](std::uint8_t number) { return lies_in(common_region(head, number), part, transform); };
+    const MeshOrTile part = part_of(scene, slot.mesh);
+    const auto is_held_by = [&](std::uint8_t number) {
+        return lies_in(common_region(head, number), part, slot.transform);
+    };
     std::uint8_t number = head.common_region;
+    if (!are_equal(slot.origin, {0, 0, 0})) return is_held_by(most_region) ? most_region : number;
     if (number != no_region && is_held_by(number)) return number;
     // From a near corner alone float32 may subtract a far translation exactly: a larger region would lose such a part.
     if (!is_held_by(most_region)) return number;
@@ -30,7 +33,8 @@ Result<Lattice> MovingScene::common_lattice() const noexcept {
     if (block_ == nullptr) return {{}, QueryStatus::not_open};
     const BlockHead& head = MovingSceneAccess::head(*this);
     if (head.common_region == no_region) return {{}, QueryStatus::not_found};
-    return {common_region(head, head.common_region), QueryStatus::ok};
+    const bool is_around_zero = are_equal(origin_, {0, 0, 0});
+    return {common_region(head, is_around_zero ? head.common_region : most_region), QueryStatus::ok};
 }
 
 YesNo is_on_common_lattice(const MovingScene& scene, InstanceId instance) noexcept {

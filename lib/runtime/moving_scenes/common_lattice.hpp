@@ -14,13 +14,14 @@ inline constexpr std::uint8_t no_region = 0;
 /// The largest number; a region twice as large would have more steps than a Lattice may.
 inline constexpr std::uint8_t most_region = 7;
 
-/// Returns a region that instances may share: a cube around the world's origin. Number 1 reaches 2^17 steps to each
+/// Returns a region that instances may share: a cube around the origin of a view. Number 1 reaches 2^17 steps to each
 /// side, so that rays that begin in it have the finest grid, and each number twice as far as the one before. Were it as
 /// small as the instances, each that comes or goes would change how rays are rounded for the others.
 Lattice common_region(const BlockHead& head, std::uint8_t number);
 
-/// Returns the number of the least region, no smaller than the head's, that holds a placeable part at its place on the
-/// lattice; the head's if none does.
-std::uint8_t common_region_with(const MovingScene& scene, std::uint32_t mesh, const Transform& transform);
+/// Returns the number of the least region, no smaller than the head's, that holds the part of a slot at its place on
+/// the lattice; the head's if none does. The region is around the origin that the slot counts from. Around another one
+/// than 0 only the largest counts: other views see the part in cubes around their own origins.
+std::uint8_t common_region_with(const MovingScene& scene, const InstanceSlot& slot);
 
 }  // namespace espalier::detail

@@ -18,8 +18,9 @@ void nearest_to_point(const RoundedPoint& point, AnyInstanceAnswer& answer) {
 Visit in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     return ESPALIER_DISPATCH(moving_instances_in_order, passage, answer);
 }
-const Transform& transform_in_block(const SceneData& scene, InstanceId instance) {
-    return parts_of(const_cast<std::byte*>(scene.tree.bytes)).slots[instance.index].transform;
+Transform transform_in_block(const SceneData& scene, InstanceId instance) {
+    const SceneBlock block = parts_of(const_cast<std::byte*>(scene.tree.bytes));
+    return seen_transform(block.slots[instance.index], scene.origin, scene.tree.step_exponent);
 }
 
 constexpr MovingInstances moving_instances = {nearest_to_passage, nearest_to_point, in_order, transform_in_block};
@@ -47,14 +48,19 @@ MovingSceneQuery::MovingSceneQuery(const MovingScene& scene) {
     data.common = common.value;
     data.tree.bytes = static_cast<const std::byte*>(static_cast<const void*>(block.head));
     data.tree.step_exponent = head.step_exponent;
+    for (int k = 0; k < 3; ++k) data.origin[k] = MovingSceneAccess::origin(scene)[k];
     if (head.live == 0) return;
     const StepsBox all = block.node(head.root).bounds();
     const float step = power_of_two(head.step_exponent);
+    float farthest = 0.0f;
     for (int k = 0; k < 3; ++k) {
         const std::int32_t origin = lattice_point_below(all.low[k]);
-        data.tree.origin[k] = static_cast<float>(origin) * step;
+        data.tree.origin[k] = static_cast<float>(origin - data.origin[k]) * step;
         data.tree.extent_steps[k] = static_cast<float>(lattice_point_above(all.high[k]) - origin);
+        const float end = data.tree.origin[k] + data.tree.extent_steps[k] * step;
+        farthest = maximum(maximum(absolute(data.tree.origin[k]), absolute(end)), farthest);
     }
+    data.view_slack = (farthest + data.farthest_origin) * 0x1p-23f;
 }
 
 YesNo overlaps(const MovingScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept {

@@ -14,10 +14,11 @@ constexpr std::int32_t lattice_point_above(std::int32_t steps) { return (steps +
 
 /// The tree of a moving scene as its walks take it: its boxes are counted from the lattice point at its low corner.
 struct MovingTree {
+    const SceneData& scene;
     SceneBlock block;
     std::int32_t origin[3];
 
-    explicit MovingTree(const SceneData& scene) : block(parts_of(const_cast<std::byte*>(scene.tree.bytes))) {
+    explicit MovingTree(const SceneData& seen) : scene(seen), block(parts_of(const_cast<std::byte*>(seen.tree.bytes))) {
         const StepsBox all = block.node(block.head->root).bounds();
         for (int k = 0; k < 3; ++k) origin[k] = lattice_point_below(all.low[k]);
     }
@@ -29,7 +30,9 @@ struct MovingTree {
         if (answer.meeting != nullptr && !answer.meeting->meets([&](int k) { return slot.box.low[k] - origin[k]; },
                                                                 [&](int k) { return slot.box.high[k] - origin[k]; }))
             return Visit::next;
-        return answer.visit({part_of(answer.scene, slot.mesh), {number}, slot.transform}, answer.limit);
+        return answer.visit(
+            {part_of(scene, slot.mesh), {number}, seen_transform(slot, scene.origin, scene.tree.step_exponent)},
+            answer.limit);
     }
 };
 

@@ -28,16 +28,18 @@ float outward(std::int32_t steps, int direction) {
     const auto rounded = static_cast<float>(steps);
     const std::int64_t error = static_cast<std::int64_t>(rounded) - steps;
     if (direction < 0 ? error <= 0 : error >= 0) return rounded;
-    // Floats between 2^24 and 2^30 are at most 64 apart.
-    return static_cast<float>(steps + direction * 64);
+    // Floats between 2^24 and 2^31 are at most 128 apart.
+    return static_cast<float>(steps + direction * 128);
 }
 
 }  // namespace
 
-Box detail::box_in_world(const StepsBox& box, std::int32_t step_exponent) {
-    const float step = power_of_two(step_exponent);
-    const auto low = [&](int k) { return outward(box.low[k], -1) * step; };
-    const auto high = [&](int k) { return outward(box.high[k], 1) * step; };
+Box detail::box_in_view(const MovingScene& scene, const StepsBox& box) {
+    const std::int32_t(&origin)[3] = MovingSceneAccess::origin(scene);
+    const float step = power_of_two(scene.step_exponent());
+    // Both are within the world: differences have 32 bits.
+    const auto low = [&](int k) { return outward(box.low[k] - origin[k], -1) * step; };
+    const auto high = [&](int k) { return outward(box.high[k] - origin[k], 1) * step; };
     return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
 }
 
@@ -111,7 +113,8 @@ Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) 
     const SceneBlock block = block_of(scene);
     const InstanceSlot* const slot = find_slot(block, instance);
     if (slot == nullptr) return {{}, QueryStatus::stale_handle};
-    return {{slot->transform, slot->mesh, block.masks[instance.slot], slot->user, instance.slot}, QueryStatus::ok};
+    return {{seen_transform(scene, *slot), slot->mesh, block.masks[instance.slot], slot->user, instance.slot},
+            QueryStatus::ok};
 }
 
 Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept {
@@ -129,7 +132,7 @@ Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept {
     const SceneBlock block = block_of(scene);
     const InstanceSlot* const slot = find_slot(block, instance);
     if (slot == nullptr) return {{}, QueryStatus::stale_handle};
-    return {box_in_world(slot->box, scene.step_exponent()), QueryStatus::ok};
+    return {box_in_view(scene, slot->box), QueryStatus::ok};
 }
 
 }  // namespace espalier

@@ -60,7 +60,7 @@ struct MovingInstances {
     void (*nearest_to_passage)(const Passage& passage, AnyInstanceAnswer& answer);
     void (*nearest_to_point)(const RoundedPoint& point, AnyInstanceAnswer& answer);
     Visit (*in_order)(const Passage& passage, AnyInstanceAnswer& answer);
-    const Transform& (*transform_of)(const SceneData& scene, InstanceId instance);
+    Transform (*transform_of)(const SceneData& scene, InstanceId instance);
 };
 
 inline void moving_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {

@@ -145,6 +145,7 @@ SceneAround scene_around(const SceneData& scene, const ShapeBounds& bounds, floa
     around.slack = reach * 0x1p-16f + (scene.coarsest_step * 0x1p-4f + zeros);
     // In a tile, to_local() has moved the shape once more.
     if (scene.tile_count != 0) around.slack = reach * 0x1p-13f + (scene.coarsest_step * 0x1p-3f + zeros * 0x1p4f);
+    around.slack += scene.view_slack;
     return around;
 }
 

@@ -193,9 +193,9 @@ TEST_CASE("scene: memory that does not fit makes no moving scene") {
     CHECK(moving_scene_bytes(0) == 0);
     CHECK(moving_scene_bytes((1u << 24) + 1) == 0);
     CHECK(least_moving_scene_bytes((1u << 24) + 1) == 0);
-    CHECK(moving_scene_bytes(1u << 24) < 162ull << 24);
-    CHECK(least_moving_scene_bytes(1u << 24) < 126ull << 24);
-    CHECK(least_moving_scene_bytes(64) <= 8192);
+    CHECK(moving_scene_bytes(1u << 24) < 174ull << 24);
+    CHECK(least_moving_scene_bytes(1u << 24) < 138ull << 24);
+    CHECK(least_moving_scene_bytes(64) <= 9216);
 }
 
 TEST_CASE("scene: a scene that was never made refuses every call") {

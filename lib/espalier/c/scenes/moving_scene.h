@@ -53,6 +53,7 @@ typedef struct ESPALIER_SHARED_ espalier_movement {
 typedef struct ESPALIER_SHARED_ espalier_moving_scene {
     void* opaque_[3];
     uint32_t opaque_counts_[2];
+    int32_t opaque_origin_[3];
 } espalier_moving_scene;
 
 /* Returns the bytes of a block for so many instances, 1 .. 2^24, else 0. No order of insertions and removals needs
@@ -89,13 +90,18 @@ uint32_t espalier_moving_scene_capacity(const espalier_moving_scene* scene);
 uint32_t espalier_moving_scene_slot_end(const espalier_moving_scene* scene);
 /* Returns e; a step of the world is 2^e long. */
 int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene);
+/* Returns the place in the world from which this view counts coordinates: a multiple of 128 steps on each axis. To give
+ * a place to the view, subtract the origin in float64 and round the difference to float32; to an answer, add it in
+ * float64. 0 unless espalier_moving_scene_seen_from() made the view. */
+espalier_vec3d espalier_moving_scene_origin(const espalier_moving_scene* scene);
 /* Returns the region for which rays are rounded once: for instances whose transforms move by whole steps of the world
  * and do nothing else, and whose meshes have a lattice with that step. For a tile, its own common lattice counts. No
  * ray passes between two of them that share an edge. ESPALIER_QUERY_NOT_FOUND until there has been one.
  *
- * The region is a cube around the origin, which reaches 2^17 steps to each side. It doubles until it holds such an
- * instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks. An instance beyond that rounds rays
- * for itself. */
+ * The region is a cube around the origin of the view, which reaches 2^17 steps to each side. It doubles until it holds
+ * such an instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks. An instance beyond that
+ * rounds rays for itself. In a scene with instances that were inserted or moved through another origin than 0, and in a
+ * view from another one, the cube reaches 2^23 steps. */
 espalier_lattice_result espalier_moving_scene_common_lattice(const espalier_moving_scene* scene);
 /* Returns whether a batch has moved instances since the last refit: queries are then refused with
  * ESPALIER_QUERY_NOT_REFITTED. */
@@ -106,6 +112,18 @@ const void* espalier_moving_scene_block(const espalier_moving_scene* scene, size
 /* Returns the array of meshes or tiles, and writes their number to `count`. */
 const espalier_blob* espalier_moving_scene_meshes(const espalier_moving_scene* scene, size_t* count);
 const espalier_scene* espalier_moving_scene_tiles(const espalier_moving_scene* scene, size_t* count);
+
+/* Writes a view of the same block whose origin is the multiple of 128 steps that is nearest to a place in the world, on
+ * each axis. Returns false for a place that is not finite or 2^30 - 64 steps or more from 0, for a scene that is not
+ * open, or for misaligned memory; `view` is then empty, or not written if it is misaligned. Changes nothing: any number
+ * of views may be in use. O(1).
+ *
+ * An instance that is inserted or moved through a view keeps its place exactly, and views from elsewhere round its
+ * translation once to float32: so a world of 100 km has millimetres near each view. What counts from the origin: shapes
+ * and answers of queries, transforms that are inserted, moved and returned, boxes, the common lattice, and a baked
+ * scene in pairs with this one. Handles, the bounds of the world and pairs do not depend on it. */
+bool espalier_moving_scene_seen_from(const espalier_moving_scene* scene, espalier_vec3d place,
+                                     espalier_moving_scene* view);
 
 /* Inserts an instance; its `source` is not stored. It takes the slot of the latest removal that is still free, else the
  * lowest that was never used. A refusal changes nothing: ESPALIER_QUERY_INVALID_ARGUMENT for a

@@ -16,9 +16,10 @@ struct InstanceSlot {
     std::uint32_t user;
     std::uint32_t generation;
     StepsBox box;
-    std::uint32_t place;  ///< 8 * node + place in it; of a free slot the next free one
+    std::uint32_t place;     ///< 8 * node + place in it; of a free slot the next free one
+    std::int32_t origin[3];  ///< from which the transform counts, in steps (seen.hpp)
 };
-static_assert(sizeof(InstanceSlot) == 72);
+static_assert(sizeof(InstanceSlot) == 84);
 
 /// The head of a block.
 struct BlockHead {
@@ -58,7 +59,7 @@ struct SceneBlock {
     [[nodiscard]] BoxNode& node(std::uint32_t number) const { return nodes[number]; }
 };
 
-inline constexpr std::uint32_t block_magic = 0x314D5345u;  // "ESM1"
+inline constexpr std::uint32_t block_magic = 0x324D5345u;  // "ESM2"
 inline constexpr std::uint32_t most_slots = 1u << 24;
 constexpr bool is_step_exponent(int exponent) { return exponent >= -100 && exponent <= 80; }
 /// Nodes on the way to a leaf node, for so many slots: 13 levels would hold at least 2 * 4^12 instances.
