@@ -203,3 +203,60 @@ test('scenes place what counts from the origin', async () => {
         point.forEach((x, i) => near(x, PLACE[i] - base[i] + (i === 2 ? 2 : 0)));
     }
 });
+
+const WORLD = [99876.5, -42123.25, 12];  // as far as float32 has steps of 8 mm
+const inWorld = (...local) => local.map((x, i) => x + WORLD[i % 3]);
+
+/// Returns two cubes with a middle in the world that float32 does not hold, each placed through a view of its own.
+async function makeWorld() {
+    const scene = library.createMovingScene([await bake([0, 0, 0])], 8);
+    for (const [apart, x] of [[0, 0], [700, 8.001]]) {
+        const view = scene.seenFrom(inWorld(apart, -apart, 0));
+        assert.deepStrictEqual([...view.insert({ translation: inWorld(x, 0, 0) }).status], [Status.OK]);
+        view.free();
+    }
+    return scene;
+}
+
+test('a view of a moving scene takes and returns places in the world', async () => {
+    const world = await makeWorld(), view = world.seenFrom(inWorld(0, 0, 40));
+    assert.ok(view.origin.every((x, i) => Math.abs(x - WORLD[i]) < 41 && x % 0.125 === 0));
+    assert.deepStrictEqual([...world.origin, ...view.seenFrom([0.01, 0, 0]).origin], [0, 0, 0, 0, 0, 0]);
+    view.raycast(inWorld(0, 0, 9, 8.001, 1.999, 9), [0, 0, -1]).t.forEach((t) => near(t, 7));
+    assert.ok(view.occluded(inWorld(0, 0, 9), [0, 0, -1]).yes(0) && view.occluded(inWorld(4, 0, 9), [0, 0, -1]).no(0));
+    const nearest = view.closestPoint(inWorld(5, 0.5, 0.25));
+    close(nearest.point, inWorld(6.001, 0.5, 0.25));
+    close(nearest.onShape, inWorld(5, 0.5, 0.25));
+    assert.deepStrictEqual([...nearest.instance], [1]);
+    const hit = view.sweep({ kind: 'sphere', center: inWorld(4, 0, 0), radius: 0.5 }, [-10, 0, 0]);
+    close(hit.point, inWorld(2, 0, 0));
+    assert.ok(view.overlaps({ kind: 'box', min: inWorld(1.999, 0, 0), max: inWorld(2.5, 1, 1) }).yes(0));
+    assert.ok(view.overlaps({ kind: 'box', min: inWorld(2.003, 0, 0), max: inWorld(2.5, 1, 1) }).no(0));
+    assert.ok(world.closestPoint(WORLD).point instanceof Float32Array);
+});
+
+test('a view places instances and shares the scene with others', async () => {
+    const world = await makeWorld(), view = world.seenFrom(WORLD), other = world.seenFrom(inWorld(5000, 0, 0));
+    const handles = view.handles(), boxes = view.boxes(handles);
+    close(view.instances().translation, inWorld(0, 0, 0, 8.001, 0, 0));
+    assert.ok(boxes.min instanceof Float64Array && Math.abs(boxes.min[0] - WORLD[0] + 2) < 2 * NEAR);
+    const first = { slot: handles.slot.slice(0, 1), generation: handles.generation.slice(0, 1) };
+    assert.deepStrictEqual([...other.move(first, { translation: inWorld(4.5, 0, 0) })], [Status.OK]);
+    for (const each of [view, other, world]) {
+        assert.strictEqual(each.instanceCount, 2);
+        assert.deepStrictEqual([...each.collidingPairs().items.a], [0]);
+    }
+    near(view.raycast(inWorld(4.5, 0, 9), [0, 0, -1]).t[0], 7);  // what another view has changed is seen
+    const again = library.openMovingScene(other.snapshot(), [await bake([0, 0, 0])]).seenFrom(WORLD);
+    assert.deepStrictEqual(again.instances(), view.instances());
+    world.free();
+    other.free();
+    assert.throws(() => other.origin);
+    assert.ok(view.occluded(inWorld(4.5, 0, 9), [0, 0, -1]).yes(0));
+    const small = await library.bake({ ...cube([0, 0, 0]), positions: cube([0, 0, 0]).positions.map((x) => x / 2) }, { tolerance: 0.001 });
+    view.setMesh(0, small);
+    near(view.raycast(inWorld(4.5, 0, 9), [0, 0, -1]).t[0], 8);
+    for (const place of [[2 ** 20, 0, 0], [NaN, 0, 0], [0, 0, -Infinity]]) assert.throws(() => view.seenFrom(place), /place must be finite/);
+    assert.throws(() => view.seenFrom(3), TypeError);
+    view.free();
+});

@@ -15,6 +15,7 @@ from .pairs import _visits
 from .results import Status
 from .scene_queries import SceneQueries
 from .scenes import Scene, instance_rows, words
+from .transforms import Origin, in_source
 
 
 class Pairs(NamedTuple):
@@ -33,17 +34,20 @@ class MovingScene(SceneQueries):
     """Instances of blobs that are inserted, moved and removed, with the queries of SceneQueries.
 
     blobs: the meshes that instances place, Blob objects; instances name them by their numbers.
-    capacity: the largest number of instances at once, 1 to 2^24; it takes 161 bytes for each.
+    capacity: the largest number of instances at once, 1 to 2^24; it takes 173 bytes for each.
     step_exponent: a step of the world is 2^step_exponent long, -100 to 80. A thousandth of the smallest instance is a
     good step; the world reaches 2^30 - 128 steps from the origin. No ray passes between pieces of a ground that have
     this step (Resolution.step) and are moved by whole steps of it.
     tiles: Scene objects without tiles, numbered after the blobs.
 
+    A world that float32 does not resolve, such as 100 km with millimetres, is seen from places in it: seen_from() returns
+    a view, whose places are float64.
+
     Any number of threads may query a scene at once; a change waits for those that began before it, and those that begin
     later wait for it. Calls release Python's lock. Results do not depend on the order of changes. Pickling writes a snapshot and the blobs.
     """
 
-    __slots__ = ("_core", "_blobs", "_tiles", "_changing")
+    __slots__ = ("_core", "_blobs", "_tiles", "_changing", "_origin")
     _core: _core.MovingScene
 
     def __init__(self, blobs: Sequence[Blob], capacity: int, step_exponent: int = -10, *,
@@ -56,6 +60,7 @@ class MovingScene(SceneQueries):
         self._core = _core.create_moving_scene(*self._cores(), capacity, step_exponent)
 
     def _hold(self, blobs: Sequence[Blob], tiles: Sequence[Scene]) -> None:
+        self._origin: Origin = None
         self._changing = RLock()  # the scene and the list of its blobs change together
         self._blobs, self._tiles = list(blobs), list(tiles)
         for each in self._blobs:
@@ -89,11 +94,35 @@ class MovingScene(SceneQueries):
         return int(self._core.facts()["step_exponent"])
 
     @property
-    def bounds(self) -> NDArray[np.float32]:
-        """(2, 3): the lower and the upper corner of a box around all instances; of none, an empty one. O(capacity)."""
+    def origin(self) -> NDArray[np.float64]:
+        """(3,): the place in the world from which float32 counts in this view. 0 unless seen_from() made it."""
+        return np.array(self._core.origin(), np.float64)
+
+    def seen_from(self, place: ArrayLike) -> MovingScene:
+        """Returns the same scene as float32 resolves it near a place: a view, whose places are float64. O(1).
+
+        place: (3,), in the world. Each place that is given is rounded once to float32, from the `origin` of the view: the
+        multiple of 128 steps nearest to `place`. An instance keeps the place that it was given through a view, and
+        others, from elsewhere, round it once more, by less than a ten-millionth of the distance.
+        Handles, pairs and the bounds of the world do not depend on the view, and a change through one changes all. In
+        pairs with a baked scene, that counts from the origin. Raises ValueError for a place that is not in the world.
+        """
+        x, y, z = (float(coordinate) for coordinate in np.asarray(place, np.float64).reshape(3))
+        view = MovingScene.__new__(MovingScene)
+        view._changing, view._blobs, view._tiles = self._changing, self._blobs, self._tiles
+        view._core = self._core.seen_from(x, y, z)
+        view._origin = view.origin if view.origin.any() else None
+        return view
+
+    @property
+    def bounds(self) -> NDArray[Any]:
+        """(2, 3): the lower and the upper corner of a box around all instances; of none, an empty one. O(capacity).
+
+        float32, of a view float64.
+        """
         boxes = self.boxes(self.handles())
         boxes = boxes[boxes["status"] == Status.OK]
-        return np.array([boxes["min"].min(axis=0, initial=np.inf), boxes["max"].max(axis=0, initial=-np.inf)], np.float32)
+        return np.array([boxes["min"].min(axis=0, initial=np.inf), boxes["max"].max(axis=0, initial=-np.inf)])
 
     @property
     def quality(self) -> float:
@@ -121,11 +150,11 @@ class MovingScene(SceneQueries):
         So `scene.instances()[hits["instance"]]` are those of hits. A free slot has NO_TRIANGLE for `mesh` and `source`,
         and the mask 0.
         """
-        return self._core.instances()
+        return in_source(self._core.instances(), self._origin, ("transform",))
 
     def boxes(self, handles: ArrayLike) -> NDArray[Any]:
         """Returns the boxes of instances in the tree, rounded outward: an array of BOX. handles: (...), of HANDLE."""
-        return self._core.boxes(_handle_rows(handles))
+        return in_source(self._core.boxes(_handle_rows(handles)), self._origin, ("min", "max"))
 
     def is_on_common_lattice(self, handles: ArrayLike) -> NDArray[np.bool_]:
         """Returns whether rays are rounded once for each instance and others, so that none passes between them.
@@ -231,7 +260,7 @@ class MovingScene(SceneQueries):
 
     def __reduce__(self) -> Any:
         with self._changing:
-            return open_moving_scene, (self.snapshot(), list(self._blobs), self._tiles)
+            return _open_view, (self.snapshot(), list(self._blobs), self._tiles, tuple(self.origin))
 
     def __repr__(self) -> str:
         return f"<espalier.MovingScene of {self.instance_count} instances of {len(self._blobs)} meshes>"
@@ -247,6 +276,11 @@ def open_moving_scene(snapshot: bytes, blobs: Sequence[Blob], tiles: Sequence[Sc
     scene._hold(blobs, tiles)
     scene._core = _core.open_moving_scene(bytes(snapshot), *scene._cores())
     return scene
+
+
+def _open_view(snapshot: bytes, blobs: Sequence[Blob], tiles: Sequence[Scene], origin: Sequence[float]) -> MovingScene:
+    scene = open_moving_scene(snapshot, blobs, tiles)
+    return scene.seen_from(origin) if any(origin) else scene
 
 
 def _handle_rows(handles: ArrayLike) -> NDArray[np.uint32]:

@@ -13,6 +13,7 @@ from .pictures import Pictures
 from .rays import culling_number
 from .results import Lists, YesNo
 from .shapes import Body, Box, Moving, SceneVolume, split
+from .transforms import Origin, in_source, lists_in_source
 
 ALL = 0xFFFFFFFF
 """The mask that shares a bit with that of every instance but 0."""
@@ -21,7 +22,8 @@ ALL = 0xFFFFFFFF
 class SceneQueries(Pictures):
     """Queries of all instances of a scene.
 
-    Shapes and results are in world space. Arguments broadcast and results have shapes as those of Blob, with the
+    Shapes and results are in world space. Of a view of a moving scene (seen_from()) places in results are float64, and
+    those in arguments should be: each is rounded once, from the origin of the view. Arguments broadcast and results have shapes as those of Blob, with the
     fields `instance` and `in_tile` more: of a baked scene the number of the instance, of a moving one its slot.
     mask: instances whose mask shares no bit with it are passed over.
     only: a flag, bool or uint8, for each instance of a baked scene, (instance_count,), or for each slot of a moving
@@ -33,6 +35,7 @@ class SceneQueries(Pictures):
 
     __slots__ = ()
     _core: Union[_core.Scene, _core.MovingScene]
+    _origin: Origin = None
 
     def _flags(self, only: Optional[ArrayLike]) -> Optional[NDArray[np.uint8]]:
         raise NotImplementedError
@@ -65,7 +68,7 @@ class SceneQueries(Pictures):
     def closest_point(self, points: ArrayLike, max_distance: ArrayLike = np.inf, *, mask: int = ALL,
                       threads: int = 1) -> NDArray[Any]:
         """Returns the closest point of any surface to each point: an array of SCENE_CLOSEST_POINT."""
-        return _core.scene_closest_points(self._core, points, max_distance, mask, threads)
+        return in_source(_core.scene_closest_points(self._core, points, max_distance, mask, threads), self._origin)
 
     def sweep(self, shape: Moving, displacement: ArrayLike, *, culling: str = "none", ignore_leaving: bool = False,
               skin: float = 0.0, mask: int = ALL, only: Optional[ArrayLike] = None, threads: int = 1) -> NDArray[Any]:
@@ -74,8 +77,9 @@ class SceneQueries(Pictures):
         Options are those of Blob.sweep(), with the skin in world units.
         """
         options = (culling_number(culling), ignore_leaving, skin)
-        return _core.scene_sweeps(self._core, *split(shape, Moving, "sweep()"), displacement, options, mask,
+        hits = _core.scene_sweeps(self._core, *split(shape, Moving, "sweep()"), displacement, options, mask,
                                   self._flags(only), threads)
+        return in_source(hits, self._origin)
 
     def candidates(self, box: Box, *, mask: int = ALL, threads: int = 1) -> Lists:
         """Returns the instances whose boxes in the tree touch each box, for queries of your own: lists of CANDIDATE.
@@ -93,7 +97,8 @@ class SceneQueries(Pictures):
         """
         kind, fields = split(shape, Body, "contacts()")
         flags = self._flags(only)
-        return Lists(*_core.scene_contact_lists(self._core, kind, fields, margin, most, mask, flags, threads))
+        contacts = _core.scene_contact_lists(self._core, kind, fields, margin, most, mask, flags, threads)
+        return lists_in_source(Lists(*contacts), self._origin)
 
     def overlaps(self, shape: SceneVolume, *, mask: int = ALL, only: Optional[ArrayLike] = None,
                  threads: int = 1) -> YesNo:

@@ -6,7 +6,7 @@ Also places in the coordinates of a blob's source: those of the blob count from 
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,34 +67,38 @@ def direction_to_world(transforms: ArrayLike, directions: ArrayLike) -> NDArray[
 
 
 Origin = Optional[NDArray[np.float64]]
-"""Where 0 0 0 of a blob, or of the world of two, lies in the source: (3,), or (..., 3), one for each result. None where
-the two have the same coordinates."""
+"""Where 0 0 0 of a blob, or of the world of two, lies in the source, or that of a view in its world: (3,), or (..., 3),
+one for each result. None where the two have the same coordinates."""
 
 PLACES = ("point", "on_shape", "corners", "points", "on_a", "on_b")
 """The fields of results that are places."""
 
 
-def source_type(local: np.dtype[Any]) -> np.dtype[Any]:
+def source_type(local: np.dtype[Any], places: Sequence[str] = PLACES) -> np.dtype[Any]:
     """Returns the type of results in the coordinates of the source: their places are float64."""
     fields: list[Any] = []
     for name in local.names or ():
         field = local[name]
-        fields.append((name, np.float64 if name in PLACES else field.base, field.shape))
+        fields.append((name, np.float64 if name in places else field.base, field.shape))
     return np.dtype(fields)
 
 
-def in_source(results: NDArray[Any], origin: Origin) -> NDArray[Any]:
-    """Returns results, or places (..., 3), in the coordinates of the source; without an origin as they are."""
+def in_source(results: NDArray[Any], origin: Origin, places: Sequence[str] = PLACES) -> NDArray[Any]:
+    """Returns results, or places (..., 3), in the coordinates of the source; without an origin as they are.
+
+    places: the fields that are places, or transforms of eight numbers.
+    """
     if origin is None:
         return results
     if results.dtype.names is None:
         return results + origin
-    moved = np.empty(results.shape, source_type(results.dtype))
+    moved = np.empty(results.shape, source_type(results.dtype, places))
     for name in results.dtype.names:
         moved[name] = results[name]
-        if name in PLACES:
-            inner = results.dtype[name].shape[:-1]
-            moved[name] += origin.reshape(origin.shape[:-1] + (1,) * len(inner) + (3,))
+        if name in places:
+            *inner, width = results.dtype[name].shape
+            place = moved[name][..., 4:7] if width == 8 else moved[name]
+            place += origin.reshape(origin.shape[:-1] + (1,) * len(inner) + (3,))
     return moved
 
 

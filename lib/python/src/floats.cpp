@@ -49,19 +49,20 @@ py::array as_float32(const py::array& array) {
     return array.attr("astype")(float32, py::arg("copy") = false);
 }
 
-/// Returns places, or planes, as they are seen from an origin, in float64.
+/// Returns places, planes, or transforms, as they are seen from an origin, in float64.
 py::array seen_from(const Vec3d& origin, const py::array& places) {
     py::array moved = places.attr("astype")(py::dtype::of<double>(), py::arg("order") = "C");
-    const bool are_planes = moved.shape(moved.ndim() - 1) == 4;
-    const py::ssize_t width = are_planes ? 4 : 3;
+    constexpr py::ssize_t plane = 4, transform = 8;
+    const py::ssize_t last = moved.shape(moved.ndim() - 1), width = last == plane || last == transform ? last : 3;
     auto* const first = static_cast<double*>(moved.mutable_data());
     for (double* row = first; row != first + moved.size(); row += width) {
-        if (are_planes) {
+        if (width == plane) {
             row[3] -= row[0] * origin.x + row[1] * origin.y + row[2] * origin.z;
         } else {
-            row[0] -= origin.x;
-            row[1] -= origin.y;
-            row[2] -= origin.z;
+            double* const place = width == transform ? row + 4 : row;
+            place[0] -= origin.x;
+            place[1] -= origin.y;
+            place[2] -= origin.z;
         }
     }
     return moved;

@@ -18,11 +18,9 @@ namespace espalier::python {
 /// Where 0 0 0 of a blob lies in its source; none where the two have the same coordinates.
 using Origin = std::optional<Vec3d>;
 
+inline Origin origin_of(const Vec3d& origin) { return origin == Vec3d{} ? Origin() : Origin(origin); }
 /// Returns the origin of a blob.
-inline Origin origin_of(const Blob& blob) {
-    const Vec3d origin = blob.source_origin();
-    return origin == Vec3d{} ? Origin() : Origin(origin);
-}
+inline Origin origin_of(const Blob& blob) { return origin_of(blob.source_origin()); }
 
 namespace py = pybind11;
 
@@ -39,7 +37,8 @@ class Floats {
 public:
     /// Throws ValueError, which names the argument, where its last axes are not those of an element, and TypeError
     /// where it has no real numbers. With an origin the elements are places, or planes of four numbers, in the
-    /// coordinates of the source: it is subtracted in float64, before they are rounded.
+    /// coordinates of the source: it is subtracted in float64, before they are rounded. Of rows of eight numbers, it is
+    /// subtracted from the translation.
     Floats(py::handle given, const char* name, ElementShape element, const Origin& origin = {});
 
     /// Returns the axes before those of an element.

@@ -1,9 +1,10 @@
 // Places in the coordinates of the source. Those of a blob count from its origin, which float32 may not hold.
 
-/// Returns where 0 0 0 of an open blob is in its source: three numbers, or null where it is there.
-export function originOf(instance, blob) {
+/// Returns where 0 0 0 of an open blob is in its source, or that of a view of a moving scene in its world: three numbers,
+/// or null where it is there.
+export function originOf(instance, view, name = 'espalier_blob_source_origin') {
     const at = instance.allocate(instance.records.vec3d.bytes);
-    instance.functions.espalier_blob_source_origin(at, blob);
+    instance.functions[name](at, view);
     const { x, y, z } = instance.read('vec3d', at);
     instance.release(at);
     return x === 0 && y === 0 && z === 0 ? null : [x, y, z];

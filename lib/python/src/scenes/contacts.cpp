@@ -153,7 +153,7 @@ py::tuple contact_lists(const Scene& self, const std::string& kind, const py::tu
     Floats margins(margin, "margin", {});
     const Flags flags(only);
     return list_for_shapes<SceneContact>(
-        {kind, given}, &margins, dtype_of("scene_contact"), threads,
+        {kind, given, origin_of(self)}, &margins, dtype_of("scene_contact"), threads,
         [&](const auto& body, std::size_t i, Growing<SceneContact>& contacts) requires requires {
             find_contacts(Blob(), body, 0.0f, std::span<Contact>());
         } { return append_deepest(self.scene, body, margins.as<float>().at(i), most, flags, mask, contacts); },

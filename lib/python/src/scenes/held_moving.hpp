@@ -12,13 +12,14 @@
 
 #include <espalier/scenes/moving_scene.hpp>
 
+#include "floats.hpp"
 #include "held_blob.hpp"
 #include "parts.hpp"
 
 namespace espalier::python {
 
-/// A moving scene as Python holds it.
-struct HeldMovingScene {
+/// The block of a moving scene and its parts, which all views of it share.
+struct MovingBlock {
     struct Free {
         void operator()(std::byte* bytes) const { ::operator delete (bytes, std::align_val_t{32}); }
     };
@@ -28,10 +29,19 @@ struct HeldMovingScene {
     std::vector<Blob> meshes;
     std::vector<BakedScene> tiles;
     std::unique_ptr<std::byte, Free> memory;
-    MovingScene scene;
-    mutable std::shared_mutex mutex;  // shared by queries, and held alone by changes
-    mutable std::mutex gate;          // held by who waits, so that queries do not pass a change that waits
+    std::shared_mutex mutex;  // shared by queries, and held alone by changes
+    std::mutex gate;          // held by who waits, so that queries do not pass a change that waits
 };
+
+/// A view of a moving scene as Python holds it.
+struct HeldMovingScene {
+    std::shared_ptr<MovingBlock> block;
+    MovingScene scene;
+};
+
+/// Returns where the places of a scene count from in float64.
+inline Origin origin_of(const HeldScene&) { return {}; }
+inline Origin origin_of(const HeldMovingScene& self) { return origin_of(self.scene.origin()); }
 
 /// Returns how to keep a scene as it is during a query: a baked scene never changes.
 inline WithoutLock reading(const HeldScene&) { return {}; }
@@ -39,8 +49,8 @@ inline WithoutLock reading(const HeldScene&) { return {}; }
 /// objects while it is held.
 inline auto reading(const HeldMovingScene& self) {
     return [&self] {
-        const std::lock_guard first(self.gate);
-        return std::shared_lock(self.mutex);
+        const std::lock_guard first(self.block->gate);
+        return std::shared_lock(self.block->mutex);
     };
 }
 
@@ -56,8 +66,8 @@ auto shared(const HeldMovingScene& self, const Read& read) {
 template <class Change>
 auto alone(HeldMovingScene& self, const Change& change) {
     const py::gil_scoped_release unlocked;
-    const std::lock_guard first(self.gate);
-    const std::unique_lock lock(self.mutex);
+    const std::lock_guard first(self.block->gate);
+    const std::unique_lock lock(self.block->mutex);
     return change();
 }
 

@@ -20,8 +20,8 @@ struct GivenInstances {
     Batch batch;
     Numbers numbers;
 
-    GivenInstances(const py::handle& given_places, Numbers given_numbers)
-        : places(given_places, "places", {8}), batch({&places}), numbers(std::move(given_numbers)) {
+    GivenInstances(const py::handle& given_places, Numbers given_numbers, const Origin& origin = {})
+        : places(given_places, "places", {8}, origin), batch({&places}), numbers(std::move(given_numbers)) {
         if (numbers.ndim() != 2 || numbers.shape(1) != 3 || static_cast<std::size_t>(numbers.shape(0)) != batch.count())
             throw py::value_error("there must be a mesh, a mask and a user's number for each instance");
     }

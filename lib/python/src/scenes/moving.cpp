@@ -20,9 +20,9 @@ namespace {
 
 static_assert(sizeof(InstanceHandle) == 8);
 
-/// Returns a scene without a block, with the meshes and tiles that its instances place.
-std::unique_ptr<HeldMovingScene> hold_parts(const py::list& meshes, const py::list& tiles) {
-    auto self = std::make_unique<HeldMovingScene>();
+/// Returns the meshes and tiles that the instances of a scene place, without memory for these.
+std::shared_ptr<MovingBlock> hold_parts(const py::list& meshes, const py::list& tiles) {
+    auto self = std::make_shared<MovingBlock>();
     for (const py::handle mesh : meshes) {
         self->meshes.push_back(mesh.cast<const HeldBlob&>().blob);
         self->mesh_owners.push_back(py::reinterpret_borrow<py::object>(mesh));
@@ -34,37 +34,51 @@ std::unique_ptr<HeldMovingScene> hold_parts(const py::list& meshes, const py::li
     return self;
 }
 
-/// Gives a scene its block, whose bytes are not set.
-std::span<std::byte> allocate(HeldMovingScene& self, std::size_t size) {
+/// Returns memory for instances, whose bytes are not set.
+std::span<std::byte> allocate(MovingBlock& self, std::size_t size) {
     self.memory.reset(static_cast<std::byte*>(::operator new (size, std::align_val_t{32})));
     return {self.memory.get(), size};
 }
 
 std::unique_ptr<HeldMovingScene> create(const py::list& meshes, const py::list& tiles, std::uint32_t capacity,
                                         int step_exponent) {
-    auto self = hold_parts(meshes, tiles);
+    auto block = hold_parts(meshes, tiles);
     const auto size = static_cast<std::size_t>(moving_scene_bytes(capacity));
     if (size == 0) throw py::value_error("capacity must be from 1 to 16777216");
+    MovingScene scene;
     {
         const py::gil_scoped_release unlocked;
-        const std::span<std::byte> memory = allocate(*self, size);
-        self->scene = create_moving_scene(memory, capacity, step_exponent, self->meshes, self->tiles);
+        const std::span<std::byte> memory = allocate(*block, size);
+        scene = create_moving_scene(memory, capacity, step_exponent, block->meshes, block->tiles);
     }
-    if (!self->scene) throw py::value_error("step_exponent must be from -100 to 80");
-    return self;
+    if (!scene) throw py::value_error("step_exponent must be from -100 to 80");
+    return std::make_unique<HeldMovingScene>(std::move(block), scene);
 }
 
 std::unique_ptr<HeldMovingScene> open(const py::bytes& snapshot, const py::list& meshes, const py::list& tiles) {
-    auto self = hold_parts(meshes, tiles);
+    auto block = hold_parts(meshes, tiles);
     const std::string_view bytes = snapshot;
-    const std::span<std::byte> memory = allocate(*self, std::max<std::size_t>(bytes.size(), 1));
+    const std::span<std::byte> memory = allocate(*block, std::max<std::size_t>(bytes.size(), 1));
     std::memcpy(memory.data(), bytes.data(), bytes.size());
+    MovingScene scene;
     {
         const py::gil_scoped_release unlocked;
-        self->scene = open_moving_scene(memory.first(bytes.size()), self->meshes, self->tiles);
+        scene = open_moving_scene(memory.first(bytes.size()), block->meshes, block->tiles);
     }
-    if (!self->scene) throw py::value_error("the bytes are no snapshot of a moving scene with these meshes and tiles");
-    return self;
+    if (!scene) throw py::value_error("the bytes are no snapshot of a moving scene with these meshes and tiles");
+    return std::make_unique<HeldMovingScene>(std::move(block), scene);
+}
+
+/// Returns a view of the same block from a place in the world.
+std::unique_ptr<HeldMovingScene> view_from(const HeldMovingScene& self, double x, double y, double z) {
+    const MovingScene seen = seen_from(self.scene, {x, y, z});
+    if (!seen) throw py::value_error("place must be finite and less than 2^30 - 64 steps from 0 on each axis");
+    return std::make_unique<HeldMovingScene>(self.block, seen);
+}
+
+py::tuple origin_of_view(const HeldMovingScene& self) {
+    const Vec3d origin = self.scene.origin();
+    return py::make_tuple(origin.x, origin.y, origin.z);
 }
 
 py::bytes snapshot(const HeldMovingScene& self) {
@@ -77,7 +91,7 @@ py::bytes snapshot(const HeldMovingScene& self) {
 
 /// Returns a handle and a status for each instance.
 py::array insert_all(HeldMovingScene& self, const py::handle& places, const GivenInstances::Numbers& numbers) {
-    const GivenInstances instances(places, numbers);
+    const GivenInstances instances(places, numbers, origin_of(self));
     py::array results = instances.batch.results(dtype_of("handle"));
     auto* out = static_cast<Result<InstanceHandle>*>(results.mutable_data());
     alone(self, [&] {
@@ -161,7 +175,7 @@ py::array set_words(HeldMovingScene& self, const Handles::Array& given, const Wo
 /// Moves instances as one batch, which goes on behind those that are refused, and renews the tree once.
 py::array move_all(HeldMovingScene& self, const Handles::Array& given, const py::handle& given_places) {
     const Handles handles(given);
-    Floats places(given_places, "places", {8});
+    Floats places(given_places, "places", {8}, origin_of(self));
     const Batch batch({&places});
     if (batch.count() != handles.count()) throw py::value_error("there must be a place for each handle");
     py::array statuses = handles.statuses();
@@ -182,21 +196,22 @@ py::array move_all(HeldMovingScene& self, const Handles::Array& given, const py:
 
 /// Gives all instances of a mesh another blob. Returns the status; a refusal changes nothing.
 int set_mesh(HeldMovingScene& self, std::size_t mesh, const py::object& given) {
+    MovingBlock& block = *self.block;
     const HeldBlob& blob = given.cast<const HeldBlob&>();
-    if (mesh >= self.meshes.size()) throw py::index_error("the scene has no such mesh");
+    if (mesh >= block.meshes.size()) throw py::index_error("the scene has no such mesh");
     if (blob.blob.triangle_count() == 0) throw py::value_error("the blob has no triangles");
     py::object owner = given;
     const QueryStatus status = alone(self, [&] {
-        const Blob old = self.meshes[mesh];
-        self.meshes[mesh] = blob.blob;
+        const Blob old = block.meshes[mesh];
+        block.meshes[mesh] = blob.blob;
         const QueryStatus moved = move_instances_of(self.scene, static_cast<std::uint32_t>(mesh));
         if (moved == QueryStatus::ok) {
-            std::swap(self.mesh_owners[mesh].ptr(), owner.ptr());  // counts no references
+            std::swap(block.mesh_owners[mesh].ptr(), owner.ptr());  // counts no references
             // The slack of queries follows from the lattices, and a repack computes it anew.
             if (old.lattice() == blob.blob.lattice()) refit(self.scene);
             else repack(self.scene);
         } else {
-            self.meshes[mesh] = old;
+            block.meshes[mesh] = old;
         }
         return moved;
     });
@@ -249,6 +264,8 @@ float quality_of(const HeldMovingScene& self) {
 void bind_moving_scenes(py::module_& module) {
     py::class_<HeldMovingScene>(module, "MovingScene")
         .def("facts", facts)
+        .def("seen_from", view_from)
+        .def("origin", origin_of_view)
         .def("quality", quality_of)
         .def("handles", handles)
         .def("instances", instances)

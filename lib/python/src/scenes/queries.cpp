@@ -31,14 +31,14 @@ static_assert(sizeof(SceneTriangle) == 12);
 struct FilteredRays : Rays {
     Flags flags;
 
-    FilteredRays(const py::tuple& given, int culling, const py::object& only)
-        : Rays{given[0], given[1], given[2], given[3], culling}, flags(only) {}
+    FilteredRays(const py::tuple& given, int culling, const py::object& only, const Origin& origin)
+        : Rays{given[0], given[1], given[2], given[3], culling, origin}, flags(only) {}
 };
 
 template <class Scene>
 py::array raycasts(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                    unsigned threads) {
-    const FilteredRays rays(given, culling, only);
+    const FilteredRays rays(given, culling, only, origin_of(self));
     py::array results = rays.batch.results(dtype_of("scene_ray_hit"));
     answer_each(
         static_cast<InScene<RayHit>*>(results.mutable_data()), rays.batch.count(), threads,
@@ -50,7 +50,7 @@ py::array raycasts(const Scene& self, const py::tuple& given, int culling, std::
 template <class Scene>
 py::array occlusions(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                      unsigned threads) {
-    const FilteredRays rays(given, culling, only);
+    const FilteredRays rays(given, culling, only, origin_of(self));
     py::array results = rays.batch.results(py::dtype::of<std::uint8_t>());
     answer_each(
         static_cast<YesNo*>(results.mutable_data()), rays.batch.count(), threads,
@@ -77,7 +77,7 @@ QueryStatus append_by_instance(Growing<Value>& all, const Walk& walk) {
 template <class Scene>
 py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std::uint32_t mask, const py::object& only,
                     unsigned threads) {
-    const FilteredRays rays(given, culling, only);
+    const FilteredRays rays(given, culling, only, origin_of(self));
     using Hit = InScene<RayHit>;
     return make_lists<Hit>(
         rays.batch, dtype_of("scene_ray_hit"), threads,
@@ -97,7 +97,7 @@ py::tuple hit_lists(const Scene& self, const py::tuple& given, int culling, std:
 template <class Scene>
 py::array closest_points(const Scene& self, const py::handle& given, const py::handle& max_distance, std::uint32_t mask,
                          unsigned threads) {
-    Floats points(given, "points", {3});
+    Floats points(given, "points", {3}, origin_of(self));
     Floats distances(max_distance, "max_distance", {});
     const Batch batch({&points, &distances});
     const auto point = points.as<Vec3>();
@@ -120,7 +120,8 @@ py::array sweeps(const Scene& self, const std::string& kind, const py::tuple& gi
         sweep(self.scene, shape, Vec3{}, SceneFilter());
     }
     { return sweep(self.scene, shape, ways.as<Vec3>().at(i), options); };
-    return answer_shapes({kind, given}, &ways, dtype_of("scene_sweep_hit"), threads, answer, reading(self));
+    return answer_shapes({kind, given, origin_of(self)}, &ways, dtype_of("scene_sweep_hit"), threads, answer,
+                         reading(self));
 }
 
 template <class Scene>
@@ -130,7 +131,8 @@ py::array touching(const Scene& self, const std::string& kind, const py::tuple& 
     const auto answer = [&](const SceneShape auto& shape, std::size_t) {
         return overlaps(self.scene, shape, flags.of_instances(mask));
     };
-    return answer_shapes({kind, given}, nullptr, py::dtype::of<std::uint8_t>(), threads, answer, reading(self));
+    return answer_shapes({kind, given, origin_of(self)}, nullptr, py::dtype::of<std::uint8_t>(), threads, answer,
+                         reading(self));
 }
 
 template <class Scene>
@@ -147,15 +149,15 @@ py::tuple touching_lists(const Scene& self, const std::string& kind, const py::t
                 flags.of_instances(mask));
         });
     };
-    return list_for_shapes<SceneTriangle>({kind, given}, nullptr, dtype_of("scene_triangle"), threads, list,
-                                          reading(self));
+    return list_for_shapes<SceneTriangle>({kind, given, origin_of(self)}, nullptr, dtype_of("scene_triangle"), threads,
+                                          list, reading(self));
 }
 
 /// Returns (offsets, ids, statuses) of the instances whose boxes in the tree touch each box.
 template <class Scene>
 py::tuple candidate_lists(const Scene& self, const py::tuple& given, std::uint32_t mask, unsigned threads) {
     return list_for_shapes<InstanceId>(
-        {"Box", given}, nullptr, dtype_of("candidate"), threads,
+        {"Box", given, origin_of(self)}, nullptr, dtype_of("candidate"), threads,
         [&](const auto& box, std::size_t, Growing<InstanceId>& instances) requires requires {
             for_each_candidate(
                 self.scene, box, [](InstanceId) { return Visit::next; }, mask);

@@ -6,7 +6,11 @@ import { inSource, seenFrom } from '../source.js';
 
 const REFUSED = 16, OUTPUT_FULL = 3;
 /// The fields of results that are places.
-const PLACES = { closest_point_result: ['point', 'onShape'], sweep_hit: ['point'], contact: ['point'], triangle_result: ['value'] };
+const PLACES = {
+    closest_point_result: ['point', 'onShape'], sweep_hit: ['point'], contact: ['point'], triangle_result: ['value'],
+    scene_closest_point_result: ['point', 'onShape'], scene_sweep_hit: ['point'], scene_contact: ['point'],
+    instance: ['translation'], box_result: ['min', 'max'],
+};
 /// A field of three numbers that is a place.
 export const PLACE = 'place';
 

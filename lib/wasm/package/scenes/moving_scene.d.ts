@@ -1,8 +1,8 @@
 // Types of moving scenes: instances that come, move and go, and pairs of them.
-import type { Places } from '../arguments.js';
+import type { Places, Vectors } from '../arguments.js';
 import type { Blob } from '../index.js';
 import type { PairOptions } from '../pairs.js';
-import type { YesNo } from '../results.js';
+import type { PlaceArray, YesNo } from '../results.js';
 import type { Instances, InstancesToBake, Integers, Scene, SceneQueries } from './scene.js';
 
 export interface MovingSceneOptions {
@@ -25,8 +25,8 @@ export interface FoundHandles {
 
 /** Boxes in the tree, rounded outward. */
 export interface InstanceBoxes {
-    min: Float32Array;
-    max: Float32Array;
+    min: PlaceArray;
+    max: PlaceArray;
     status: Uint8Array;
 }
 
@@ -83,6 +83,8 @@ export class MovingScene {
     readonly slotEnd: number;
     /** A step of the world is 2^stepExponent long. */
     readonly stepExponent: number;
+    /** The place in the world from which float32 counts in this view: three numbers. 0 unless seenFrom() made it. */
+    readonly origin: Float64Array;
     /**
      * How much more surface the boxes of the tree have than after the last repack(); from 1.3 on, repack(). Infinite before
      * the first one; 1 without instances. O(n).
@@ -91,6 +93,15 @@ export class MovingScene {
     readonly isFreed: boolean;
     /** Releases the memory. All later calls throw QueryError. Freeing again does nothing. */
     free(): void;
+    /**
+     * Returns the same scene as float32 resolves it near a place of three numbers: a view, to be freed by itself. Places that
+     * it is given are rounded once to float32, from its `origin`: the multiple of 128 steps nearest to `place`. Those in
+     * results are Float64Arrays. An instance keeps the place that it was given through a view; others, from elsewhere, round
+     * it once more, by less than a ten-millionth of the distance. Handles and pairs do not depend on the view, and a change
+     * through one changes all. In pairs with a baked scene, that counts from the origin. Throws RangeError for a place that
+     * is not in the world.
+     */
+    seenFrom(place: Vectors): MovingScene;
     /** Returns the handles of all slots. A free slot has the status NOT_FOUND. */
     handles(): FoundHandles;
     /** Returns the instances of all slots, whose `source` is the slot. A free one has NO_TRIANGLE for mesh and source. */

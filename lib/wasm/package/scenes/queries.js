@@ -1,5 +1,5 @@
 // The queries of baked and of moving scenes. Shapes and results are in world space.
-import { cullingNumber, integer, Strided } from '../arguments.js';
+import { cullingNumber, integer, places, Strided } from '../arguments.js';
 import { placeFlags, refuseFilter } from '../filters.js';
 import { YesNo } from '../results.js';
 import { MOVING, shapesOf, VOLUMES } from '../shapes.js';
@@ -30,7 +30,7 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
     }
 
     closestPoint(points, maxDistance = Infinity, { mask = ALL, ...others } = {}) {
-        const given = new Strided(points, 3, 'points'), bits = integer(mask, 'mask');
+        const given = places(points, 'points'), bits = integer(mask, 'mask');
         refuseFilter(others, 'closestPoint of a scene');
         return this.batch([given], (batch) => {
             const nearest = batch.allocateRecords('scene_closest_point_result');
@@ -72,7 +72,7 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
     /// Calls use(batch, rays, selection), where rays is the address of an espalier_ray for each query.
     #ofRays(origins, directions, { tMin = 0, tMax = Infinity, culling = 'none', ...selected } = {}, use) {
         const given = {
-            origin: new Strided(origins, 3, 'origins'), direction: new Strided(directions, 3, 'directions'),
+            origin: places(origins, 'origins'), direction: new Strided(directions, 3, 'directions'),
             tMin: new Strided(tMin, 1, 'tMin'), tMax: new Strided(tMax, 1, 'tMax'),
             culling: new Strided(cullingNumber(culling), 1, 'culling'),
         };

@@ -1,6 +1,6 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
 import type { Box, FilterOptions, Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
-import type { ClosestPoints, Lists, RayHits, SweepHits, YesNo } from '../results.js';
+import type { ClosestPoints, Lists, PlaceArray, RayHits, SweepHits, YesNo } from '../results.js';
 
 export interface MaskOptions {
     /** Instances whose mask shares no bit with it are passed over. All bits unless given. */
@@ -47,7 +47,7 @@ export interface InstancesToBake extends Places {
 /** The instances of a scene. rotation has four numbers for each, translation three. */
 export interface Instances {
     rotation: Float32Array;
-    translation: Float32Array;
+    translation: PlaceArray;
     scale: Float32Array;
     /** The number of its mesh in the scene; tiles are numbered after the meshes. */
     mesh: Uint32Array;
