@@ -9,16 +9,6 @@ namespace espalier::tools {
 
 namespace {
 
-/// A quaternion may have any length but zero.
-Vec3d turned(const Quaternion& by, const Vec3d& point) {
-    const Vec3d axis = {double(by.x), double(by.y), double(by.z)};
-    const auto w = double(by.w);
-    const Vec3d once = cross(axis, point), again = cross(axis, once);
-    const double twice = 2.0 / (dot(axis, axis) + w * w);
-    return {point.x + twice * (w * once.x + again.x), point.y + twice * (w * once.y + again.y),
-            point.z + twice * (w * once.z + again.z)};
-}
-
 /// Returns the place of the other blob in the space of the first one. What the options state is between their sources,
 /// which differs by the origins that were subtracted from them.
 espalier::Transform stated_placement(const QueryArguments& options, const Vec3d& origin, const Vec3d& other_origin) {
