@@ -29,6 +29,7 @@ if grep -qF "areas so far" out; then fail "info prints a histogram without being
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
 reports "volume: axis-aligned box " bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
 err_has "oriented box " "26-DOP "
+prints "flat angle    5 degrees" info extras.espl
 prints '"volumes": {' bake sheet.obj -o extras5.espl -q --flat-angle 5 --bounds sphere --bounds kdop,obb --json
 same extras.espl extras5.espl
 run 0 verify extras.espl --deep
@@ -40,6 +41,16 @@ for key in oriented_box half_axes sphere radius k_dop direction; do
 done
 run 0 dump extras.espl
 out_has "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"
+
+claim "info has the flat angle of edge flags in degrees, as it was given to the bake"
+for angle in 0 0.1 7.25 30 45 89.5; do
+    run 0 bake box.obj -o angle.espl -q --flat-angle $angle
+    finds ".flat_angle == $angle" info angle.espl
+done
+finds 'has("flat_angle") | not' info box.espl
+run 0 bake box.obj far_box.obj -o angle.esps -q --flat-angle 5 --instances all
+prints ", flat angle 5 degrees" info angle.esps
+finds '.meshes[0].flat_angle == 5' info angle.esps
 
 claim "verify accepts what bake wrote, deep and against its source"
 prints "ok, 3200 triangles" verify sheet.espl --deep --source sheet.obj
