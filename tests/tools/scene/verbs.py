@@ -104,7 +104,7 @@ def queries():
     run("query", "forest.espl", "instance", "0", code=5)
     run("query", "forest.espl", "ray", *"0 0 0 1 0 0 --mask 1".split(), code=5)
     run("query", "forest.esps", "ray", *"0 0 0 1 0 0 --mask x".split(), code=1)
-    run("query", "forest.esps", "instance", "99999", code=1)
+    run("query", "forest.esps", "instance", "99999", code=6, says=("instance is 99999; the scene has ",))
     run("query", "forest.esps", "ray", *"nan 0 0 1 0 0".split(), code=6)
     run("query", "forest.espl", "overlaps", "forest.esps", code=5)
 
