@@ -65,6 +65,8 @@ constexpr Remedy remedies[] = {
 };
 
 std::string in_words_of_command(std::string message) {
+    constexpr std::string_view flat_angle = "flat_angle, ";  // the only option whose range the command leaves to bake()
+    if (message.starts_with(flat_angle)) message.replace(0, flat_angle.size(), "--flat-angle, ");
     for (const Remedy& remedy : remedies) {
         if (!message.ends_with(remedy.in_library)) continue;
         message.resize(message.size() - remedy.in_library.size());
