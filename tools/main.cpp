@@ -58,8 +58,8 @@ void add_verify(Verb verb, VerifyArguments& arguments) {
     add_blob(verb, arguments.blob);
     verb.flag("--deep", arguments.deep, "Also that every box contains all below it, and that the header is true");
     verb.option("--source", arguments.sources, "MESH",
-                "Also that the vertices of this mesh (or of these, in order) lie within max error of the surface; "
-                "give --unit, --scale and --up as for bake");
+                "Also that the blob and this mesh (or these, in order) have the same triangles, within max error; give "
+                "--unit, --scale and --up as for bake");
     add_source(verb, arguments.source, "Warnings about the files of --source are errors: exit status 3",
                "Take files of --source without triangles; without it they are an error");
     add_json(verb, arguments.json);

@@ -90,8 +90,9 @@ TOOLS = {  # from what all of the command uses to the command line
     "scenes": "base report layout bake",
     "query": "base report files",
     "render": "base files",
+    "verify": "base",
     "absent": "base render",
-    "commands": "base report files layout bake trade scenes query render",
+    "commands": "base report files layout bake trade scenes query render verify",
     "command_line": "base report query commands",
     ".": "base report commands command_line",
 }

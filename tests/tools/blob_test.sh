@@ -29,6 +29,7 @@ if grep -qF "areas so far" out; then fail "info prints a histogram without being
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
 reports "volume: axis-aligned box " bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
 err_has "oriented box " "26-DOP "
+prints "flat angle    5 degrees" info extras.espl
 prints '"volumes": {' bake sheet.obj -o extras5.espl -q --flat-angle 5 --bounds sphere --bounds kdop,obb --json
 same extras.espl extras5.espl
 run 0 verify extras.espl --deep
@@ -40,6 +41,16 @@ for key in oriented_box half_axes sphere radius k_dop direction; do
 done
 run 0 dump extras.espl
 out_has "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"
+
+claim "info has the flat angle of edge flags in degrees, as it was given to the bake"
+for angle in 0 0.1 7.25 30 45 89.5; do
+    run 0 bake box.obj -o angle.espl -q --flat-angle $angle
+    finds ".flat_angle == $angle" info angle.espl
+done
+finds 'has("flat_angle") | not' info box.espl
+run 0 bake box.obj far_box.obj -o angle.esps -q --flat-angle 5 --instances all
+prints ", flat angle 5 degrees" info angle.esps
+finds '.meshes[0].flat_angle == 5' info angle.esps
 
 claim "verify accepts what bake wrote, deep and against its source"
 prints "ok, 3200 triangles" verify sheet.espl --deep --source sheet.obj
@@ -63,6 +74,42 @@ refuses 3 "farther from the baked surface" verify sheet.espl --source far_box.ob
 run 3 verify inches.espl --source box.obj
 run 3 verify empty.espl --source box.obj
 run 2 verify box.espl --source missing.obj
+
+claim "verify compares triangles: a source with the same vertices and other triangles is another one"
+square=$(printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1')
+write_square() { printf '%s\n' "$square" && printf 'f %s\n' "$@"; }
+write_square "1 2 3" "1 3 4" >square.obj
+write_square "1 2 3" >half.obj
+write_square "1 2 3" "2 3 4" >diagonal.obj
+write_square "1 2 3" "1 4 3" >turned.obj
+write_square "1 2 3" "1 3 4" "1 2 4" >third.obj
+run 0 bake square.obj -o square.espl -q
+run 0 verify square.espl --source square.obj
+out_has "the source and the blob have the same 2 triangles"
+refuses 3 "'square.espl': 1 of 2 triangles of the blob is not in the source, the first: triangle " verify square.espl --source half.obj
+refuses 3 "1 of 3 triangles of the source is not in the blob, the first: third.obj, mesh 0, triangle 2" verify square.espl --source third.obj
+for other in diagonal turned; do
+    fails 3 '.source.triangles_missing == 1 and .source.triangles_without_source == 1 and .source.too_far == 0' verify square.espl --source $other.obj
+    json ".error.file == \"$other.obj\" and .error.mesh == 0 and .error.triangle == 1"
+done
+sed 's/^f 1 3 4/f 1 3 2/' box.obj >folded.obj
+fails 3 '.source.triangles_missing == 1 and .source.triangles == 24 and .error.file == "folded.obj"' verify box.espl --source box.obj folded.obj
+
+claim "verify takes triangles as dropped that a bake drops, and counts them"
+write_square "1 2 3" "1 3 4" "2 2 3" "3 1 2" "1 2 5" >flat.obj
+sed -i 's/^v 0 0 1$/v 0.5 0.00001 0/' flat.obj # too near to an edge for a lattice of 8 bits
+run 0 bake flat.obj -o flat.espl -q --bits 8 --max-dropped 90
+finds '.source.triangles_dropped == {"not_finite": 0, "index_out_of_range": 0, "zero_area": 1, "collapsed": 1, "duplicate": 1}' verify flat.espl --source flat.obj
+printf 'v nan 0 0\nf 6 1 2\nf 1 2 99\n' | cat square.obj - >broken.obj
+run 0 bake broken.obj -o broken.espl -q --drop-bad-triangles --max-dropped 90
+finds '.source.triangles_dropped | .not_finite == 1 and .index_out_of_range == 1' verify broken.espl --source broken.obj
+prints "dropped: 1 triangle that the lattice flattened to no area" verify flat.espl --source flat.obj
+
+claim "verify finds triangles of a source that was written with fewer digits"
+awk '/^v/ { printf "v %.3f %.3f %.3f\n", $2 + 0.0004, $3, $4; next } { print }' sheet.obj >rewritten.obj
+run 0 bake sheet.obj -o coarse.espl -q --bits 8
+run 0 verify coarse.espl --source rewritten.obj
+run 3 verify sheet.espl --source rewritten.obj
 
 claim "a blob that is cut short, changed, newer or none at all is refused by every verb, and the status says why"
 size=$(stat -c %s sheet.espl)

@@ -52,6 +52,12 @@ run_each 1 "bake house.obj -o refused.espl --origin" 1,2 1,2,3,4 here 1,2,wide 1
 refuses 1 "--origin: 'here' is none of auto, none and X,Y,Z" bake house.obj -o refused.espl --origin here
 absent refused.espl
 
+claim "--expect-size compares the numbers of the file, which float32 would round by half a metre"
+run 0 bake house.obj -o x.espl --tolerance 1mm --expect-size 10m..10m
+refuses 3 "the asset is 10 m across" bake house.obj -o x.espl --tolerance 1mm --expect-size 10.01m..11m
+run 3 bake house.obj -o x.espl --tolerance 1mm --expect-size 9m..9.99m
+run 0 bake house.obj -o x.espl --tolerance 1mm --unit cm --expect-size 10cm..10cm
+
 claim "what is picked has the origin as well"
 finds '.source_origin and .max_error <= 0.001 and .picked' bake house.obj -o x.espl --max-error 1mm
 finds '.source_origin and .bytes <= 800' bake house.obj -o x.espl --max-bytes 800

@@ -108,7 +108,7 @@ prints "inside" query box.espl contains 0.5 1 1.5
 finds '.inside == false' query box.espl contains 0.5 1 3.5
 finds '.winding == 1' query box.espl winding-number 0.5 1 1.5 16
 finds '.winding == 0' query box.espl winding-number 0.5 1 3.5 16
-refuses 1 "directions is 1; it must be from 2 to 4096" query box.espl winding-number 0.5 1 3.5 1
+refuses 6 "query winding-number: directions is 1; it must be from 2 to 4096." query box.espl winding-number 0.5 1 3.5 1
 finds '.found and .distance == -0.25 and .point == [0.5, 1, 3] and .on_shape == null and .side == "back"' query box.espl signed-distance 0.5 1 2.75
 finds '.distance == 0.25' query box.espl signed-distance 0.5 1 3.25
 finds '.found == false and .distance == -0.125' query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125

@@ -195,7 +195,8 @@ finds '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("orien
 finds '.sphere.radius > 1.87 and .sphere.radius < 1.88 and (.oriented_box.half_axes | length) == 3 and (.k_dop | length) == 13' query full.espl bounds
 prints "along 1 1 1: " query full.espl bounds
 finds '.original.file == 0 and (.a | length) == 3 and ([.edge_ab, .edge_bc, .edge_ca] | sort) == ["convex", "convex", "flat"]' query full.espl show 11
-refuses 1 "the blob has 12 triangles" query full.espl show 12
+refuses 6 "query show: triangle is 12; the blob has 12 triangles, counted from 0." query full.espl show 12
+fails 6 '.status == "invalid_argument"' query full.espl fix-internal-edge-normal 12 face 0 0 1
 run 1 query full.espl show 1.5
 refuses 1 "'-1' is no whole number" query full.espl show -1
 finds '.count == 12 and ([.triangles[].triangle] == [range(12)])' query full.espl triangles
@@ -215,7 +216,44 @@ for edge in ab bc ca; do
     esac
 done
 refuses 1 "is none of face, edge_ab" query full.espl fix-internal-edge-normal 0 edge 0 0 1
-refuses 5 "--flat-angle" query box.espl fix-internal-edge-normal 0 face 0 0 1
+refuses 6 "--flat-angle" query box.espl fix-internal-edge-normal 0 face 0 0 1
+fails 6 '.status == "no_data" and .error.kind == "no_answer"' query box.espl fix-internal-edge-normal 0 face 0 0 1
+
+claim "a miss has the keys of a hit, which are null"
+# The options of a query of which one is a hit and one a miss.
+misses_like_hits() { # FILE HIT_WORDS MISS_WORDS
+    # shellcheck disable=SC2086  # words
+    run 0 query $1 $2 --json
+    cp out hit
+    # shellcheck disable=SC2086
+    run 0 query $1 $3 --json
+    command -v jq >/dev/null || return 0
+    jq -e '(.hit // .found) == true' hit >/dev/null || fail "no hit: $2"
+    jq -s -e '(.[0] | keys) == (.[1] | keys)' hit out >/dev/null || fail "$3: $(jq -s -c '(.[0] | keys) - (.[1] | keys)' hit out) are missing"
+    json 'del(.schema, .query, .status, .hit, .found, .nodes_visited, .leaves_visited) | length > 1 and all(. == null)'
+}
+"$espalier" bake box.obj far_box.obj -o two.esps -q --ids --materials --instances all || fail "no scene"
+for file in box.espl two.espl two.esps; do
+    misses_like_hits $file "ray 0.25 1.5 9 0 0 -1" "ray 0.25 1.5 9 0 0 1"
+    misses_like_hits $file "segment 0.25 1.5 9 0.25 1.5 -9" "segment 0.25 1.5 9 0.25 1.5 8"
+    misses_like_hits $file "closest-point 0 0 9" "closest-point 0 0 9 --max-distance 1"
+    misses_like_hits $file "sweep-sphere 0.5 1 6 1 0 0 -4" "sweep-sphere 0.5 1 6 1 0 0 4"
+    [ $file != two.esps ] || continue
+    misses_like_hits $file "closest-point 0 0 9 --accuracy 1" "closest-point 0 0 9 --accuracy 1 --max-distance 1"
+    misses_like_hits $file "closest-point-segment 0 0 9 1 0 9" "closest-point-segment 0 0 9 1 0 9 --max-distance 1"
+    misses_like_hits $file "closest-point-box 0 0 9 1 1 9" "closest-point-box 0 0 9 1 1 9 --max-distance 1"
+    misses_like_hits $file "lattice-segment 20 30 -1 20 30 99999" "lattice-segment 20 30 -1 20 30 -2"
+    misses_like_hits $file "distance box.espl --move 0 0 9" "distance box.espl --move 0 0 9 --max-distance 1"
+    misses_like_hits $file "first-contact box.espl" "first-contact box.espl --move 0 0 9"
+done
+
+claim "a coordinate that is zero is printed as 0"
+run 0 query box.espl touches box.espl --move 0.5 0.5 0.5
+! grep -qE '(^| )-0( |,|$)' out || fail "-0: $(grep -m1 -E '(^| )-0( |,|$)' out)"
+run 0 query box.espl touches box.espl --move 0.5 0.5 0.5 --json
+! grep -qE -- '-0(\.0)?,?$' out || fail "-0 in JSON"
+run 0 query full.espl fix-internal-edge-normal 0 face -0 -0 1
+! grep -q -- '-0' out || fail "-0: $(cat out)"
 
 claim "an empty blob answers everything with nothing"
 prints "0 hits" query empty.espl ray 0 0 0 1 0 0 --first 3
@@ -233,5 +271,11 @@ while read -r kind; do
     prints "--json" query x "$kind" --help
 done <kinds
 prints "from x y z, to x y z, radius" query x capsule --help
+out_has "  from x y z: a place in the coordinates of the source; each takes a unit" \
+    "  radius: a length, which takes a unit; 0 or more, which may be inf" "a bare number is in the unit of the blob, metres"
+prints "  direction x y z: a direction, without units; finite, and long enough" query x ray --help
+prints "  displacement x y z: a displacement; each length takes a unit" query x sweep-box --help
+prints "  feature: where the contact is: face, edge_ab" query x fix-internal-edge-normal --help
+prints "  OTHER: the file of the other blob" query x overlaps --help
 
 finish

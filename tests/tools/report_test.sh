@@ -78,7 +78,7 @@ echo nonsense >nonsense.obj.txt
 fails_with unsupported '"nonsense.obj.txt"' null null 5 bake nonsense.obj.txt -o x.espl
 printf 'o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\no b\nf 1 2 3\nf 1 3 2\nf 1 2 4\n' >nan.obj
 fails_with invalid_input '"nan.obj"' 1 2 3 bake box.obj nan.obj -o x.espl
-fails_with unsupported null null null 5 bake box.obj -o x.espl --step 2^-60
+fails_with unsupported '"box.obj"' null null 5 bake box.obj -o x.espl --step 2^-60
 fails_with file_access '"missing/x.espl"' null null 2 bake box.obj -o missing/x.espl
 for verb in info verify dump; do
     fails_with invalid_input '"box.obj"' null null 3 $verb box.obj
@@ -87,10 +87,33 @@ fails_with invalid_input '"box.obj"' null null 3 query box.obj bounds
 run 3 render box.obj -o x.png --json
 run 3 embed box.obj -o x.c --json
 fails_with invalid_input '"box.espl"' null null 3 verify box.espl --source far_box.obj
-fails_with invalid_input null null null 3 trade line.obj
+fails_with empty '"line.obj"' null null 3 trade line.obj
 "$espalier" bake open.obj -o open.espl -q
 fails_with no_answer null null null 6 query open.espl contains 0 0 0
 json '.query == "contains" and .status == "not_closed"'
+
+claim "a resolution that a mesh is too large or too small for names the file and the option that mends it"
+for scale in 1e+38 1e-37; do
+    printf 'v 0 0 0\nv %s 0 0\nv 0 %s 0\nf 1 2 3\n' $scale $scale >extreme.obj
+    refuses 5 "'extreme.obj': the meshes are $scale units large" bake extreme.obj -o x.espl
+    err_has "scale the input with --scale"
+done
+write_sheet 3 'i / 7' >slope.obj
+refuses 5 "'slope.obj': a tolerance of 1e-12 is too fine" bake slope.obj -o x.espl --tolerance 1e-12
+refuses 5 "'box.obj', 'open.obj': a step of 2^-60 is too fine" bake box.obj open.obj -o x.espl --step 2^-60
+
+claim "a message gives its advice once"
+advises_once() { # ADVICE EXIT_CODE ARGUMENTS...
+    run "${@:2}"
+    [ "$(grep '^espalier: ' err | grep -oiE -- "$1" | wc -l)" = 1 ] || fail "'$1' is not once in: $(cat err)"
+}
+advises_once 'drop.bad.triangles' 3 bake nan.obj -o x.espl
+err_has "--drop-bad-triangles"
+{ head -c 4 box.espl; printf '\011\000'; tail -c +7 box.espl; } >newer.espl
+advises_once 'bake (it )?again' 5 info newer.espl
+advises_once '--unit' 3 bake box.obj -o x.espl --unit mm --expect-size 2m..4m
+printf 'v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\ncstype bezier\ndeg 1\ncurv 0 1 1 2\nend\n' >curve.obj
+advises_once 'Check the file|Export it' 3 bake curve.obj -o x.espl -q
 
 claim "a verb that fails without a result lists its warnings, also when there are none"
 for arguments in "bake missing.obj -o x.espl" "bake --xyzzy" "info missing.espl" "render missing.espl -o x.png" \

@@ -156,4 +156,8 @@ if ! on_windows; then # which has no such limit
     [ "$(ls -A kept | wc -l)" = 4 ] || fail "kept holds $(ls -A kept | tr '\n' ' ')"
 fi
 
+claim "a value out of its range is shown as it was typed, with the option"
+refuses 1 "--byte-price: '-1' is no number from 0 to" bake box.obj -o x.espl --byte-price -1
+refuses 1 "--flat-angle, the largest angle of a flat edge, is 95 degrees; choose 0 or more, below 90." bake box.obj -o x.espl --flat-angle 95
+
 finish

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <baker/bake_with.hpp>
@@ -10,6 +11,7 @@
 #include <espalier/import.hpp>
 
 #include "base/choices.hpp"
+#include "policy.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -52,17 +54,39 @@ CommandError command_error(ExitCode code, const ImportDiagnostic& reason) {
             {.file = reason.file, .mesh = reason.mesh, .triangle = reason.triangle, .kind = reason.kind}};
 }
 
-BakeResult sound_or_throw(BakeResult result, const ImportResult& imported, const BakeOptions& options) {
-    if (!result) {
-        std::string message = result.message;
-        if (!message.ends_with('.')) message += '.';
-        if (result.status == BakeStatus::invalid_mesh && !options.deformation) {
-            message += " --drop-bad-triangles drops such triangles and counts them.";
-        }
-        const std::optional<SourcePlace>& place = result.place;
-        throw CommandError(exit_code_of_bake(result.status), message,
-                           place ? details_of(*place, imported) : ErrorDetails());
+/// A remedy at the end of a message of the library, which names its options, and the same in options of the command.
+struct Remedy {
+    std::string_view in_library;
+    std::string_view in_command;
+};
+constexpr Remedy remedies[] = {
+    {"drop them with drop_bad_triangles", "drop them with --drop-bad-triangles, which counts them"},
+    {"scale the input", "scale the input with --scale, or state its unit with --unit"},
+};
+
+std::string in_words_of_command(std::string message) {
+    constexpr std::string_view flat_angle = "flat_angle, ";  // the only option whose range the command leaves to bake()
+    if (message.starts_with(flat_angle)) message.replace(0, flat_angle.size(), "--flat-angle, ");
+    for (const Remedy& remedy : remedies) {
+        if (!message.ends_with(remedy.in_library)) continue;
+        message.resize(message.size() - remedy.in_library.size());
+        message += remedy.in_command;
     }
+    return message;
+}
+
+/// Returns what a bake was refused for. A reason that names no mesh is one of all the files.
+CommandError refusal_of_bake(const BakeResult& result, const ImportResult& imported) {
+    const ExitCode code = exit_code_of_bake(result.status);
+    std::string message = in_words_of_command(result.message);
+    if (!message.ends_with('.')) message += '.';
+    if (result.place) return {code, message, details_of(*result.place, imported)};
+    if (code != ExitCode::unsupported) return {code, message};
+    return {code, text(names_of_inputs(imported), ": ", message), {.file = only_input(imported)}};
+}
+
+BakeResult sound_or_throw(BakeResult result, const ImportResult& imported) {
+    if (!result) throw refusal_of_bake(result, imported);
     static_cast<void>(opened(result));
     return result;
 }
@@ -129,11 +153,11 @@ BakeResult bake_or_throw(const ImportResult& imported, const BakeOptions& option
 }
 
 BakeResult bake_or_throw(std::span<const MeshView> meshes, const ImportResult& imported, const BakeOptions& options) {
-    return sound_or_throw(bake(meshes, options), imported, options);
+    return sound_or_throw(bake(meshes, options), imported);
 }
 
 BakeResult bake_trial_or_throw(const ImportResult& imported, const BakeOptions& options) {
-    return sound_or_throw(baker::bake_trial(imported.views(), options), imported, options);
+    return sound_or_throw(baker::bake_trial(imported.views(), options), imported);
 }
 
 Blob opened(const BakeResult& baked) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include <baker/input/zero_area.hpp>
@@ -66,7 +67,7 @@ bool is_within(const AssetPolicy::SizeRange& range, const AssetSize& size) {
     return size.extent + size.uncertainty >= range.least && size.extent - size.uncertainty <= range.most;
 }
 
-/// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
+/// " --unit mm makes it 0.36 m." for each unit with which the size is as expected.
 std::string unit_hints(const AssetPolicy::SizeRange& range, const ImportResult& imported, const AssetSize& size) {
     const double now = imported.files.front().metres_per_unit;
     for (const ImportedFile& file : imported.files)
@@ -81,6 +82,11 @@ std::string unit_hints(const AssetPolicy::SizeRange& range, const ImportResult& 
     return hints.empty() ? hints : hints + ".";
 }
 
+std::string unit_advice(const AssetPolicy::SizeRange& range, const ImportResult& imported, const AssetSize& size) {
+    std::string hints = unit_hints(range, imported, size);
+    return hints.empty() ? " Check the unit of its file, which --unit states." : hints;
+}
+
 void refuse_size(const AssetPolicy& policy, const ImportResult& imported, const BakeReport& report) {
     if (!policy.expected_size || report.tree.triangles == 0) return;
     const AssetPolicy::SizeRange& range = *policy.expected_size;
@@ -89,8 +95,7 @@ void refuse_size(const AssetPolicy& policy, const ImportResult& imported, const 
     throw CommandError(
         ExitCode::invalid_input,
         text(names_of_inputs(imported), ": the asset is ", rounded(size.extent), " m across, outside of --expect-size ",
-             printable(range.words), ", so nothing was written. Check the unit of its file, which --unit states.",
-             unit_hints(range, imported, size)),
+             printable(range.words), ", so nothing was written.", unit_advice(range, imported, size)),
         {.file = only_input(imported), .kind = "size"});
 }
 
@@ -113,6 +118,19 @@ std::vector<std::uint32_t> sound_vertices(const ImportedMesh& mesh) {
     for (std::uint32_t vertex = 0; vertex < is_used.size(); ++vertex)
         if (is_used[vertex]) result.push_back(vertex);
     return result;
+}
+
+/// Formats of decimal numbers, which are read in float64. Others hold float32, or may.
+constexpr std::array<std::string_view, 4> decimal_formats{"Wavefront OBJ", "OFF", "RAW", "3MF"};
+
+/// Returns by which share of a coordinate a size may be off. Of two corners, each may have been rounded when it was
+/// made and when it was placed, each time by half a unit in the last place: that of float32, or for decimals that of
+/// float64, where the unit, the axes and nested transforms add roundings of their own.
+double uncertainty_of(const ImportResult& imported) {
+    const auto has_decimals = [](const ImportedFile& file) {
+        return std::find(decimal_formats.begin(), decimal_formats.end(), file.format) != decimal_formats.end();
+    };
+    return std::all_of(imported.files.begin(), imported.files.end(), has_decimals) ? 0x1p-46 : 0x1p-22;
 }
 
 }  // namespace
@@ -149,10 +167,11 @@ std::string names_of_inputs(const ImportResult& imported) {
 void refuse_empty_files(const ImportResult& imported) {
     for (const ImportedFile& file : imported.files) {
         if (file.triangles != 0) continue;
-        const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
+        // A warning about what was left out has a remedy of its own.
+        const std::string cause = file.warnings.empty() ? "Check the file." : file.warnings.front().message;
         throw CommandError(ExitCode::invalid_input,
-                           text("'", printable(file.path), "': the input has no triangles.", cause,
-                                " Check the file; if that is intended, give --allow-empty."),
+                           text("'", printable(file.path), "': the input has no triangles. ", cause,
+                                " If that is intended, give --allow-empty."),
                            {.file = file.path, .kind = "empty"});
     }
 }
@@ -178,13 +197,12 @@ AssetSize asset_size(const ImportResult& imported) {
     for (std::size_t i = 0; imported.places.empty() && i < vertices.size(); ++i) {
         for (const std::uint32_t vertex : vertices[i]) bounds.add(imported.meshes[i].positions[vertex]);
     }
+    const double uncertainty = uncertainty_of(imported);
     AssetSize size;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double low = bounds.low[axis], high = bounds.high[axis];
         if (high - low <= size.extent) continue;
-        // Two corners, each of which the program that wrote the file may have rounded to float32, when it was made and
-        // when it was placed, each time by half a unit in the last place.
-        size = {high - low, std::ldexp(std::max(std::abs(low), std::abs(high)), -22)};
+        size = {high - low, std::max(std::abs(low), std::abs(high)) * uncertainty};
     }
     return size;
 }

@@ -64,7 +64,7 @@ std::string names_of_inputs(const ImportResult& imported);
 /// In units of the blob.
 struct AssetSize {
     double extent = 0.0;       ///< the largest side of the bounds of all triangles with an area
-    double uncertainty = 0.0;  ///< how far `extent` may be off, because files have corners rounded to float32
+    double uncertainty = 0.0;  ///< how far `extent` may be off, because the numbers of files are rounded
 };
 
 /// Returns the size of all meshes, or of all places if they are kept.

@@ -129,26 +129,37 @@ void add_words(Verb verb, const QueryKind& kind, QueryArguments& arguments) {
                   is_repeated ? std::numeric_limits<int>::max() / 2 : static_cast<int>(word_count(kind)));
 }
 
+/// At the end of the help.
+constexpr const char* units_help =
+    "Lengths and coordinates take units (0.5mm); a bare number is in the unit of the blob, metres. inf and nan are\n"
+    "numbers. Places are those of the source, also if the blob has an origin.\n";
+
+ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments) {
+    QueryCall call(kind, arguments);
+    try {
+        const Answer answer = kind.run(call);
+        return print_answer(kind.name, answer, reason_of(kind, arguments, call.origin(), answer.status));
+    } catch (const QueryRefusal& refusal) {
+        return print_answer(kind.name, Answer(call, refusal.status), refusal.reason);
+    }
+}
+
 }  // namespace
 
 void add_query(Verb query) {
     const auto arguments = std::make_shared<QueryArguments>();
     add_blob(query, arguments->blob);
     add_json(query, arguments->json);  // before the kind as well as after it
-    query.footer(
-        "'espalier query BLOB KIND --help' has the options. Lengths and coordinates take units (0.5mm), or count in "
-        "the asset's own; inf and nan are numbers. Places are those of the source, also if the blob has an origin.\n");
+    query.footer(text("'espalier query BLOB KIND --help' has the arguments and options.\n", units_help,
+                      "With --json a miss has the keys of a hit, which are null.\n"));
     for (const QueryKind& kind : query_kinds()) {
         const bool is_of_both = kind.scene_options && !kind.is_of_scenes_only;
         Verb verb = query.below(kind.name, text(kind.help, is_of_both ? " (also of scenes)" : ""), kind.family);
         add_words(verb, kind, *arguments);
         KindOptions(verb, kind, *arguments).add();
         add_json(verb, arguments->json);
-        verb.runs([&kind, arguments] {
-            QueryCall call(kind, *arguments);
-            const Answer answer = kind.run(call);
-            return print_answer(kind.name, answer, reason_of(kind, *arguments, call.origin(), answer.status));
-        });
+        verb.footer(words_help(kind) + units_help);
+        verb.runs([&kind, arguments] { return run_query(kind, *arguments); });
     }
 }
 

@@ -46,6 +46,9 @@ std::vector<std::string> with_negative_numbers_marked(std::vector<std::string> w
     return words;
 }
 
+/// Returns a word as it was typed, without that mark.
+std::string without_mark(const std::string& word) { return word.starts_with(" -") ? word.substr(1) : word; }
+
 }  // namespace
 
 Option Option::required() { return Option(option_->required()); }
@@ -62,7 +65,8 @@ Option Option::between(Number least, Number most) {
         Number number{};
         const bool is_between =
             CLI::detail::lexical_cast(value, number) && number >= least && number <= most;  // no NaN
-        return is_between ? std::string() : text("'", value, "' is no ", what, " from ", least, " to ", most);
+        return is_between ? std::string()
+                          : text("'", without_mark(value), "' is no ", what, " from ", least, " to ", most);
     };
     return Option(option_->check(CLI::Validator(check, "")));
 }

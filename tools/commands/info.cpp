@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,7 @@ void print_blob_json(const InfoArguments& arguments, const AssetFile& file) {
     document["leaves"] = leaf_count(file.bytes, blob);
     document["features"] = feature_names(detail::data_of(blob).features);
     document["closed"] = blob.is_closed();
+    if (const std::optional<double> angle = flat_angle_of(blob)) document["flat_angle"] = *angle;
     document["deformable"] = blob.is_deformable();
     if (blob.is_deformable()) document["motion"] = motion_json(blob);
     document["sources"] = detail::data_of(blob).source_count;
@@ -128,6 +130,8 @@ void print_blob_table(const InfoArguments& arguments, const AssetFile& file) {
     print_line("max error", shortest(blob.max_error()));
     const std::vector<std::string> features = feature_names(detail::data_of(blob).features);
     print_line("features", features.empty() ? "none" : listed(features, ", "));
+    if (const std::optional<double> angle = flat_angle_of(blob))
+        print_line("flat angle", *angle, " degrees, the largest at which an edge is flat");
     if (blob.has_original_ids()) {
         print_line("sources", counted(detail::data_of(blob).source_count, "mesh"), " with ",
                    counted(detail::data_of(blob).source_triangles, "triangle"));

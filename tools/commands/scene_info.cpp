@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <espalier/scene.hpp>
@@ -150,6 +151,7 @@ void print_scene_json(const InfoArguments& arguments, std::span<const std::byte>
                                          {"least_scale", json_number(use.least_scale)},
                                          {"largest_scale", json_number(use.largest_scale)},
                                          {"checksum", checksum_text(mesh.checksum())}});
+        if (const std::optional<double> angle = flat_angle_of(mesh)) listed["flat_angle"] = *angle;
         if (arguments.histogram) listed["tree_quality"] = tree_quality_json(tree_quality_of(mesh));
     }
     document["meshes"] = std::move(meshes);
@@ -166,6 +168,12 @@ void print_scene_json(const InfoArguments& arguments, std::span<const std::byte>
     document["tiles"] = std::move(tiles);
     document["checksum"] = checksum_text(detail::data_of(scene).tree.checksum);
     print_json(document);
+}
+
+/// Returns ", flat angle 5 degrees"; nothing without edge flags.
+std::string words_for_flat_angle(const Blob& mesh) {
+    const std::optional<double> angle = flat_angle_of(mesh);
+    return angle ? text(", flat angle ", *angle, " degrees") : std::string();
 }
 
 void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
@@ -186,7 +194,7 @@ void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
         print_line(text("mesh ", i), counted(use.instances, "instance"), ", ",
                    counted(mesh.triangle_count(), "triangle"), ", ", counted(mesh.size(), "byte"), ", step ",
                    shortest(std::ldexp(1.0f, mesh.lattice().step_exponent)), ", max error ", shortest(mesh.max_error()),
-                   ", ", scales);
+                   ", ", scales, words_for_flat_angle(mesh));
     }
     if (figures.uses.size() > most_parts_listed) print_line("...", "--json lists all");
 }

@@ -73,12 +73,15 @@ OpenStatus AssetFile::status() const {
 
 std::string AssetFile::refusal() const {
     if (is_git_lfs_pointer(begin_of(bytes))) return words_for_git_lfs_pointer(path);
-    const char* advice = exit_code_of(status()) == ExitCode::unsupported
-                             ? "Use a newer espalier, or bake it again with this one."
-                         : status() == OpenStatus::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
-                                                              : "Bake it again, or fetch it again.";
-    return text("'", printable(path), "' is refused: ", describe(status()), " (status ", static_cast<int>(status()),
-                "). ", advice);
+    const auto refused = [&](const char* advice) {
+        return text("'", printable(path), "' is refused: ", describe(status()), " (status ", static_cast<int>(status()),
+                    ").", advice);
+    };
+    if (status() == OpenStatus::unsupported_version) return refused("");  // whose description has advice
+    if (status() == OpenStatus::not_a_blob) return refused(" A mesh is made into a blob by 'espalier bake'.");
+    return refused(exit_code_of(status()) == ExitCode::unsupported
+                       ? " Use a newer espalier, or bake it again with this one."
+                       : " Bake it again, or fetch it again.");
 }
 
 void AssetFile::require_open() const {

@@ -1,8 +1,14 @@
 #include "places.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <espalier/deformation.hpp>
+#include <baker/sections/edge_flags.hpp>
+#include <import/base/numbers.hpp>
 #include <runtime/blob/id_steps.hpp>
 
 #include "base/choices.hpp"
@@ -204,6 +210,20 @@ Motion motion_of(const Blob& blob) {
     std::vector<std::byte> memory(deformable_bytes(blob));
     const Deformable mesh = create_deformable(blob, memory);
     return {mesh.position_count(), mesh.range(), memory.size()};
+}
+
+std::optional<double> flat_angle_of(const Blob& blob) {
+    const detail::BlobData& data = detail::data_of(blob);
+    if (!blob.has_edge_flags()) return std::nullopt;
+    const std::uint32_t limit = detail::load_u32(data.edge_flags + format::edge_flags::flat_limit_at);
+    if (limit == 0) return 0.0;
+    const double squared_sine = (limit + 0.5) / format::edge_flags::max_flat_limit;  // it was rounded down
+    const double angle = std::asin(std::sqrt(std::min(squared_sine, 1.0))) * 180.0 / std::numbers::pi;
+    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+        const double shorter = parse_double(rounded(angle, digits)).value_or(angle);
+        if (shorter < 90.0 && baker::flat_limit_of(shorter) == limit) return shorter;
+    }
+    return angle;
 }
 
 Json motion_json(const Blob& blob) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -106,6 +107,10 @@ const std::string& name_of(Profile profile);
 std::string checksum_text(std::uint32_t checksum);
 /// The set bits, by name.
 std::vector<std::string> feature_names(std::uint32_t features);
+
+/// Returns the largest angle of a flat edge in degrees: the shortest number that a bake stores as this blob does.
+/// Nothing without edge flags.
+std::optional<double> flat_angle_of(const Blob& blob);
 
 /// The figures of a deformable blob.
 struct Motion {

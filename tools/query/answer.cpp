@@ -115,6 +115,21 @@ Record& Record::add_silently(const char* key, Json value) {
     return *this;
 }
 
+Record& Record::add_nulls(std::initializer_list<const char*> keys) {
+    for (const char* key : keys) add_silently(key, nullptr);
+    return *this;
+}
+
+Record& Record::no_triangle(const QueryCall& call) {
+    if (call.scene() != nullptr) add_nulls({"instance"});
+    if (call.scene() != nullptr && !call.scene()->tiles().empty()) add_nulls({"in_tile"});
+    if (call.scene() != nullptr) add_nulls({"mesh", "user"});
+    add_nulls({"triangle"});
+    if (call.has_mesh(&Blob::has_original_ids)) add_nulls({"original"});
+    if (call.has_mesh(&Blob::has_materials)) add_nulls({"material"});
+    return *this;
+}
+
 Record& Record::triangle(const Blob& blob, TriangleId triangle, std::string_view before) {
     if (as_json_) {
         json_.update(triangle_json(blob, triangle));
@@ -128,6 +143,7 @@ Record& Record::instance(const BakedScene& scene, InstanceId instance) {
     const Instance at = *instance_at(scene, instance);
     add_silently("instance", instance.index);
     if (instance.in_tile != no_instance.in_tile) add_silently("in_tile", instance.in_tile);
+    else if (!scene.tiles().empty()) add_nulls({"in_tile"});
     const std::size_t meshes = scene.meshes().size();
     const bool is_tile = instance.in_tile == no_instance.in_tile && at.mesh >= meshes;
     if (is_tile) add_silently("tile", at.mesh - meshes);
@@ -147,6 +163,7 @@ Record& Record::triangle(const BakedScene& scene, InstanceId instance, TriangleI
 }
 
 Record& Record::triangle(const QueryCall& call, TriangleId triangle, std::string_view before, InstanceId instance) {
+    no_triangle(call);  // keys that other meshes of the scene have values for
     if (const BakedScene* scene = call.scene()) return this->triangle(*scene, instance, triangle, before);
     return this->triangle(call.blob(), triangle, before);
 }

@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,10 @@ public:
     Record& add(const char* key, const std::vector<SourcePoint>& values);
     /// Adds a value to JSON only, since the title has it in text.
     Record& add_silently(const char* key, Json value);
+    /// Adds keys to JSON only, whose values are null unless they are added later: those of a hit, for a miss.
+    Record& add_nulls(std::initializer_list<const char*> keys);
+    /// Adds the keys by which triangle() names one, as nulls.
+    Record& no_triangle(const QueryCall& call);
     /// "triangle 5 (file 0, mesh 1, triangle 7), material 3" is the title, after `before`.
     Record& triangle(const Blob& blob, TriangleId triangle, std::string_view before = "");
 
@@ -88,6 +93,12 @@ struct Answer {
 
 private:
     bool is_full_ = false;
+};
+
+/// Ends a query that the command refuses, as the library refuses others. The reason has no full stop.
+struct QueryRefusal {
+    QueryStatus status;
+    std::string reason;
 };
 
 /// The status of an answer that has words for a miss: that nothing was found is an answer like any other.

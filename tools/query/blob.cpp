@@ -101,8 +101,8 @@ Answer contact_answer(QueryCall& call) {
     const Vec3 normal = call.next<Vec3>();
     Answer answer(call);
     if (!call.blob().has_edge_flags()) {
-        throw_error(ExitCode::unsupported, "'", printable(call.options().blob),
-                    "' stores no edge flags: bake it with --flat-angle.");
+        throw QueryRefusal{QueryStatus::no_data, text("'", printable(call.options().blob),
+                                                      "' stores no edge flags; bake it with --flat-angle")};
     }
     const Vec3 fixed = fix_internal_edge_normal(call.blob(), triangle, feature, normal);
     answer.yes_or_no("fixed", fixed != normal, "fixed, on an internal edge", "unchanged");
@@ -169,10 +169,13 @@ QueryKinds blob_kinds() {
                lattice_answer),
         family("to-lattice", "The lattice point nearest to a point of the blob's space, in whole steps",
                {point_word("point")}, 0, steps_answer),
-        family("show", "One triangle: its corners, its source, how the surface bends at its edges",
-               {index_word("triangle")}, 0, show_answer),
+        family("show", "One triangle: its corners, its source, how the surface bends at its edges", {triangle_word()},
+               0, show_answer),
         family("fix-internal-edge-normal", "The normal to use for a contact: on an internal edge that of the triangle",
-               {index_word("triangle"), name_word("feature"), vector_word("normal")}, 0, contact_answer),
+               {triangle_word(),
+                name_word("feature", "where the contact is: face, edge_ab, edge_bc, edge_ca, vertex_a, _b or _c"),
+                vector_word("normal")},
+               0, contact_answer),
         family("triangles", "All triangles with their corners", {}, option_limit | option_from, triangles_answer),
         family("tree", "The nodes of the tree with the boxes of their children, parents first", {}, option_depth,
                tree_answer),

@@ -46,7 +46,11 @@ Answer contacts_hull_answer(QueryCall& call) {
 Answer hit_answer(const QueryCall& call, const SweepHit& hit, InstanceId instance = no_instance) {
     Answer answer(call, refusal(hit.status));
     answer.record.title("no contact").add_silently("hit", bool(hit));
-    if (!hit) return answer;
+    if (!hit) {
+        answer.record.no_triangle(call);
+        answer.record.add_nulls({"t", "point", "normal", "face_normal", "feature", "starts_overlapping"});
+        return answer;
+    }
     answer.record.triangle(call, hit.triangle, "touches ", instance).add("t", hit.t);
     answer.record.add("point", call.in_source(hit.point));
     answer.record.add("normal", hit.normal).add("face_normal", hit.face_normal);

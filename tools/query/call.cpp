@@ -1,5 +1,6 @@
 #include "kinds.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -137,13 +138,22 @@ void QueryCall::read_word(const std::string& input, const QueryWord& word, unsig
     if (word.type == Type::name) words_.emplace_back(input);
 }
 
+bool QueryCall::has_mesh(bool (Blob::*has)() const noexcept) const {
+    const auto any = [has](std::span<const Blob> meshes) {
+        return std::any_of(meshes.begin(), meshes.end(), [has](const Blob& mesh) { return (mesh.*has)(); });
+    };
+    if (scene() == nullptr) return (blob().*has)();
+    const std::span<const BakedScene> tiles = scene()->tiles();
+    return any(scene()->meshes()) ||
+           std::any_of(tiles.begin(), tiles.end(), [&](const BakedScene& tile) { return any(tile.meshes()); });
+}
+
 TriangleId QueryCall::next_triangle() {
     const TriangleId triangle{next<std::uint32_t>()};
-    if (triangle.index >= blob().triangle_count()) {
-        throw_error(ExitCode::usage, "triangle ", triangle.index, ": the blob has ",
-                    counted(blob().triangle_count(), "triangle"), ", counted from 0.");
-    }
-    return triangle;
+    if (triangle.index < blob().triangle_count()) return triangle;
+    throw QueryRefusal{QueryStatus::invalid_argument,
+                       text("triangle is ", triangle.index, "; the blob has ",
+                            counted(blob().triangle_count(), "triangle"), ", counted from 0")};
 }
 
 }  // namespace espalier::tools

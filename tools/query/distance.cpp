@@ -10,9 +10,17 @@ namespace {
 
 float max_distance(const QueryCall& call) { return length_argument(call.options().max_distance, "--max-distance"); }
 
+/// Adds the keys of a closest point, as nulls.
+void add_nearest_keys(Record& record, const QueryCall& call, bool has_shape) {
+    record.no_triangle(call).add_nulls({"distance", "point"});
+    if (has_shape) record.add_nulls({"on_shape"});
+    record.add_nulls({"feature", "u", "v", "face_normal", "side"});
+}
+
 /// Adds a closest point, in the instance if the query is of a scene; of a segment or a box its own point too.
 void add_nearest(Record& record, const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false,
                  InstanceId instance = no_instance) {
+    add_nearest_keys(record, call, has_shape);
     record.triangle(call, nearest.triangle, "nearest ", instance);
     record.add("distance", nearest.distance).add("point", call.in_source(nearest.point));
     if (has_shape) record.add("on_shape", call.in_source(nearest.on_shape));
@@ -25,6 +33,7 @@ Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool h
     Answer answer(call, refusal(nearest.status));
     answer.record.title("nothing within that distance").add_silently("found", bool(nearest));
     if (nearest) add_nearest(answer.record, call, nearest, has_shape, instance);
+    else add_nearest_keys(answer.record, call, has_shape);
     return answer;
 }
 
@@ -35,6 +44,7 @@ Answer distance_bounds_answer(const QueryCall& call, Vec3 point, float limit) {
     Answer answer(call, refusal(bounds.status));
     answer.record.title("nothing within that distance").add_silently("found", bool(bounds));
     if (bounds) answer.record.title("distance").add("lower", bounds->lower).add("upper", bounds->upper);
+    else answer.record.add_nulls({"lower", "upper"});
     return answer.work(counters);
 }
 
@@ -69,8 +79,6 @@ Answer contains_answer(QueryCall& call) {
 Answer winding_number_answer(QueryCall& call) {
     const auto point = call.next<Vec3>();
     const auto directions = call.next<std::uint32_t>();
-    if (directions < 2 || directions > max_winding_directions)
-        throw_error(ExitCode::usage, "directions is ", directions, "; it must be from 2 to ", max_winding_directions);
     const Result<float> winding = winding_number(call.blob(), point, directions);
     Answer answer(call, winding.status);
     answer.record.add("winding", *winding);
@@ -100,7 +108,8 @@ QueryKinds distance_kinds() {
         family(
             "winding-number",
             "About how often a surface, open or not, winds around a point: inside above 0.5; 64 directions are usual",
-            {point_word("point"), index_word("directions")}, 0, winding_number_answer),
+            {point_word("point"), index_word("directions", "how many rays count; 64 are usual", Range::directions)}, 0,
+            winding_number_answer),
         family("signed-distance", "The distance of a point to a closed surface, negative inside", {point_word("point")},
                option_max_distance, signed_distance_answer),
     };

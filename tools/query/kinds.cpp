@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include <import/base/numbers.hpp>
 
@@ -25,7 +27,10 @@ double value_of_word(QueryWord::Type type, const std::string& word, const char* 
     return parse_double(word).value_or(0.0);
 }
 
-bool has_range(QueryWord::Type type) { return type != QueryWord::Type::index && type != QueryWord::Type::name; }
+bool has_range(const QueryWord& word) {
+    if (word.type == QueryWord::Type::index) return word.range == Range::directions;
+    return word.type != QueryWord::Type::name;
+}
 
 /// Names arguments of one name "vertex 2 of 5".
 void number_equal_names(std::vector<Argument>& arguments) {
@@ -53,7 +58,7 @@ std::vector<Argument> arguments_of(const QueryKind& kind, const QueryArguments& 
     auto next = given.words.begin();
     for (const QueryWord* word : words_of(kind, given.words.size()).value_or(std::vector<const QueryWord*>())) {
         const auto end = next + word->count;
-        if (has_range(word->type)) add(word->name, word->type, {next, end}, word->range);
+        if (has_range(*word)) add(word->name, word->type, {next, end}, word->range);
         next = end;
     }
     number_equal_names(arguments);
@@ -113,6 +118,23 @@ std::optional<std::size_t> too_many(const QueryKind& kind, const QueryArguments&
     return count > kind.repeats.most ? std::optional(count) : std::nullopt;
 }
 
+/// Returns what an argument is, and whether it takes units.
+const char* meaning_of(const QueryWord& word) {
+    if (word.meaning != nullptr) return word.meaning;
+    constexpr const char* meanings[] = {
+        "a length, which takes a unit",
+        "a place in the coordinates of the source; each takes a unit",
+        "of the plane dot(normal, x) = offset, in the coordinates of the source; takes a unit",
+        "a direction, without units",
+        "a whole number from 0 on",
+        "a point of the lattice, in whole steps",
+        "a name",
+    };
+    static_assert(std::size(meanings) == static_cast<std::size_t>(QueryWord::Type::name) + 1);
+    if (word.type == QueryWord::Type::length && word.count == 3) return "a displacement; each length takes a unit";
+    return meanings[static_cast<std::size_t>(word.type)];
+}
+
 const char* repeated_name(const QueryKind& kind) {
     return kind.repeats.which == Repeats::Which::all ? kind.words.front().name : kind.words.back().name;
 }
@@ -125,6 +147,18 @@ std::string words_text(const QueryKind& kind) {
     if (kind.repeats.which == Repeats::Which::all) result += "; once or more";
     if (kind.repeats.which == Repeats::Which::last) result += "; the last any number of times";
     return result;
+}
+
+std::string words_help(const QueryKind& kind) {
+    std::string lines;
+    for (std::size_t i = 0; i < kind.words.size(); ++i) {
+        const QueryWord& word = kind.words[i];
+        if (i != 0 && std::string_view(word.name) == kind.words[i - 1].name) continue;  // three half axes are alike
+        const bool is_stated = has_range(word) && word.range != Range::finite;
+        lines += text("  ", word.name, word.count == 3 ? " x y z: " : ": ", meaning_of(word),
+                      is_stated ? text("; ", describe(word.range)) : std::string(), "\n");
+    }
+    return lines.empty() ? lines : "Arguments:\n" + lines;
 }
 
 unsigned word_count(const QueryKind& kind) {
@@ -183,6 +217,8 @@ bool holds(Range range, std::span<const double> values) {
             return are_finite && !all([](double value) { return value == 0.0; });
         case Range::factor:
             return are_finite && all([](double value) { return value > 0.0; });
+        case Range::directions:
+            return all([](double value) { return value >= 2.0 && value <= max_winding_directions; });
     }
     return true;
 }
@@ -196,7 +232,9 @@ const char* describe(Range range) {
         "finite, and long enough not to round to length zero",
         "finite, and another point than the one before",
         "above 0, and finite",
+        "from 2 to 4096",
     };
+    static_assert(max_winding_directions == 4096);
     return words[static_cast<std::size_t>(range)];
 }
 

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] Blob mesh_of(InstanceId instance) const {
         return scene() == nullptr ? blob() : mesh_at(*scene(), instance).value;
     }
+    /// Returns whether the blob, or a mesh of the scene or of its tiles, has something.
+    [[nodiscard]] bool has_mesh(bool (Blob::*has)() const noexcept) const;
     /// Returns the mask for queries of a scene.
     [[nodiscard]] std::uint32_t mask() const { return mask_; }
     [[nodiscard]] const QueryArguments& options() const { return arguments_; }
@@ -84,7 +86,7 @@ public:
         while (at_ < words_.size()) values.push_back(next<Value>());
         return values;
     }
-    /// Returns a triangle of the blob. Throws CommandError (usage) when the blob has no such one.
+    /// Returns a triangle of the blob. Throws QueryRefusal when the blob has no such one.
     TriangleId next_triangle();
 
 private:
@@ -114,6 +116,7 @@ enum class Range : std::uint8_t {
     direction,    ///< finite, and not of length zero
     apart,        ///< finite, and another point than the argument before
     factor,       ///< finite and above 0
+    directions,   ///< of winding_number()
 };
 
 /// Returns whether the coordinates of an argument are in the range, but for lengths that round to zero.
@@ -135,8 +138,9 @@ struct QueryWord {
     };
     const char* name;
     Type type;
-    unsigned count = 1;           ///< 3: x y z
-    Range range = Range::finite;  ///< what the query accepts
+    unsigned count = 1;             ///< 3: x y z
+    Range range = Range::finite;    ///< what the query accepts
+    const char* meaning = nullptr;  ///< for help, where type and range do not state it
 };
 
 constexpr QueryWord point_word(const char* name, Range range = Range::finite) {
@@ -149,11 +153,16 @@ constexpr QueryWord way_word(const char* name, Range range = Range::finite) {
 constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3, Range::direction}; }
 constexpr QueryWord length_word(const char* name, Range range) { return {name, QueryWord::Type::length, 1, range}; }
 constexpr QueryWord offset_word(const char* name, Range range) { return {name, QueryWord::Type::offset, 1, range}; }
-constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type::index, 1}; }
+constexpr QueryWord index_word(const char* name, const char* meaning, Range range = Range::finite) {
+    return {name, QueryWord::Type::index, 1, range, meaning};
+}
+constexpr QueryWord triangle_word() { return index_word("triangle", "the number of a triangle of the blob, from 0"); }
 constexpr QueryWord steps_word(const char* name, Range range = Range::finite) {
     return {name, QueryWord::Type::steps, 3, range};
 }
-constexpr QueryWord name_word(const char* name) { return {name, QueryWord::Type::name, 1}; }
+constexpr QueryWord name_word(const char* name, const char* meaning) {
+    return {name, QueryWord::Type::name, 1, Range::finite, meaning};
+}
 
 /// Which words may stand more than once: all in turn, once or more; or the last one, any number of times.
 struct Repeats {
@@ -210,6 +219,8 @@ struct QueryFamily {
 
 /// Words as help and messages show them: "centre x y z, radius; once or more".
 std::string words_text(const QueryKind& kind);
+/// A line for each word: what it is, its unit and what the query accepts.
+std::string words_help(const QueryKind& kind);
 /// How many arguments the words are, each word once.
 unsigned word_count(const QueryKind& kind);
 /// The least number of arguments.

@@ -9,16 +9,6 @@ namespace espalier::tools {
 
 namespace {
 
-/// A quaternion may have any length but zero.
-Vec3d turned(const Quaternion& by, const Vec3d& point) {
-    const Vec3d axis = {double(by.x), double(by.y), double(by.z)};
-    const auto w = double(by.w);
-    const Vec3d once = cross(axis, point), again = cross(axis, once);
-    const double twice = 2.0 / (dot(axis, axis) + w * w);
-    return {point.x + twice * (w * once.x + again.x), point.y + twice * (w * once.y + again.y),
-            point.z + twice * (w * once.z + again.z)};
-}
-
 /// Returns the place of the other blob in the space of the first one. What the options state is between their sources,
 /// which differs by the origins that were subtracted from them.
 espalier::Transform stated_placement(const QueryArguments& options, const Vec3d& origin, const Vec3d& other_origin) {
@@ -69,6 +59,7 @@ Answer first_contact_answer(QueryCall& call) {
     if (answer.status != QueryStatus::ok) return answer;
     answer.record.title(contact ? "contact" : "no contact").add_silently("found", bool(contact));
     if (contact) add_pair(answer.record, call, other, contact.a, contact.b);
+    else answer.record.add_nulls({"a", "b"});
     return answer;
 }
 
@@ -111,7 +102,10 @@ Answer distance_answer(QueryCall& call) {
     if (is_refused(nearest.status)) return answer;
     const bool found = nearest.a != no_triangle;
     answer.record.title(found ? "nearest" : "nothing within that distance").add_silently("found", found);
-    if (!found) return answer;
+    if (!found) {
+        answer.record.add_nulls({"distance", "on_a", "on_b", "a", "b"});
+        return answer;
+    }
     answer.record.add("distance", nearest.distance).add("on_a", call.in_source(nearest.on_a));
     answer.record.add("on_b", call.in_source(nearest.on_b));
     add_pair(answer.record, call, other, nearest.a, nearest.b);
@@ -131,20 +125,20 @@ Answer within_answer(QueryCall& call) {
 
 QueryKinds pair_kinds() {
     constexpr QueryFamily family{"Two blobs; the other one is placed in the first one's space"};
+    constexpr QueryWord other_word = name_word("OTHER", "the file of the other blob");
     constexpr unsigned placed = option_placement | option_work_limit;
     return {
-        family("overlaps", "Whether the surfaces touch", {name_word("OTHER")}, placed, overlaps_answer),
-        family("first-contact", "A pair of triangles that touch, the first that is found", {name_word("OTHER")}, placed,
+        family("overlaps", "Whether the surfaces touch", {other_word}, placed, overlaps_answer),
+        family("first-contact", "A pair of triangles that touch, the first that is found", {other_word}, placed,
                first_contact_answer),
-        family("contacts", "All pairs of triangles that touch, in the order of the trees", {name_word("OTHER")},
+        family("contacts", "All pairs of triangles that touch, in the order of the trees", {other_word},
                placed | option_limit, pair_contacts_answer),
         family("touches",
                "Where each pair of triangles touches: common points, depth and the direction in which OTHER leaves",
-               {name_word("OTHER")}, placed | option_limit, touches_answer),
-        family("distance", "The closest pair of points", {name_word("OTHER")}, placed | option_max_distance,
-               distance_answer),
+               {other_word}, placed | option_limit, touches_answer),
+        family("distance", "The closest pair of points", {other_word}, placed | option_max_distance, distance_answer),
         family("within-distance", "Whether the surfaces are within a distance of each other",
-               {name_word("OTHER"), length_word("distance", Range::size)}, placed, within_answer),
+               {other_word, length_word("distance", Range::size)}, placed, within_answer),
     };
 }
 

@@ -17,9 +17,16 @@ Vec3 point_at(const Ray& ray, float t) {
             along(ray.origin.z, ray.direction.z)};
 }
 
+/// Adds the keys of a hit, as nulls.
+void add_hit_keys(Record& record, const QueryCall& call) {
+    record.no_triangle(call).add_nulls({"t", "point", "normal", "side", "u", "v"});
+    if (call.has_mesh(&Blob::has_original_ids)) record.add_nulls({"original_u", "original_v"});
+}
+
 /// Adds a hit, in the instance if the query is of a scene.
 void add_hit(Record& record, const QueryCall& call, const Ray& ray, const RayHit& hit,
              InstanceId instance = no_instance) {
+    add_hit_keys(record, call);
     record.triangle(call, hit.triangle, "hit ", instance).add("t", hit.t);
     record.add("point", call.in_source(point_at(ray, hit.t)));
     record.add("normal", hit.normal).add("side", hit.side).add("u", hit.u).add("v", hit.v);
@@ -82,6 +89,7 @@ Answer cast(const QueryCall& call, Ray ray) {
         scene == nullptr ? InScene<RayHit>{raycast(call.blob(), ray), no_instance} : raycast(*scene, ray, call.mask());
     Answer answer = first_hit(call, *found);
     if (*found) add_hit(answer.record, call, ray, *found, found.instance);
+    else add_hit_keys(answer.record, call);
     return answer;
 }
 
@@ -104,7 +112,10 @@ Answer lattice_segment_answer(QueryCall& call) {
     if (call.options().any) return is_occluded(call, occluded(call.blob(), segment));
     const LatticeHit hit = raycast(call.blob(), segment);
     Answer answer = first_hit(call, hit);
-    if (!hit) return answer;
+    if (!hit) {
+        answer.record.no_triangle(call).add_nulls({"t", "t_fixed_point", "side"});
+        return answer;
+    }
     answer.record.triangle(call.blob(), hit.triangle, "hit ");
     answer.record.add("t", std::ldexp(static_cast<float>(hit.t), -31)).add_count("t_fixed_point", hit.t);
     answer.record.add("side", hit.side);

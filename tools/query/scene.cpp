@@ -41,9 +41,11 @@ InstanceId next_instance(QueryCall& call) {
                     "one in a tile, both numbers, as in 3.5.");
     const InstanceId instance{*index, *in_tile};
     if (instance_at(*call.scene(), instance)) return instance;
-    throw_error(ExitCode::usage, "instance ", printable(name), ": the scene has ",
-                counted(call.scene()->instance_count(), "instance"), ", counted from 0",
-                dot == std::string::npos ? "." : ", and this one is no tile or a tile with fewer instances.");
+    throw QueryRefusal{
+        QueryStatus::invalid_argument,
+        text("instance is ", printable(name), "; the scene has ", counted(call.scene()->instance_count(), "instance"),
+             ", counted from 0",
+             dot == std::string::npos ? "" : ", and this one is no tile or a tile with fewer instances")};
 }
 
 Answer instance_answer(QueryCall& call) {
@@ -162,7 +164,8 @@ QueryKinds scene_kinds() {
     return {
         family.of_scenes("instance",
                          "One instance, as 3, or 3.5 for one in a tile: its mesh, its place and its numbers",
-                         {name_word("instance")}, 0, instance_answer),
+                         {name_word("instance", "its number, from 0, as 3; of one in a tile both numbers, as 3.5")}, 0,
+                         instance_answer),
         family.of_scenes("candidates", "The instances whose boxes in the tree touch an axis-aligned box",
                          {point_word("min", Range::number), point_word("max", Range::number)},
                          option_limit | option_mask, candidates_answer),

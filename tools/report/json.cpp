@@ -21,7 +21,7 @@ std::string written(const Library& scalar) { return scalar.dump(-1, ' ', false, 
 
 Json::Json(std::nullptr_t) : value_(nullptr) {}
 Json::Json(bool value) : value_(value) {}
-Json::Json(double value) : value_(value) {}
+Json::Json(double value) : value_(value + 0.0) {}  // 0 for -0
 Json::Json(std::string value) : value_(std::move(value)) {}
 Json::Json(std::string_view value) : value_(std::string(value)) {}
 Json::Json(const char* value) : value_(std::string(value)) {}

@@ -21,7 +21,8 @@ std::string without_exponent(double number) {
     if (number != 0.0 && !(std::abs(number) >= smallest_plain && std::abs(number) < largest_plain))
         return shortest(number);
     std::array<char, 64> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed);
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), number + 0.0, std::chars_format::fixed);
     return {buffer.data(), end.ptr};
 }
 

@@ -58,7 +58,7 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
                 counted(report.triangles, "triangle"), ", ", counted(report.nodes, "node"), ", depth ", report.depth);
     if (report.on_common_lattice > 1)
         console.say("common lattice: ", report.on_common_lattice, " of ", counted(report.instances, "instance"),
-                    "; a ray passes between none of them");
+                    "; where two of them share an edge or a vertex, no ray passes between them");
     console.say("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes);
 }
 

@@ -10,6 +10,7 @@
 #include <espalier/distance.hpp>
 
 #include "bake/baking.hpp"
+#include "bake/policy.hpp"
 #include "base/choices.hpp"
 #include "base/exit_code.hpp"
 
@@ -177,7 +178,10 @@ std::vector<TradePoint> measure_trade(const ImportResult& imported, const BakeOp
     options.origin = origin_of(imported, options);  // of the finest one, for all
     const SampleQueries queries = make_sample_queries(imported, *options.origin, space.rays);
     if (queries.rays.empty()) {
-        throw_error(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
+        throw CommandError(
+            ExitCode::invalid_input,
+            text(names_of_inputs(imported), ": there is no triangle with an area, and nothing to measure."),
+            {.file = only_input(imported), .kind = "empty"});
     }
     std::vector<TradePoint> points = combinations(space);
     std::vector<Contestant> contestants;

@@ -25,8 +25,9 @@ std::optional<Number> parsed(const std::string& text, Number (*convert)(const ch
 }  // namespace
 
 TextPart::TextPart(char character) : buffer_{character}, words_(buffer_.data(), 1) {}
-TextPart::TextPart(float number) : words_(write(buffer_, number)) {}
-TextPart::TextPart(double number) : words_(write(buffer_, number)) {}
+// Adding 0 makes -0, which an exact cancellation leaves in a coordinate, 0, and leaves other numbers as they are.
+TextPart::TextPart(float number) : words_(write(buffer_, number + 0.0f)) {}
+TextPart::TextPart(double number) : words_(write(buffer_, number + 0.0)) {}
 TextPart::TextPart(bool is_negative, std::uint64_t bits)
     : words_(is_negative ? write(buffer_, static_cast<std::int64_t>(bits)) : write(buffer_, bits)) {}
 
@@ -40,7 +41,7 @@ std::string shortest(float value) { return text(value); }
 std::string shortest(double value) { return text(value); }
 std::string rounded(double value, int digits) {
     std::array<char, 64> buffer;
-    return std::string(write(buffer, value, std::chars_format::general, digits));
+    return std::string(write(buffer, value + 0.0, std::chars_format::general, digits));
 }
 std::string shortest(Vec3 value) { return shortest(value.x) + ' ' + shortest(value.y) + ' ' + shortest(value.z); }
 

@@ -1,4 +1,4 @@
-// Numbers to text and back. The text is the shortest that reads back as the same number.
+// Numbers to text and back. The text is the shortest that reads back as the same number; -0 is written as 0.
 #pragma once
 
 #include <array>

@@ -140,6 +140,8 @@ def borders():
         report = baked(gltf, "all", "--step", "2^-8", *options)
         is_equal("pieces on one lattice", report["on_common_lattice"], 4)
         is_equal("warnings", warnings_of(report), [])
+    run("bake", "case.glb", "-o", "case.esps", "--instances", "all", "--step", "2^-8", "--scale", "4",
+        says=["common lattice: 4 of 4 instances; where two of them share an edge or a vertex, no ray passes between them"])
     report = baked(ground(10.02), "all", "--step", "2^-8")
     is_equal("pieces on one lattice", report["on_common_lattice"], 1)
     if len(warnings_of(report)) != 1 or not warnings_of(report)[0].startswith("4 mesh places share border edges"):

@@ -104,7 +104,7 @@ def queries():
     run("query", "forest.espl", "instance", "0", code=5)
     run("query", "forest.espl", "ray", *"0 0 0 1 0 0 --mask 1".split(), code=5)
     run("query", "forest.esps", "ray", *"0 0 0 1 0 0 --mask x".split(), code=1)
-    run("query", "forest.esps", "instance", "99999", code=1)
+    run("query", "forest.esps", "instance", "99999", code=6, says=("instance is 99999; the scene has ",))
     run("query", "forest.esps", "ray", *"nan 0 0 1 0 0".split(), code=6)
     run("query", "forest.espl", "overlaps", "forest.esps", code=5)
 
@@ -141,6 +141,20 @@ def listings():
     run("verify", "forest.esps", "--deep", "--source", "forest.glb")
     documented("verify", run("verify", "forest.esps", "--deep", "--source", "forest.glb", "--json").stdout)
     run("verify", "forest.esps", "--source", "forest.glb", "--scale", "1.01", code=3)
+    claim("verify finds triangles that a scene has and its source has not, and the other way round")
+    points, faces = grid(12)
+    places = [IDENTITY, moved(30, 0, 0), times(moved(0, 30, 0), turned_about_z(30)), times(moved(0, -30, 0), scaled(-2, 2, 2))]
+    turned = faces[:-1] + [tuple(reversed(faces[-1]))]
+    for name, kept in (("whole", faces), ("less", faces[:-1]), ("turned", turned)):
+        baked(placed_by(places, "sheet", points, kept), "all", name=name + ".glb", output=name + ".esps")
+        run("verify", name + ".esps", "--source", name + ".glb")
+    all_of_them = 4 * len(faces)
+    run("verify", "whole.esps", "--source", "less.glb", code=3,
+        says=("4 of %d triangles of the scene are not in the source, the first: triangle " % all_of_them, " of instance 0"))
+    run("verify", "less.esps", "--source", "whole.glb", code=3,
+        says=("4 of %d triangles of the source are not in the scene, the first: whole.glb, mesh 0 (sheet), triangle %d."
+              % (all_of_them, len(faces) - 1),))
+    run("verify", "whole.esps", "--source", "turned.glb", code=3, says=("the first: turned.glb", "not in the source"))
     claim("render draws a scene, and counts no steps of it")
     run("render", "forest.esps", "-o", "forest.png", "--size", "64x48")
     run("render", "forest.espl", "-o", "flat.png", "--size", "64x48")
