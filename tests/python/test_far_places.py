@@ -328,29 +328,29 @@ def test_a_view_of_a_moving_scene_takes_and_returns_places_in_the_world(world):
     assert world.seen_from([0.01, 0, 0]).origin.tolist() == [0, 0, 0] == view.seen_from([0, 0, 0]).origin.tolist()
     assert np.abs(view.raycast(WORLD + [[0, 0, 9], [8.001, 1.999, 9]], [0, 0, -1])["t"] - 7).max() < 1e-5
     assert view.occluded(WORLD + [0, 0, 9], [0, 0, -1]).yes and view.occluded(WORLD + [4, 0, 9], [0, 0, -1]).no
-    np.testing.assert_allclose(np.sort(view.all_hits(WORLD + [0, 0, 9], [0, 0, -1]).items["t"]), [7, 11], atol=1e-5)
+    np.testing.assert_allclose(np.sort(view.all_hits(WORLD + [0.3, 0.4, 9], [0, 0, -1]).items["t"]), [7, 11], atol=1e-5)
     nearest = view.closest_point(WORLD + [5.0, 0.5, 0.25])
     close(nearest["point"], WORLD + [6.001, 0.5, 0.25])
-    assert nearest["instance"] == 1 and abs(nearest["distance"] - 1.001) < 1e-5
+    assert nearest["instance"] == 1 and abs(nearest["distance"] - 1.001) < 1e-4
     ball = espalier.Sphere(WORLD + [4.0, 0, 0], 0.5)
     hit = view.sweep(ball, [-10, 0, 0])
     close(hit["point"], WORLD + [2, 0, 0])
-    assert hit["instance"] == 0 and abs(hit["t"] - 0.15) < 1e-6
+    assert hit["instance"] == 0 and abs(hit["t"] - 0.15) < 1e-4
     assert view.overlaps(espalier.Box(WORLD + [2, 0, 0], WORLD + [2.5, 1, 1])).yes
     assert view.overlaps(espalier.Box(WORLD + [2.001, 0, 0], WORLD + [2.5, 1, 1])).no
     assert set(view.overlapping_triangles(espalier.Sphere(WORLD + [8.001, 0, 0], 3)).items["instance"]) == {1}
     assert list(view.candidates(espalier.Box(WORLD + [6.5, 0, 0], WORLD + [7, 1, 1])).items["instance"]) == [1]
     contacts = view.contacts(espalier.Sphere(WORLD + [0, 0, 2.25], 0.5))
     close(contacts.items["point"], WORLD + [[0, 0, 2]])
-    assert abs(contacts.items["distance"][0] + 0.25) < 1e-6
+    assert abs(contacts.items["distance"][0] + 0.25) < 1e-4
 
 
 def test_a_view_places_instances_and_shares_the_scene_with_others(world):
     view, other = world.seen_from(WORLD), world.seen_from(WORLD + [5000, 0, 0])
     handles = view.handles()
-    np.testing.assert_allclose(view.instances()["transform"][:, 4:7], WORLD + [[0, 0, 0], [8.001, 0, 0]], atol=1e-6, rtol=0)
+    np.testing.assert_allclose(view.instances()["transform"][:, 4:7], WORLD + [[0, 0, 0], [8.001, 0, 0]], atol=1e-4, rtol=0)
     assert view.instances()["transform"].dtype == np.float64 and world.instances().dtype == espalier.INSTANCE
-    assert np.abs(world.instances()["transform"][:, 4:7] - WORLD - [[0, 0, 0], [8.001, 0, 0]]).max() > 1e-4
+    assert np.abs(world.instances()["transform"][:, 4:7] - WORLD - [[0, 0, 0], [8.001, 0, 0]]).max() > 5e-4
     boxes = view.boxes(handles)
     close(boxes["min"], WORLD + [[-2, -2, -2], [6.001, -2, -2]])
     close(view.bounds, WORLD + [[-2, -2, -2], [10.001, 2, 2]])
@@ -371,5 +371,4 @@ def test_a_view_places_instances_and_shares_the_scene_with_others(world):
 
 def test_a_place_beyond_the_world_has_no_view(world):
     for place in ([2.0 ** 20, 0, 0], [np.nan, 0, 0], [0, 0, -np.inf]):
-        with raises(ValueError, "place must be finite and less than 2^30 - 64 steps from 0"):
-            world.seen_from(place)
+        raises(ValueError, r"place must be finite and less than 2\^30 - 64 steps from 0", world.seen_from, place)
