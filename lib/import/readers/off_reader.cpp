@@ -192,9 +192,11 @@ private:
         end_line(face);
         if (*count < 3) {
             file_.record().points_and_lines += *count > 0;
-        } else if (!cutter_.cut_face(corners_, positions_, triangles_)) {
-            crossing_.add(words_.line());
+            return;
         }
+        const PolygonCut cut = cutter_.cut_face(corners_, positions_, triangles_);
+        if (cut == PolygonCut::too_tangled) refuse(tangled_polygon_words);
+        if (cut == PolygonCut::crossing) crossing_.add(words_.line());
     }
 
     /// The vertex, or a number that no vertex has.

@@ -6,6 +6,7 @@
 
 #include <import/base/mesh_collector.hpp>
 #include <import/base/missing_vertices.hpp>
+#include <import/base/occurrences.hpp>
 #include <import/base/polygon.hpp>
 #include <import/readers/ply.hpp>
 
@@ -156,7 +157,9 @@ private:
         }
         corners_.clear();
         for (const std::int64_t vertex : list_) corners_.push_back(checked(vertex));
-        if (!cutter_.cut_face(corners_, positions_, triangles_) && crossing_++ == 0) first_crossing_ = values_.place();
+        const PolygonCut cut = cutter_.cut_face(corners_, positions_, triangles_);
+        if (cut == PolygonCut::too_tangled) values_.refuse(tangled_polygon_words);
+        if (cut == PolygonCut::crossing && crossing_++ == 0) first_crossing_ = values_.place();
     }
 
     /// A negative number ends a strip. Every second triangle of a strip runs the other way round.
