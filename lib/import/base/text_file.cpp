@@ -125,6 +125,11 @@ bool Lines::next(std::string_view& line) {
     return true;
 }
 
+/// Spaces at the end are left out here, once: a line may have a million of them.
+Words::Words(std::string_view line) : rest_(line) {
+    while (!rest_.empty() && is_space(rest_.back())) rest_.remove_suffix(1);
+}
+
 std::string_view Words::next() {
     std::size_t begin = 0;
     while (begin < rest_.size() && is_space(rest_[begin])) ++begin;
@@ -138,7 +143,6 @@ std::string_view Words::next() {
 std::string_view Words::rest() const {
     std::string_view result = rest_;
     while (!result.empty() && is_space(result.front())) result.remove_prefix(1);
-    while (!result.empty() && is_space(result.back())) result.remove_suffix(1);
     return result;
 }
 

@@ -64,7 +64,7 @@ private:
 /// The words of a line, separated by spaces and tabs.
 class Words {
 public:
-    explicit Words(std::string_view line) : rest_(line) {}
+    explicit Words(std::string_view line);
 
     /// Returns the next word, or an empty one after the last.
     std::string_view next();

@@ -45,8 +45,6 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::size_t bytes = 0;    ///< where the data begins
     std::uint64_t lines = 0;  ///< of the header
-
-    [[nodiscard]] const PlyElement* find(std::string_view element) const;
 };
 
 /// Throws ImportError (invalid_input) if the file is no PLY, or a line of the header is wrong.
