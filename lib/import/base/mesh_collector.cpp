@@ -13,6 +13,10 @@ namespace {
 
 /// One instance is left for the meshes that are merged.
 constexpr std::uint64_t most_places = format::scene::max_instances - 1;
+/// Of one file. Each becomes a mesh with a name, a number and vertices of its own.
+constexpr std::uint64_t most_copies = std::uint64_t{1} << 20;
+/// Of the meshes of one file. A name that a file has once may be that of all its meshes.
+constexpr std::uint64_t most_name_bytes = std::uint64_t{1} << 28;
 
 ImportedFile new_record(const std::string& path, const char* format, const ImportOptions& options) {
     ImportedFile record;
@@ -53,6 +57,14 @@ void MeshCollector::require_room(std::uint64_t triangles, std::string_view words
                 " triangles, the most a blob can hold. Bake them in parts.");
 }
 
+void MeshCollector::require_copies(std::uint64_t copies, std::string_view words) const {
+    if (keeps_places() || copies <= most_copies) return;
+    throw_error(
+        ImportStatus::unsupported, words, ": with it the file has more than ", most_copies,
+        " copies of its meshes. Bake it as a scene, which has a mesh at many places once (--instances auto), or "
+        "in parts.");
+}
+
 void MeshCollector::require_places(std::uint64_t places, std::string_view words) const {
     if (places <= most_places && imported_.places.size() + places <= most_places) return;
     throw_error(ImportStatus::unsupported, words, ": with it the files place meshes more than ", most_places,
@@ -63,6 +75,12 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
     ImportedMesh mesh;
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
+    name_bytes_ += name.size();
+    if (name_bytes_ > most_name_bytes) {
+        throw_file_error(ImportStatus::unsupported, file_.path, ", mesh ", mesh.mesh,
+                         ": with it the names of the file's meshes have more than ", most_name_bytes,
+                         " bytes, as many meshes repeat a long one. Shorten it.");
+    }
     file_.mesh_names.emplace_back(name);
     mesh.name = words_for_mesh(file_, mesh.mesh, name);
     require_room(triangles, mesh.name);

@@ -22,6 +22,12 @@ bool is_named_gltf(const std::string& path, const ImportOptions& options) {
     return name == ".gltf" || name == ".glb" || name == ".b3dm";
 }
 
+/// What the accessors of a mesh claim.
+struct ClaimedMesh {
+    std::uint64_t primitives = 0;
+    std::uint64_t triangles = 0;
+};
+
 /// Counts what a warning is about, with the first mesh as its example.
 struct Found {
     std::uint64_t count = 0;
@@ -75,37 +81,43 @@ private:
     void require_room() {
         std::uint64_t triangles = 0;
         std::uint64_t places = 0;
-        std::map<std::size_t, std::uint64_t> of_mesh;
+        std::uint64_t copies = 0;
+        std::map<std::size_t, ClaimedMesh> claimed;
         for (const std::size_t number : nodes_.in_scene) {
             const GltfObject node = gltf_node(root_, number);
-            const auto mesh = node.index("mesh", root_.size_of("meshes"));
-            if (!mesh) continue;
-            const bool is_new = of_mesh.count(*mesh) == 0;
-            if (is_new) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
+            const auto mesh_number = node.index("mesh", root_.size_of("meshes"));
+            if (!mesh_number) continue;
+            const auto [place, is_new] = claimed.try_emplace(*mesh_number);
+            if (is_new) place->second = claimed_mesh(mesh_object(*mesh_number));
+            const ClaimedMesh& mesh = place->second;
             const std::uint64_t instances = count_gltf_instances(node, data_);
             // Each factor and each sum is refused long before 64 bits overflow.
             if (meshes_.keeps_places()) {
                 meshes_.require_places(instances, node.words());
-                places += instances * mesh_object(*mesh).size_of("primitives");
+                places += instances * mesh.primitives;
                 meshes_.require_places(places, node.words());
-                triangles += is_new ? of_mesh[*mesh] : 0;
+                triangles += is_new ? mesh.triangles : 0;
             } else {
                 meshes_.require_room(instances, node.words());
-                meshes_.require_room(instances * of_mesh[*mesh], node.words());
-                triangles += instances * of_mesh[*mesh];
+                meshes_.require_room(instances * mesh.triangles, node.words());
+                // One without primitives still has instances to read.
+                copies += (instances - std::min<std::uint64_t>(instances, is_new ? 1 : 0)) *
+                          std::max<std::uint64_t>(1, mesh.primitives);
+                meshes_.require_copies(copies, node.words());
+                triangles += instances * mesh.triangles;
             }
             meshes_.require_room(triangles, node.words());
         }
     }
 
-    std::uint64_t claimed_triangles(const GltfObject& mesh) {
-        std::uint64_t triangles = 0;
-        for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
+    ClaimedMesh claimed_mesh(const GltfObject& mesh) {
+        ClaimedMesh claimed{mesh.size_of("primitives"), 0};
+        for (std::size_t i = 0; i < claimed.primitives; ++i) {
             const GltfObject primitive = mesh.object_in("primitives", i, text(mesh.words(), ", primitive ", i));
-            triangles += count_gltf_triangles(primitive, data_);
-            meshes_.require_room(triangles, primitive.words());
+            claimed.triangles += count_gltf_triangles(primitive, data_);
+            meshes_.require_room(claimed.triangles, primitive.words());
         }
-        return triangles;
+        return claimed;
     }
 
     void add_node(std::size_t number) {

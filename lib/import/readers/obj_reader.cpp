@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <import/base/mesh_collector.hpp>
@@ -115,11 +116,11 @@ private:
             read_corners(words, loose_);
             ++file_.record().points_and_lines;
         } else if (keyword == "o") {
-            object_ = words.rest();
-            group_.clear();
+            object_ = name_of(words.rest());
+            group_ = name_of({});
             mesh_ = no_number;
         } else if (keyword == "g") {
-            group_ = words.rest();
+            group_ = name_of(words.rest());
             mesh_ = no_number;
         } else if (keyword == "usemtl") {
             material_ = words.rest().empty() ? 0 : materials_.number_of(words.rest());
@@ -205,13 +206,20 @@ private:
         });
     }
 
+    /// The one copy of a name, whose place tells it from others.
+    const std::string* name_of(std::string_view name) { return &*names_.emplace(name).first; }
+
     /// Of the current object and group, which gets the next number with its first face.
     std::uint32_t mesh_number() {
-        std::string name = object_.empty() || group_.empty() ? object_ + group_ : object_ + '/' + group_;
         const auto [place, is_new] =
             mesh_numbers_.try_emplace({object_, group_}, static_cast<std::uint32_t>(mesh_names_.size()));
-        if (is_new) mesh_names_.push_back(std::move(name));
+        if (is_new) mesh_names_.emplace_back(object_, group_);
         return place->second;
+    }
+
+    [[nodiscard]] std::string mesh_name(std::uint32_t mesh) const {
+        const auto& [object, group] = mesh_names_[mesh];
+        return object->empty() || group->empty() ? *object + *group : *object + '/' + *group;
     }
 
     void add_meshes() {
@@ -238,7 +246,7 @@ private:
                 const Face& face = faces_[order[at].face];
                 add_face(face, std::span(corners_).subspan(order[at].corner, face.corners), target);
             }
-            file_.add(mesh_names_[mesh], std::move(target.positions), std::move(target.triangles),
+            file_.add(mesh_name(mesh), std::move(target.positions), std::move(target.triangles),
                       std::move(target.materials));
         }
         count_unused_vertices();
@@ -255,8 +263,8 @@ private:
             add_face(face, std::span(corners_).subspan(corner, face.corners), target);
             corner += face.corners;
         }
-        file_.add(mesh_names_.size() == 1 ? mesh_names_.front() : "", std::move(target.positions),
-                  std::move(target.triangles), std::move(target.materials));
+        file_.add(mesh_names_.size() == 1 ? mesh_name(0) : "", std::move(target.positions), std::move(target.triangles),
+                  std::move(target.materials));
     }
 
     struct ObjMesh {
@@ -281,7 +289,9 @@ private:
             }
             local_corners_.push_back(locals_[vertex]);
         }
-        if (!cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles)) crossing_.add(face.line);
+        const PolygonCut cut = cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles);
+        if (cut == PolygonCut::too_tangled) refuse_line(file_.path(), face.line, tangled_polygon_words);
+        if (cut == PolygonCut::crossing) crossing_.add(face.line);
         mesh.materials.resize(mesh.triangles.size(), face.material);
     }
 
@@ -325,15 +335,17 @@ private:
 
     std::vector<Vec3d> positions_;
     std::vector<Face> faces_;
-    std::vector<std::uint32_t> corners_;  // of the faces, one after the other
-    std::vector<std::int64_t> numbers_;   // of the corners of a line, as written
-    std::vector<std::uint32_t> loose_;    // of points and lines
-    std::string object_;
-    std::string group_;
+    std::vector<std::uint32_t> corners_;                                 // of the faces, one after the other
+    std::vector<std::int64_t> numbers_;                                  // of the corners of a line, as written
+    std::vector<std::uint32_t> loose_;                                   // of points and lines
+    using MeshName = std::pair<const std::string*, const std::string*>;  // of the object and of the group
+    std::set<std::string, std::less<>> names_ = {""};
+    const std::string* object_ = &*names_.begin();
+    const std::string* group_ = &*names_.begin();
     std::uint32_t mesh_ = no_number;  // none for the names yet
     std::uint32_t material_ = 0;
-    std::map<std::pair<std::string, std::string>, std::uint32_t> mesh_numbers_;
-    std::vector<std::string> mesh_names_;
+    std::map<MeshName, std::uint32_t> mesh_numbers_;
+    std::vector<MeshName> mesh_names_;
 
     std::vector<std::uint32_t> owners_;  // the mesh that used a vertex last,
     std::vector<std::uint32_t> locals_;  // and its number there
