@@ -1,16 +1,17 @@
 #include <import/base/ear_cutter.hpp>
 
+#include <algorithm>
+
 namespace espalier::importer {
 
 namespace {
 
-/// An outline of 64000 corners takes a hundred for each, even a spiral. A small one may take any number.
+/// An outline of 64000 corners takes a hundred, even a spiral.
 constexpr std::uint64_t most_steps_of_corner = 1000;
-constexpr std::uint64_t most_steps_of_small = std::uint64_t{1} << 22;
 
 }  // namespace
 
-bool EarCutter::is_too_tangled() const { return steps_ > most_steps_of_small + most_steps_of_corner * points_->size(); }
+bool EarCutter::is_too_tangled() const { return steps_ > most_steps_of_corner * points_->size() + spare_steps_; }
 
 /// The triangle at the corner has an area and contains no other corner. If any is inside, then one is that does not
 /// turn to the left.
@@ -91,6 +92,12 @@ PolygonCut EarCutter::cut(const std::vector<PlanePoint>& points, std::vector<Tri
     steps_ = 0;
     for (std::uint32_t i = 0; i < corners; ++i) update_turn(i);
     for (std::uint32_t i = 0; i < corners && !is_too_tangled(); ++i) update_ear(i);
+    const PolygonCut result = cut_all(corners, triangles);
+    spare_steps_ -= std::min(spare_steps_, steps_ - std::min(steps_, most_steps_of_corner * corners));
+    return result;
+}
+
+PolygonCut EarCutter::cut_all(std::uint32_t corners, std::vector<TriangleVertices>& triangles) {
     std::uint32_t corner = 0;
     for (std::uint32_t left = corners; left > 3; --left) {
         const bool is_found = find_tip(corner);

@@ -14,12 +14,12 @@ namespace espalier::importer {
 /// How a polygon was cut. `too_tangled`: not at all, as it would have taken too long.
 enum class PolygonCut : std::uint8_t { simple, crossing, too_tangled };
 
-/// Keeps its memory from one polygon to the next.
+/// Cuts the polygons of one file; keeps its memory from one to the next.
 class EarCutter {
 public:
     /// Appends the triangles of a polygon that runs counter-clockwise. Where it crosses itself, a fan of triangles
-    /// ends them. Most outlines take n log n steps; one that takes more than a fixed number for each corner is
-    /// `too_tangled`.
+    /// ends them. Most outlines take n log n steps; one that takes more than 1000 for each corner, and more than are
+    /// spare for the file, is `too_tangled`.
     PolygonCut cut(const std::vector<PlanePoint>& points, std::vector<TriangleVertices>& triangles);
 
 private:
@@ -30,6 +30,7 @@ private:
     };
 
     [[nodiscard]] bool is_too_tangled() const;
+    PolygonCut cut_all(std::uint32_t corners, std::vector<TriangleVertices>& triangles);
     void update_turn(std::uint32_t corner);
     void update_ear(std::uint32_t corner) { ears_.set(corner, is_ear(corner)); }
     [[nodiscard]] bool is_ear(std::uint32_t corner);
@@ -49,6 +50,7 @@ private:
     std::vector<std::uint32_t> first_blocked_;  // of each corner, in blocked_
     std::vector<Blocked> blocked_;
     std::uint64_t steps_ = 0;
+    std::uint64_t spare_steps_ = std::uint64_t{1} << 26;  // so that outlines of some thousand corners take any number
 };
 
 }  // namespace espalier::importer
