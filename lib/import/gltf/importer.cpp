@@ -63,7 +63,7 @@ public:
 
     void read() {
         nodes_ = read_gltf_nodes(root_);
-        asset_ = meshes_.asset_placement();
+        asset_ = combine(meshes_.asset_placement(), gltf_centre(root_));
         for (const std::size_t number : nodes_.in_scene) {
             if (const auto mesh = gltf_node(root_, number).index("mesh", root_.size_of("meshes"))) ++uses_left_[*mesh];
         }

@@ -26,6 +26,9 @@ struct GltfNodes {
 /// forest, or a transform is none.
 GltfNodes read_gltf_nodes(const GltfObject& root);
 
+/// Returns what moves all of a scene: the centre that CESIUM_RTC states, so that positions around it fit into float32.
+Placement gltf_centre(const GltfObject& root);
+
 /// Returns the words that name a node in messages.
 GltfObject gltf_node(const GltfObject& root, std::size_t number);
 /// Returns the instances' transforms in the node's space: one that changes nothing, for a node without the extension.
