@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of OBJ, OFF, PLY, STL and 3MF, of formats that assimp reads, of files with a wrong name and of files that are made to cost time. All are
-written here.
+"""Tests of OBJ, OFF, PLY, STL and 3MF, of formats that assimp reads, of files with a wrong name, of messages, and of files that are
+made to cost time. All are written here.
 
 Usage: generated_test.py PATH_TO_ESPALIER
 """
@@ -13,6 +13,7 @@ from generated.assimp import assimp
 from generated.claims import Claims
 from generated.digits import digits
 from generated.hostile import hostile
+from generated.messages import messages
 from generated.names import names
 from generated.obj import obj
 from generated.off import off
@@ -27,7 +28,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, off, ply, stl, three_mf, digits, names, assimp, hostile):
+        for family in (obj, off, ply, stl, three_mf, digits, names, assimp, messages, hostile):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

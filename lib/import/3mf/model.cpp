@@ -187,7 +187,7 @@ private:
                 refuse(text("a triangle has ", names[corner], " = '", printable(word.substr(0, 40)),
                             "', which is no vertex"));
             triangle[corner] = *vertex < 0 || *vertex >= beyond_all ? beyond_all : static_cast<std::uint32_t>(*vertex);
-            if (triangle[corner] == beyond_all) add_missing(object().triangles.size(), *vertex);
+            if (triangle[corner] == beyond_all) add_missing(object().triangles.size(), word);
         }
         object().triangles.push_back(triangle);
         const auto group = element.attribute("pid");
@@ -199,13 +199,13 @@ private:
         const ThreeMfObject& mesh = object();
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (const std::uint32_t vertex : mesh.triangles[i])
-                if (vertex != beyond_all && vertex >= mesh.positions.size()) add_missing(i, std::int64_t{vertex});
+                if (vertex != beyond_all && vertex >= mesh.positions.size()) add_missing(i, text(vertex));
     }
 
-    void add_missing(std::size_t triangle, std::int64_t number) {
+    void add_missing(std::size_t triangle, std::string_view number) {
         missing_vertices_.add([&] {
-            return text(label_, ": triangle ", triangle, " names vertex ", number, ", and its mesh has ",
-                        counted(object().positions.size(), "vertex"), ", from 0");
+            return text(label_, ": triangle ", triangle, " names vertex ", written_number(number),
+                        ", and its mesh has ", counted(object().positions.size(), "vertex"), ", counted from 0");
         });
     }
 

@@ -140,6 +140,14 @@ void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3d> cor
     if (!triangles.empty()) add(name, std::move(corners), std::move(triangles), {});
 }
 
+void UnitlessFile::leave_out_zero_bytes(std::string& content) {
+    const std::size_t end = content.find_last_not_of('\0') + 1;
+    if (end == content.size()) return;
+    warn("trailing_bytes", text(": ", counted(content.size() - end, "zero byte"),
+                                " after the text were not read. Export the file again if it is not whole."));
+    content.resize(end);
+}
+
 void UnitlessFile::warn(const char* kind, const std::string& message) {
     add_warning(record_, kind, text(printable(path()), message));
 }

@@ -73,6 +73,8 @@ public:
              std::vector<std::uint32_t> materials);
     /// Adds a mesh of triangles whose corners come three by three, if there are any.
     void add_triangles(const std::string& name, std::vector<Vec3d> corners);
+    /// Leaves out zero bytes at the end of a text, which programs append to fill a block, with a warning.
+    void leave_out_zero_bytes(std::string& content);
     /// Appends a warning that begins with the file's name.
     void warn(const char* kind, const std::string& message);
     /// Appends the record to the import, after the last mesh.

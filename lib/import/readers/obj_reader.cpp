@@ -10,6 +10,7 @@
 
 #include <import/base/mesh_collector.hpp>
 #include <import/base/missing_vertices.hpp>
+#include <import/base/not_finite_vertices.hpp>
 #include <import/base/occurrences.hpp>
 #include <import/base/polygon.hpp>
 #include <import/base/text_file.hpp>
@@ -52,7 +53,8 @@ public:
         : options_(options), file_(path, "Wavefront OBJ", options, imported) {}
 
     void read() {
-        const std::string content = utf8_text(read_bytes(file_.path()));
+        std::string content = utf8_text(read_bytes(file_.path()));
+        file_.leave_out_zero_bytes(content);
         if (const std::size_t zero = content.find('\0'); zero != std::string::npos) {
             throw_file_error(ImportStatus::invalid_input, file_.path(), " is no Wavefront OBJ: byte ", zero,
                              " is zero, and OBJ is text. Name the file with its format's ending.");
@@ -150,6 +152,8 @@ private:
         if (count == 4 && numbers[3] != 1.0) weights_.add(line_);
         if (positions_.size() >= no_number) refuse("the file has more than 4294967295 vertices. Split it.");
         positions_.push_back({numbers[0], numbers[1], numbers[2]});
+        not_finite_.look_at(positions_.size() - 1, positions_.back(),
+                            [&] { return text("line ", line_, ": vertex ", positions_.size(), ", counted from 1,"); });
     }
 
     /// A '#' in a list of numbers begins a comment.
@@ -164,9 +168,10 @@ private:
     /// from the last vertex; positive ones may name vertices that follow.
     std::uint32_t read_corners(Words& words, std::vector<std::uint32_t>& corners) {
         std::uint32_t count = 0;
-        numbers_.clear();
+        written_.clear();
         for (std::string_view word = next_word(words); !word.empty(); word = next_word(words), ++count) {
-            const auto number = parse_integer(word.substr(0, word.find('/')));
+            const std::string_view written = word.substr(0, word.find('/'));
+            const auto number = parse_integer(written);
             if (!number) {
                 refuse(text('\'', printable(word),
                             "' is not the number of a vertex. Correct it, or export the file again."));
@@ -176,7 +181,7 @@ private:
                                             ? static_cast<std::int64_t>(positions_.size()) + *number
                                             : no_number;
             corners.push_back(static_cast<std::uint32_t>(std::min<std::int64_t>(vertex, no_number)));
-            numbers_.push_back(*number);
+            written_.push_back(written);
         }
         return count;
     }
@@ -187,22 +192,23 @@ private:
             loose_.insert(loose_.end(), corners_.end() - count, corners_.end());
             corners_.resize(corners_.size() - count);
             ++file_.record().points_and_lines;
+            short_faces_.add(line_);
             return;
         }
         for (std::uint32_t i = 0; i < count; ++i)
-            if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, numbers_[i]);
+            if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, written_[i]);
         if (mesh_ == no_number) mesh_ = mesh_number();
         faces_.push_back(
             {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_number)), count});
     }
 
     /// A number below 0 counts back from the vertices before the face, which may be fewer than the file's.
-    void add_missing(std::uint64_t line, std::int64_t number) {
+    void add_missing(std::uint64_t line, std::string_view number) {
         missing_vertices_.add([&] {
             const std::string place = text("line ", line, ": a face");
-            if (number >= 0) return words_for_missing(place, number, positions_.size(), 1);
-            return text(place, " names vertex ", number, ", counted back, and ", counted(positions_.size(), "vertex"),
-                        " precede it");
+            if (!number.starts_with('-')) return words_for_missing(place, number, positions_.size(), 1);
+            return text(place, " names vertex ", written_number(number), ", counted back, and ",
+                        counted(positions_.size(), "vertex"), " precede it");
         });
     }
 
@@ -276,9 +282,10 @@ private:
 
     void add_face(const Face& face, std::span<const std::uint32_t> corners, ObjMesh& mesh) {
         local_corners_.clear();
+        not_finite_.check(corners, file_.record(), options_, mesh.number, mesh.triangles.size());
         for (const std::uint32_t vertex : corners) {
             if (vertex >= positions_.size()) {
-                if (vertex != no_number) add_missing(face.line, std::int64_t{vertex} + 1);
+                if (vertex != no_number) add_missing(face.line, text(std::uint64_t{vertex} + 1));
                 local_corners_.push_back(vertex);  // no vertex of the mesh either
                 continue;
             }
@@ -305,6 +312,9 @@ private:
 
     void warn() {
         missing_vertices_.report(file_.record(), options_);
+        short_faces_.warn(
+            file_, "short_face",
+            "a face has fewer than three corners, and was left out. Correct it, or export the file again.");
         crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
         free_form_.warn(file_, "free_form", "a free-form curve or surface was left out. Export it as polygons.");
         weights_.warn(file_, "vertex_weight",
@@ -336,7 +346,7 @@ private:
     std::vector<Vec3d> positions_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> corners_;                                 // of the faces, one after the other
-    std::vector<std::int64_t> numbers_;                                  // of the corners of a line, as written
+    std::vector<std::string_view> written_;                              // the numbers of a line's corners
     std::vector<std::uint32_t> loose_;                                   // of points and lines
     using MeshName = std::pair<const std::string*, const std::string*>;  // of the object and of the group
     std::set<std::string, std::less<>> names_ = {""};
@@ -352,6 +362,8 @@ private:
     std::vector<std::uint32_t> local_corners_;
 
     MissingVertices missing_vertices_;
+    NotFiniteVertices not_finite_;
+    Occurrences short_faces_;
     Occurrences crossing_;
     Occurrences free_form_;
     Occurrences weights_;

@@ -50,7 +50,7 @@ public:
                 refuse(text("'", printable(keyword.substr(0, 40)), "' is no statement of a PLY header."));
             }
         }
-        refuse("the header has no end. Is the file whole?");
+        refuse_line(path_, lines_.number(), "the header has no end. Is the file whole?");
     }
 
 private:
