@@ -9,7 +9,7 @@
 
 namespace espalier::importer {
 
-/// One bit for each corner, and above each 64 bits one that tells whether any of them is set.
+/// One bit for each corner, and above each 64 bits one that is set if any of them is.
 class CornerSet {
 public:
     /// Becomes the empty set of so many possible corners, at least one.

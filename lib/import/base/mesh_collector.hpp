@@ -37,7 +37,7 @@ public:
     /// Throws ImportError (unsupported) without room for `triangles`, or for names that many meshes repeat.
     [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
     /// Throws ImportError (unsupported) when `copies` exceed what a file may have where places are not kept: those of
-    /// meshes at all their places but the first. A few lines can ask for millions.
+    /// meshes at all their places but the first. A few lines can make millions.
     void require_copies(std::uint64_t copies, std::string_view words) const;
     /// Throws ImportError (unsupported) when `places` more of them exceed what a scene can hold.
     void require_places(std::uint64_t places, std::string_view words) const;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include <import/base/mesh_collector.hpp>
@@ -15,6 +13,7 @@
 #include <import/base/polygon.hpp>
 #include <import/base/text_file.hpp>
 #include <import/readers/obj_materials.hpp>
+#include <import/readers/obj_names.hpp>
 
 namespace espalier::importer {
 
@@ -118,11 +117,10 @@ private:
             read_corners(words, loose_);
             ++file_.record().points_and_lines;
         } else if (keyword == "o") {
-            object_ = name_of(words.rest());
-            group_ = name_of({});
+            names_.set_object(words.rest());
             mesh_ = no_number;
         } else if (keyword == "g") {
-            group_ = name_of(words.rest());
+            names_.set_group(words.rest());
             mesh_ = no_number;
         } else if (keyword == "usemtl") {
             material_ = words.rest().empty() ? 0 : materials_.number_of(words.rest());
@@ -197,7 +195,7 @@ private:
         }
         for (std::uint32_t i = 0; i < count; ++i)
             if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, written_[i]);
-        if (mesh_ == no_number) mesh_ = mesh_number();
+        if (mesh_ == no_number) mesh_ = names_.mesh();
         faces_.push_back(
             {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_number)), count});
     }
@@ -212,27 +210,11 @@ private:
         });
     }
 
-    /// The one copy of a name, whose place tells it from others.
-    const std::string* name_of(std::string_view name) { return &*names_.emplace(name).first; }
-
-    /// Of the current object and group, which gets the next number with its first face.
-    std::uint32_t mesh_number() {
-        const auto [place, is_new] =
-            mesh_numbers_.try_emplace({object_, group_}, static_cast<std::uint32_t>(mesh_names_.size()));
-        if (is_new) mesh_names_.emplace_back(object_, group_);
-        return place->second;
-    }
-
-    [[nodiscard]] std::string mesh_name(std::uint32_t mesh) const {
-        const auto& [object, group] = mesh_names_[mesh];
-        return object->empty() || group->empty() ? *object + *group : *object + '/' + *group;
-    }
-
     void add_meshes() {
         // Counting sort: the faces of each mesh, in the order of the file.
-        std::vector<std::uint64_t> begins(mesh_names_.size() + 1);
+        std::vector<std::uint64_t> begins(names_.count() + 1);
         for (const Face& face : faces_) ++begins[face.mesh + 1];
-        for (std::size_t mesh = 0; mesh < mesh_names_.size(); ++mesh) begins[mesh + 1] += begins[mesh];
+        for (std::size_t mesh = 0; mesh < names_.count(); ++mesh) begins[mesh + 1] += begins[mesh];
         struct Place {
             std::uint64_t face;
             std::uint64_t corner;
@@ -246,13 +228,13 @@ private:
         }
         owners_.assign(positions_.size(), no_number);
         locals_.resize(positions_.size());
-        for (std::uint32_t mesh = 0; mesh < mesh_names_.size(); ++mesh) {
+        for (std::uint32_t mesh = 0; mesh < names_.count(); ++mesh) {
             ObjMesh target{mesh, {}, {}, {}};
             for (std::uint64_t at = begins[mesh]; at < begins[mesh + 1]; ++at) {
                 const Face& face = faces_[order[at].face];
                 add_face(face, std::span(corners_).subspan(order[at].corner, face.corners), target);
             }
-            file_.add(mesh_name(mesh), std::move(target.positions), std::move(target.triangles),
+            file_.add(names_.name_of(mesh), std::move(target.positions), std::move(target.triangles),
                       std::move(target.materials));
         }
         count_unused_vertices();
@@ -269,8 +251,8 @@ private:
             add_face(face, std::span(corners_).subspan(corner, face.corners), target);
             corner += face.corners;
         }
-        file_.add(mesh_names_.size() == 1 ? mesh_name(0) : "", std::move(target.positions), std::move(target.triangles),
-                  std::move(target.materials));
+        file_.add(names_.count() == 1 ? names_.name_of(0) : "", std::move(target.positions),
+                  std::move(target.triangles), std::move(target.materials));
     }
 
     struct ObjMesh {
@@ -345,17 +327,12 @@ private:
 
     std::vector<Vec3d> positions_;
     std::vector<Face> faces_;
-    std::vector<std::uint32_t> corners_;                                 // of the faces, one after the other
-    std::vector<std::string_view> written_;                              // the numbers of a line's corners
-    std::vector<std::uint32_t> loose_;                                   // of points and lines
-    using MeshName = std::pair<const std::string*, const std::string*>;  // of the object and of the group
-    std::set<std::string, std::less<>> names_ = {""};
-    const std::string* object_ = &*names_.begin();
-    const std::string* group_ = &*names_.begin();
+    std::vector<std::uint32_t> corners_;     // of the faces, one after the other
+    std::vector<std::string_view> written_;  // the numbers of a line's corners
+    std::vector<std::uint32_t> loose_;       // of points and lines
+    ObjNames names_;
     std::uint32_t mesh_ = no_number;  // none for the names yet
     std::uint32_t material_ = 0;
-    std::map<MeshName, std::uint32_t> mesh_numbers_;
-    std::vector<MeshName> mesh_names_;
 
     std::vector<std::uint32_t> owners_;  // the mesh that used a vertex last,
     std::vector<std::uint32_t> locals_;  // and its number there
