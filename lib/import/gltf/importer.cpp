@@ -126,8 +126,7 @@ private:
         if (!mesh_number) return;
         const GltfObject mesh = mesh_object(*mesh_number);
         const auto skin = node.index("skin", root_.size_of("skins"));
-        const std::vector<Placement> joints =
-            skin ? joint_placements(data_, *skin, nodes_, asset_) : std::vector<Placement>{};
+        const std::vector<Placement>* const joints = skin ? &joints_of(*skin) : nullptr;
         if (skin && node.extension("EXT_mesh_gpu_instancing")) {
             node.refuse("it is skinned and instanced, which glTF leaves open. Export it without one of these.");
         }
@@ -137,7 +136,7 @@ private:
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 std::string name = mesh.text_of("name");
                 if (primitives.size() > 1 && !name.empty()) name += text("-", i);
-                add_mesh(node, mesh, primitives[i], name, combine(placement, instance), skin ? &joints : nullptr);
+                add_mesh(node, mesh, primitives[i], name, combine(placement, instance), joints);
             }
         }
         if (--uses_left_[*mesh_number] == 0) primitives_.erase(*mesh_number);
@@ -148,6 +147,13 @@ private:
         return root_.object_in(
             "meshes", number,
             text(root_.words(), ", glTF mesh ", number, name.empty() ? "" : " (" + printable(name) + ")"));
+    }
+
+    /// Many nodes may share a skin.
+    const std::vector<Placement>& joints_of(std::size_t skin) {
+        const auto found = joints_.find(skin);
+        if (found != joints_.end()) return found->second;
+        return joints_.emplace(skin, joint_placements(data_, skin, nodes_, asset_)).first->second;
     }
 
     /// The primitives of a mesh stay until its last node is done.
@@ -276,6 +282,7 @@ private:
     Placement asset_;
     std::map<std::size_t, std::size_t> uses_left_;
     std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;
+    std::map<std::size_t, std::vector<Placement>> joints_;
     Found skinned_, unweighted_, morphed_, left_over_, without_positions_, differing_;
 };
 

@@ -15,6 +15,7 @@ namespace {
 
 /// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
 constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_gaps = 16;  // of a table of vertices, for each corner
 constexpr std::uint32_t not_used = std::numeric_limits<std::uint32_t>::max();
 
 /// Reads accessors, or what Draco packs in their place.
@@ -89,6 +90,18 @@ void keep_used_vertices(GltfPrimitive& primitive) {
         last = std::max(last, index);
     });
     if (first > last) return;
+    // Two vertices may be a million apart, in each of many primitives.
+    if (last - first > most_gaps * 3 * primitive.triangles.size()) {
+        std::vector<std::uint32_t>& used = primitive.vertices;
+        for_each_index([&](std::uint32_t index) { used.push_back(index); });
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        for_each_index([&](std::uint32_t& index) {
+            const auto place = std::lower_bound(used.begin(), used.end(), index);
+            index = static_cast<std::uint32_t>(place - used.begin());
+        });
+        return;
+    }
     std::vector<std::uint32_t> numbers(std::size_t{last - first} + 1, not_used);
     for_each_index([&](std::uint32_t index) { numbers[index - first] = 0; });
     for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -1,6 +1,8 @@
 """Files of some megabytes that are made to cost time: reading one takes time in proportion to its size, n log n at most."""
+import base64
 import json
 import math
+import struct
 
 from .claims import SQUARE
 from .ply import ply_header
@@ -80,6 +82,42 @@ def gltf(nodes, primitives=None):
                        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "data:;base64," + triangle}]})
 
 
+def shared(nodes, primitive, accessors, parts, uses, **more):
+    """A mesh of so many equal primitives, whose accessors have the parts of one buffer as their views."""
+    views = [{"buffer": 0, "byteOffset": sum(map(len, parts[:i])), "byteLength": len(part)} for i, part in enumerate(parts)]
+    data = b"".join(parts)
+    return json.dumps({"asset": {"version": "2.0"}, "nodes": nodes, "meshes": [{"primitives": [primitive] * uses}], "accessors": accessors, "bufferViews": views,
+                       "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}], **more})
+
+
+def joints(count):
+    """Each node has a skin of as many joints as there are nodes."""
+    corners = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0)
+    return shared([{"mesh": 0, "skin": 0}] * count, {"attributes": {"POSITION": 0}}, [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+                  [corners], 1, skins=[{"joints": [0] * count}])
+
+
+def sparse(count):
+    """Each primitive reads an accessor of which half a million elements are replaced."""
+    replaced = 500000
+    places = struct.pack(f"<{replaced}I", *range(replaced))
+    values = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0) + bytes(12 * replaced - 36)
+    positions = {"componentType": 5126, "count": replaced, "type": "VEC3", "sparse": {
+        "count": replaced, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 1}}}
+    return shared([{"mesh": 0}], {"attributes": {"POSITION": 0}, "indices": 1},
+                  [positions, {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"}], [places, values, struct.pack("<3I", 0, 1, 2)], count)
+
+
+def apart(count):
+    """Each primitive is a triangle of the first and the last of a million vertices."""
+    last = 1000000
+    positions = {"componentType": 5126, "count": last + 1, "type": "VEC3", "sparse": {
+        "count": 2, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 1}}}
+    return shared([{"mesh": 0}], {"attributes": {"POSITION": 0}, "indices": 1},
+                  [positions, {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"}],
+                  [struct.pack("<2I", 1, last), struct.pack("<6f", 2, 0, 0, 2, 2, 0), struct.pack("<3I", 0, 1, last)], count)
+
+
 def wide(count):
     return gltf([{"mesh": 0, "children": list(range(1, count))}] + [{}] * (count - 1))
 
@@ -109,6 +147,9 @@ KINDS = [
     ("OBJ: paths to a library", "paths.obj", libraries, 10000, 1),
     ("glTF: children of a node", "wide.gltf", wide, 300000, 1),
     ("glTF: nodes below each other", "deep.gltf", deep, 300000, 1),
+    ("glTF: nodes with a skin of as many joints", "skins.gltf", joints, 30000, 30000),
+    ("glTF: primitives of one sparse accessor", "sparse.gltf", sparse, 30000, 30000),
+    ("glTF: triangles of vertices that are far apart in their list", "apart.gltf", apart, 30000, 30000),
     ("glTF: nodes of primitives without triangles", "points.gltf", points, 50000, ["node 21", "1048576 copies", "--instances auto"]),
 ]
 
