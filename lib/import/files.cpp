@@ -1,5 +1,6 @@
 #include <espalier/import.hpp>
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include <import/base/error.hpp>
+#include <import/base/gzip.hpp>
 #include <import/base/importers.hpp>
 #include <import/base/placement.hpp>
 #include <import/base/text_file.hpp>
@@ -62,6 +64,14 @@ void require_kept_vertices(std::optional<MeshFormat> format, const std::string& 
                      "deformable mesh match. Export it as OBJ, OFF, PLY, 3MF or glTF.");
 }
 
+/// Of a file that gzip packed, how many bytes are in it.
+std::uint64_t content_size(const std::string& path) {
+    InputFile file(path_of(path));
+    std::array<char, 3> mark{};
+    file.read(std::as_writable_bytes(std::span(mark)));
+    return is_gzip({mark.data(), mark.size()}) ? read_bytes(path).size() : file.size();
+}
+
 /// The format that the name's ending states. Nothing: a format of assimp, or OBJ by its first lines.
 std::optional<MeshFormat> format_of_name(const std::string& path, std::string_view begin, std::uint64_t size) {
     const std::string ending = ending_of(path);
@@ -76,7 +86,7 @@ void import_file(const std::string& path, const ImportOptions& options, ImportRe
     const std::string begin = read_begin(path, format_begin_bytes);
     refuse_other_than_mesh(path, begin);
     const bool is_stated = !options.format.empty();
-    const std::uint64_t size = InputFile(path_of(path)).size();
+    const std::uint64_t size = begin.size() < format_begin_bytes ? begin.size() : content_size(path);
     const auto declared = is_stated ? format_named(options.format) : format_of_content(begin, size);
     const auto format = is_stated || declared ? declared : format_of_name(path, begin, size);
     // JSON is glTF by what is in it, and may be another format.
