@@ -176,27 +176,25 @@ private:
         if (primitive.left_over_corners > 0) left_over_.add(mesh);
         if (!primitive.has_positions) without_positions_.add(mesh);
         if (primitive.differs_from_accessors) differing_.add(mesh);
-        if (primitive.is_morphed()) morphed_.add(mesh);
+        if (primitive.is_morphed) morphed_.add(mesh);
         const bool is_skinned = joints != nullptr && !primitive.influences.empty();
         if (is_skinned) skinned_.add(mesh);
         if (joints != nullptr && !is_skinned) unweighted_.add(mesh);
         if (primitive.imported && !is_skinned) return meshes_.add_place(*primitive.imported, mesh, placement);
 
-        const std::vector<double> weights = morph_weights(node, owner, primitive);
-        const std::vector<GltfAccessor> displacements = primitive.displacements(weights, data_);
-        mesh.positions.reserve(primitive.vertices.size());
+        mesh.positions = shape_of(node, owner, primitive);
         const Placement applied = meshes_.applied(placement);
         std::vector<bool> mirrors(is_skinned ? primitive.vertices.size() : 0);
-        for (const std::uint32_t vertex : primitive.vertices) {
-            const Vec3d position = primitive.position(vertex, weights, displacements);
-            if (is_skinned) {
-                const Placement skinned =
-                    skinned_placement(primitive.influences, vertex, *joints, asset_, primitive.object);
-                mirrors[mesh.positions.size()] = skinned.mirrors();
-                mesh.positions.push_back(skinned(position));
-            } else {
-                mesh.positions.push_back(applied(position));
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            Vec3d& position = mesh.positions[i];
+            if (!is_skinned) {
+                position = applied(position);
+                continue;
             }
+            const Placement skinned =
+                skinned_placement(primitive.influences, primitive.vertices[i], *joints, asset_, primitive.object);
+            mirrors[i] = skinned.mirrors();
+            position = skinned(position);
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.
         mesh.triangles = primitive.triangles;
@@ -211,17 +209,15 @@ private:
             meshes_.add(std::move(mesh), primitive.object.index("material", materials).value_or(materials),
                         is_skinned ? Placement{} : placement);
         // A skin and a node's weights give each place a shape of its own.
-        if (meshes_.keeps_places() && !is_skinned && !primitive.is_morphed()) primitive.imported = index;
+        if (meshes_.keeps_places() && !is_skinned && !primitive.is_morphed) primitive.imported = index;
     }
 
-    /// The node's weights, else the mesh's, else zeros: one for each morph target.
-    static std::vector<double> morph_weights(const GltfObject& node, const GltfObject& mesh,
-                                             const GltfPrimitive& primitive) {
-        std::vector<double> result(primitive.object.size_of("targets"), 0.0);
-        const GltfObject& stated = node.has("weights") ? node : mesh;
-        const std::size_t count = std::min(result.size(), stated.size_of("weights"));
-        for (std::size_t i = 0; i < count; ++i) result[i] = stated.number_in("weights", i);
-        return result;
+    /// By the node's weights, else the mesh's, which are those of all its other nodes too.
+    std::vector<Vec3d> shape_of(const GltfObject& node, const GltfObject& mesh, GltfPrimitive& primitive) {
+        if (!primitive.is_morphed || node.has("weights"))
+            return primitive.shape_by(node.has("weights") ? node : mesh, data_);
+        if (!primitive.shape) primitive.shape = primitive.shape_by(mesh, data_);
+        return *primitive.shape;
     }
 
     void warn() {

@@ -59,16 +59,14 @@ struct GltfPrimitive {
     bool has_positions = false;
     bool differs_from_accessors = false;  ///< Draco packs other numbers of corners or vertices than accessors state
     GltfAccessor positions;
-    GltfInfluences influences;              ///< empty: no skin moves it
-    std::optional<std::uint32_t> imported;  ///< the mesh that its places share, once there is one
+    GltfInfluences influences;                     ///< empty: no skin moves it
+    std::optional<std::uint32_t> imported;         ///< the mesh that its places share, once there is one
+    bool is_morphed = false;                       ///< morph targets move its vertices
+    std::optional<std::vector<Vec3d>> shape = {};  ///< by the weights of the mesh, once it is needed
 
-    /// Returns where a vertex is in the mesh's space: its position and the morph targets' parts of it.
-    [[nodiscard]] Vec3d position(std::uint32_t vertex, const std::vector<double>& weights,
-                                 const std::vector<GltfAccessor>& displacements) const;
-    /// Tests whether morph targets move its vertices.
-    [[nodiscard]] bool is_morphed() const;
-    /// Returns one accessor for each weight. Those of weight 0 are not read, and have no elements.
-    [[nodiscard]] std::vector<GltfAccessor> displacements(const std::vector<double>& weights, GltfData& data) const;
+    /// Returns where `vertices` are in the mesh's space: their positions and the morph targets' parts of them, by the
+    /// weights that a node or a mesh states. Targets without one have the weight 0, and are not read.
+    [[nodiscard]] std::vector<Vec3d> shape_by(const GltfObject& stated, GltfData& data) const;
 };
 
 /// Throws ImportError when it is broken; with `keeps_vertices` (ImportOptions), also (unsupported) when it is packed

@@ -97,6 +97,15 @@ def joints(count):
                   [corners], 1, skins=[{"joints": [0] * count}])
 
 
+def morphs(count):
+    """Each node places a mesh of as many morph targets as there are nodes."""
+    corners = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0)
+    document = json.loads(shared([{"mesh": 0}] * count, {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}] * count},
+                                 [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}], [corners], 1))
+    document["meshes"][0]["weights"] = [0.5] * count
+    return json.dumps(document)
+
+
 def sparse(count):
     """Each primitive reads an accessor of which half a million elements are replaced."""
     replaced = 500000
@@ -148,6 +157,7 @@ KINDS = [
     ("glTF: children of a node", "wide.gltf", wide, 300000, 1),
     ("glTF: nodes below each other", "deep.gltf", deep, 300000, 1),
     ("glTF: nodes with a skin of as many joints", "skins.gltf", joints, 30000, 30000),
+    ("glTF: nodes with a mesh of as many morph targets", "morphs.gltf", morphs, 30000, 30000),
     ("glTF: primitives of one sparse accessor", "sparse.gltf", sparse, 30000, 30000),
     ("glTF: triangles of vertices that are far apart in their list", "apart.gltf", apart, 30000, 30000),
     ("glTF: nodes of primitives without triangles", "points.gltf", points, 50000, ["node 21", "1048576 copies", "--instances auto"]),
