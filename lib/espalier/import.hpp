@@ -83,8 +83,8 @@ struct ImportOptions {
     /// same positions. An OBJ file is one mesh then. Refuses formats whose order of vertices is not that of their
     /// files.
     bool keep_vertices = false;
-    /// Refuses a face that names a vertex which its file does not have. Without it, such a face is warned of and its
-    /// triangles stay, for the baker to drop.
+    /// Refuses a face that names a vertex which its file does not have, and in texts one that is NaN or infinite.
+    /// Without it, the former is warned of, and triangles of both stay, for the baker to drop.
     bool require_vertices = false;
     /// Called now and then with what is read and how much of it is done, 0..1. May be empty.
     std::function<void(const char* stage, double done)> progress = nullptr;

@@ -1,5 +1,6 @@
 #include <espalier/import.hpp>
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include <import/base/error.hpp>
+#include <import/base/gzip.hpp>
 #include <import/base/importers.hpp>
 #include <import/base/placement.hpp>
 #include <import/base/text_file.hpp>
@@ -62,23 +64,34 @@ void require_kept_vertices(std::optional<MeshFormat> format, const std::string& 
                      "deformable mesh match. Export it as OBJ, OFF, PLY, 3MF or glTF.");
 }
 
-/// What --format names, else the format that the content declares, else the name's ending. Nothing: a format of assimp.
-std::optional<MeshFormat> format_of(const std::string& path, std::string_view begin, const ImportOptions& options) {
-    if (!options.format.empty()) return format_named(options.format);
-    const std::uint64_t size = InputFile(path_of(path)).size();
-    const std::string ending = ending_of(path);
-    const auto of_content = format_of_content(begin, size);
-    const auto of_name = format_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
-    if (of_content || of_name) return of_content ? of_content : of_name;
-    return looks_like_obj(begin, size) ? std::optional(MeshFormat::obj) : std::nullopt;
+/// Of a file that gzip packed, how many bytes are in it.
+std::uint64_t content_size(const std::string& path) {
+    InputFile file(path_of(path));
+    std::array<char, 3> mark{};
+    file.read(std::as_writable_bytes(std::span(mark)));
+    return is_gzip({mark.data(), mark.size()}) ? read_bytes(path).size() : file.size();
 }
 
+/// The format that the name's ending states. Nothing: a format of assimp, or OBJ by its first lines.
+std::optional<MeshFormat> format_of_name(const std::string& path, std::string_view begin, std::uint64_t size) {
+    const std::string ending = ending_of(path);
+    const auto named = format_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
+    if (named) refuse_wrong_ending(path, begin, size, *named);
+    if (!named && looks_like_obj(begin, size)) return MeshFormat::obj;
+    return named;
+}
+
+/// What --format names decides, else the content where it declares a format, else the name.
 void import_file(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     const std::string begin = read_begin(path, format_begin_bytes);
     refuse_other_than_mesh(path, begin);
-    const std::optional<MeshFormat> format = format_of(path, begin, options);
+    const bool is_stated = !options.format.empty();
+    const std::uint64_t size = begin.size() < format_begin_bytes ? begin.size() : content_size(path);
+    const auto declared = is_stated ? format_named(options.format) : format_of_content(begin, size);
+    const auto format = is_stated || declared ? declared : format_of_name(path, begin, size);
     // JSON is glTF by what is in it, and may be another format.
-    if ((options.format.empty() || format == MeshFormat::gltf) && import_gltf(path, options, imported)) return;
+    const bool may_be_gltf = declared ? declared == MeshFormat::gltf : !is_stated;
+    if (may_be_gltf && import_gltf(path, options, imported)) return;
     if (options.keep_vertices) require_kept_vertices(format, path);
     Import* const import = format ? importer_of(*format) : import_with_assimp;
     import(path, options, imported);

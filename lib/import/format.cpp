@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include <import/base/error.hpp>
 #include <import/base/git_lfs.hpp>
 #include <import/base/text_file.hpp>
+#include <import/base/web_page.hpp>
 
 namespace espalier::importer {
 
@@ -16,6 +18,15 @@ constexpr std::pair<std::string_view, MeshFormat> format_names[] = {
     {"obj", MeshFormat::obj},  {"off", MeshFormat::off},   {"ply", MeshFormat::ply},
     {"stl", MeshFormat::stl},  {"raw", MeshFormat::raw},   {"gltf", MeshFormat::gltf},
     {"glb", MeshFormat::gltf}, {"b3dm", MeshFormat::gltf}, {"3mf", MeshFormat::three_mf}};
+
+/// In the order of MeshFormat.
+constexpr std::string_view full_names[] = {"Wavefront OBJ", "OFF", "PLY", "STL", "RAW", "glTF", "3MF"};
+
+/// What files of other formats begin with, and their endings.
+struct Mark {
+    std::string_view begin, name, ending;
+};
+constexpr Mark marks[] = {{"Kaydara FBX Binary", "FBX", "fbx"}, {"; FBX ", "FBX", "fbx"}, {"xof ", "DirectX", "x"}};
 
 /// The statements that files of OBJ begin with.
 constexpr std::string_view obj_words[] = {"v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p", "usemtl", "mtllib"};
@@ -126,6 +137,19 @@ bool looks_like_obj(std::string_view begin, std::uint64_t size) {
     return has_vertex;
 }
 
+void refuse_wrong_ending(const std::string& path, std::string_view begin, std::uint64_t size, MeshFormat named) {
+    std::string_view name, ending;
+    for (const Mark& mark : marks)
+        if (begin.starts_with(mark.begin)) std::tie(name, ending) = std::tie(mark.name, mark.ending);
+    if (begin.starts_with("<?xml") && begin.find("<COLLADA") != std::string_view::npos)
+        name = "Collada", ending = "dae";
+    if (named != MeshFormat::obj && looks_like_obj(begin, size)) name = full_names[0], ending = "obj";
+    if (name.empty()) return;
+    throw_file_error(ImportStatus::invalid_input, path, " is named as ", full_names[static_cast<std::size_t>(named)],
+                     ", and looks like ", name, ". Read it with --format ", ending, ", or give it the ending .", ending,
+                     '.');
+}
+
 void refuse_other_than_mesh(const std::string& path, std::string_view begin) {
     if (begin.starts_with("ESPL") || begin.starts_with("ESPS")) {
         throw_file_error(ImportStatus::unsupported, path, " is a ", begin[3] == 'L' ? "blob" : "scene",
@@ -134,6 +158,9 @@ void refuse_other_than_mesh(const std::string& path, std::string_view begin) {
     if (is_git_lfs_pointer(begin)) {
         throw ImportError(ImportStatus::invalid_input, words_for_git_lfs_pointer(path),
                           {.file = path, .kind = "git_lfs_pointer"});
+    }
+    if (is_web_page(begin)) {
+        throw ImportError(ImportStatus::invalid_input, words_for_web_page(path), {.file = path, .kind = "web_page"});
     }
     const std::string_view zipped = first_zipped(begin);
     if (zipped.ends_with(".amf") || (!zipped.empty() && ending_of(path) == ".amf")) {

@@ -24,8 +24,12 @@ std::optional<MeshFormat> format_of_content(std::string_view begin, std::uint64_
 /// Tests whether the first lines are Wavefront OBJ and nothing else: what a file without a name of its own must show.
 bool looks_like_obj(std::string_view begin, std::uint64_t size);
 
+/// Throws ImportError (invalid_input) for a file whose ending is that of `named` and that looks like another format. To
+/// call for content that declares none.
+void refuse_wrong_ending(const std::string& path, std::string_view begin, std::uint64_t size, MeshFormat named);
+
 /// Throws ImportError for a file that contains no mesh: (unsupported) a blob, a scene or a zipped AMF, (invalid_input)
-/// a pointer of Git LFS.
+/// a pointer of Git LFS or a web page.
 void refuse_other_than_mesh(const std::string& path, std::string_view begin);
 
 }  // namespace espalier::importer

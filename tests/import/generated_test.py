@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of OBJ, OFF, PLY, STL and 3MF, of formats that assimp reads, and of files with a wrong name, on small files that are written here.
+"""Tests of OBJ, OFF, PLY, STL and 3MF, of formats that assimp reads, of files with a wrong name, of messages, and of files that are
+made to cost time. All are written here.
 
 Usage: generated_test.py PATH_TO_ESPALIER
 """
@@ -11,9 +12,12 @@ import tempfile
 from generated.assimp import assimp
 from generated.claims import Claims
 from generated.digits import digits
+from generated.hostile import hostile
+from generated.messages import messages
 from generated.names import names
 from generated.obj import obj
 from generated.off import off
+from generated.packed import packed
 from generated.ply import ply
 from generated.stl import stl
 from generated.three_mf import three_mf
@@ -25,7 +29,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, off, ply, stl, three_mf, digits, names, assimp):
+        for family in (obj, off, ply, stl, three_mf, digits, names, assimp, packed, messages, hostile):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

@@ -132,7 +132,7 @@ for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e400 0:y = infinity" 
     done
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n' >wrong.obj
-refuses 3 "has y = NaN" bake wrong.obj -o x.espl --up z
+refuses 3 "line 3: vertex 3, counted from 1, has z = NaN" bake wrong.obj -o x.espl --up z
 printf 'v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n' >wrong.obj
 refuses 3 "has the coordinate 1e+39, beyond float32" bake wrong.obj -o x.espl
 

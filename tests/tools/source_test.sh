@@ -44,8 +44,8 @@ prints '"file": 1' query two.espl ray 20 1 1 -1 0 0 --json
 [ "$first" != "$(grep '"material"' out)" ] || fail "both files have the material $first"
 
 claim "broken geometry is refused with file, mesh and triangle, unless it is to be dropped; then it is counted"
-refuses 3 "not_finite.obj, mesh 0" bake not_finite.obj -o broken.espl
-err_has "triangle 1" "--drop-bad-triangles"
+refuses 3 "'not_finite.obj', line 3: vertex 3, counted from 1, has x = NaN" bake not_finite.obj -o broken.espl
+err_has "triangle 1 of mesh 0" "--drop-bad-triangles"
 absent broken.espl
 run 0 bake not_finite.obj -o x.espl --drop-bad-triangles --max-dropped 50%
 err_has "dropped 1 triangle with a corner that is NaN, infinite or beyond float32; first: not_finite.obj, mesh 0"

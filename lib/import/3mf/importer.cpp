@@ -15,10 +15,20 @@ namespace {
 /// Beyond what blobs and scenes can hold, and far from overflow when as many as a file can list are added.
 constexpr std::uint64_t too_many = std::uint64_t{1} << 32;
 
+/// A chain of objects of which each only contains the next has this many at most in files that are not made to cost
+/// time. The placements of a longer one are combined once, not at each place.
+constexpr std::size_t longest_plain_chain = 16;
+
 /// An object of the package in another one or in the build, by its number.
 struct Child {
     std::size_t object;
     Placement placement;
+};
+
+/// Where the chain below an object ends.
+struct ChainEnd {
+    Child end;
+    std::size_t length;
 };
 
 /// What an object makes at each place.
@@ -43,16 +53,21 @@ public:
         weights_.resize(package_.objects.size());
         states_.assign(package_.objects.size(), State::unseen);
         imported_.assign(package_.objects.size(), std::nullopt);
+        chains_.assign(package_.objects.size(), {});
         std::vector<Child> items;
         Weight all;
         for (const ThreeMfUse& item : package_.items) {
-            items.push_back({number_of(item), item.placement});
+            items.push_back({number_of(item, [&] { return words_for_item(items.size()); }), item.placement});
             weigh(items.back().object);
             all.add(weights_[items.back().object]);
         }
         const std::string words = text('\'', printable(file_.path), "', build");
-        if (meshes_.keeps_places()) meshes_.require_places(all.meshes, words);
-        else meshes_.require_room(std::max(all.meshes, all.triangles), words);
+        if (meshes_.keeps_places()) {
+            meshes_.require_places(all.meshes, words);
+        } else {
+            meshes_.require_copies(all.meshes - std::min(all.meshes, package_.objects.size()), words);
+            meshes_.require_room(all.triangles, words);
+        }
         for (const Child& item : items) place(item);
         warn();
     }
@@ -60,11 +75,20 @@ public:
 private:
     enum class State : std::uint8_t { unseen, open, done };
 
-    [[nodiscard]] std::size_t number_of(const ThreeMfUse& use) const {
+    [[nodiscard]] std::string words_for_item(std::size_t item) const {
+        return text('\'', printable(file_.path), "', build item ", item);
+    }
+    [[nodiscard]] static std::string words_for_component(const ThreeMfObject& object, std::size_t component) {
+        return text(object.words, ", component ", component);
+    }
+
+    /// `describe` returns the words that name the use in messages.
+    template <class Describe>
+    [[nodiscard]] std::size_t number_of(const ThreeMfUse& use, const Describe& describe) const {
         const auto found = package_.numbers.find({use.model, use.id});
         if (found != package_.numbers.end()) return found->second;
-        throw_error(ImportStatus::invalid_input, use.words, ": it names object ", use.id, ", which ",
-                    printable(use.model), " does not have. Export it again.");
+        throw_error(ImportStatus::invalid_input, describe(), ": it names object ", use.id, ", which ",
+                    printable(package_.models[use.model]), " does not have. Export it again.");
     }
 
     /// Finds the components of an object and of those in it, and what all of them make: a file of a hundred objects can
@@ -80,10 +104,12 @@ private:
             }
             states_[number] = State::open;
             if (next < object.components.size()) {
-                const ThreeMfUse& use = object.components[next++];
-                const std::size_t child = number_of(use);
+                const std::size_t component = next++;
+                const ThreeMfUse& use = object.components[component];
+                const auto describe = [&] { return words_for_component(object, component); };
+                const std::size_t child = number_of(use, describe);
                 if (states_[child] == State::open) {
-                    throw_error(ImportStatus::invalid_input, use.words, ": object ", use.id,
+                    throw_error(ImportStatus::invalid_input, describe(), ": object ", use.id,
                                 " contains itself. The file is broken; export it again.");
                 }
                 children_[number].push_back({child, use.placement});
@@ -97,16 +123,28 @@ private:
                 weights_[number] = {object.triangles.empty() ? 0u : 1u, object.triangles.size()};
                 for (const Child& child : children_[number]) weights_[number].add(weights_[child.object]);
             }
+            std::erase_if(children_[number], [&](const Child& child) { return weights_[child.object].meshes == 0; });
+            chains_[number] = chain_of(number);
             open.pop_back();
         }
     }
 
+    /// Those of the components are known.
+    [[nodiscard]] ChainEnd chain_of(std::size_t number) const {
+        const std::vector<Child>& children = children_[number];
+        if (children.size() != 1 || !package_.objects[number].triangles.empty()) return {{number, {}}, 0};
+        const ChainEnd& below = chains_[children[0].object];
+        return {{below.end.object, combine(children[0].placement, below.end.placement)}, below.length + 1};
+    }
+
     void place(const Child& item) {
+        if (weights_[item.object].meshes == 0) return;
         std::vector<Child> waiting = {{item.object, combine(meshes_.asset_placement(), item.placement)}};
         while (!waiting.empty()) {
-            const Child next = waiting.back();
+            Child next = waiting.back();
             waiting.pop_back();
-            if (weights_[next.object].meshes == 0) continue;
+            if (const ChainEnd& chain = chains_[next.object]; chain.length > longest_plain_chain)
+                next = {chain.end.object, combine(next.placement, chain.end.placement)};
             if (!package_.objects[next.object].triangles.empty()) add_mesh(next);
             const std::vector<Child>& children = children_[next.object];
             for (auto child = children.rbegin(); child != children.rend(); ++child)
@@ -156,8 +194,9 @@ private:
     ThreeMfPackage package_;
     ImportedFile& file_;
     MeshCollector meshes_;
-    std::vector<std::vector<Child>> children_;            // of each object
+    std::vector<std::vector<Child>> children_;            // of each object, those with meshes
     std::vector<Weight> weights_;                         // of each object, with its components
+    std::vector<ChainEnd> chains_;                        // of each object
     std::vector<State> states_;                           // of each object
     std::vector<std::optional<std::uint32_t>> imported_;  // the mesh that an object's places share
     std::vector<std::size_t> others_;

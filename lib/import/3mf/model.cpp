@@ -38,9 +38,8 @@ enum class Place {
 
 class ModelReader : public XmlHandler {
 public:
-    ModelReader(const std::string& path, bool is_root, const ImportOptions& options, ImportedFile& file,
-                ThreeMfPackage& package)
-        : path_(path), is_root_(is_root), options_(options), file_(file), package_(package) {}
+    ModelReader(std::size_t model, const ImportOptions& options, ImportedFile& file, ThreeMfPackage& package)
+        : model_(model), options_(options), file_(file), package_(package) {}
 
     void name_space(std::string_view prefix, std::string_view name) override { prefixes_[std::string(prefix)] = name; }
 
@@ -66,7 +65,9 @@ public:
 
     void finish() { missing_vertices_.report(file_, options_); }
 
-    [[nodiscard]] std::string words() const { return text('\'', printable(file_.path), "', ", printable(path_)); }
+    [[nodiscard]] std::string words() const {
+        return text('\'', printable(file_.path), "', ", printable(package_.models[model_]));
+    }
 
 private:
     /// Reads an element of the core specification and returns where its own elements are.
@@ -79,7 +80,7 @@ private:
                 return Place::model;
             case Place::model:
                 if (name == "resources") return Place::resources;
-                return name == "build" && is_root_ ? Place::build : Place::elsewhere;
+                return name == "build" && is_root() ? Place::build : Place::elsewhere;
             case Place::resources:
                 if (name == "basematerials") return begin_base_materials(element);
                 return name == "object" ? begin_object(element) : Place::elsewhere;
@@ -102,10 +103,7 @@ private:
                 if (name == "component") read_component(element);
                 return Place::elsewhere;
             case Place::build:
-                if (name == "item") {
-                    package_.items.push_back(
-                        use(element, text('\'', printable(file_.path), "', build item ", package_.items.size())));
-                }
+                if (name == "item") package_.items.push_back(use(element));
                 return Place::elsewhere;
             case Place::elsewhere:
                 break;
@@ -115,7 +113,9 @@ private:
 
     void read_model(const XmlElement& element) {
         Words required(element.attribute("requiredextensions").value_or(""));
+        std::set<std::string_view> known_prefixes;
         for (std::string_view prefix = required.next(); !prefix.empty(); prefix = required.next()) {
+            if (!known_prefixes.insert(prefix).second) continue;
             const auto found = prefixes_.find(prefix);
             require_known_3mf_extension(words(), found == prefixes_.end() ? prefix : found->second, file_);
         }
@@ -126,7 +126,7 @@ private:
         if (known == std::end(units)) {
             refuse(text("its unit '", printable(stated), "' is none of 3MF"), "State the unit with --unit.");
         }
-        if (is_root_) {
+        if (is_root()) {
             package_.unit = stated;
             package_.metres_per_unit = known->second;
         } else if (known->second != package_.metres_per_unit) {
@@ -136,7 +136,8 @@ private:
     }
 
     Place begin_base_materials(const XmlElement& element) {
-        base_materials_.push_back({number(element, "id"), package_.materials, 0});
+        material_groups_.emplace(number(element, "id"), base_materials_.size());
+        base_materials_.push_back({package_.materials, 0});
         return Place::base_materials;
     }
 
@@ -155,7 +156,7 @@ private:
         if (std::find(std::begin(object_types), std::end(object_types), type) == std::end(object_types))
             refuse(text("object ", id, " has the type '", printable(type), "', which 3MF does not have"));
         object.is_other = type == "other";
-        if (!package_.numbers.emplace(std::pair(path_, id), package_.objects.size()).second)
+        if (!package_.numbers.emplace(std::pair(model_, id), package_.objects.size()).second)
             refuse(text("two objects have the id ", id));
         package_.objects.push_back(std::move(object));
         object_group_ = element.attribute("pid");
@@ -186,7 +187,7 @@ private:
                 refuse(text("a triangle has ", names[corner], " = '", printable(word.substr(0, 40)),
                             "', which is no vertex"));
             triangle[corner] = *vertex < 0 || *vertex >= beyond_all ? beyond_all : static_cast<std::uint32_t>(*vertex);
-            if (triangle[corner] == beyond_all) add_missing(object().triangles.size(), *vertex);
+            if (triangle[corner] == beyond_all) add_missing(object().triangles.size(), word);
         }
         object().triangles.push_back(triangle);
         const auto group = element.attribute("pid");
@@ -198,24 +199,21 @@ private:
         const ThreeMfObject& mesh = object();
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (const std::uint32_t vertex : mesh.triangles[i])
-                if (vertex != beyond_all && vertex >= mesh.positions.size()) add_missing(i, std::int64_t{vertex});
+                if (vertex != beyond_all && vertex >= mesh.positions.size()) add_missing(i, text(vertex));
     }
 
-    void add_missing(std::size_t triangle, std::int64_t number) {
+    void add_missing(std::size_t triangle, std::string_view number) {
         missing_vertices_.add([&] {
-            return text(label_, ": triangle ", triangle, " names vertex ", number, ", and its mesh has ",
-                        counted(object().positions.size(), "vertex"), ", from 0");
+            return text(label_, ": triangle ", triangle, " names vertex ", written_number(number),
+                        ", and its mesh has ", counted(object().positions.size(), "vertex"), ", counted from 0");
         });
     }
 
-    void read_component(const XmlElement& element) {
-        const std::string words = text(object().words, ", component ", object().components.size());
-        object().components.push_back(use(element, words));
-    }
+    void read_component(const XmlElement& element) { object().components.push_back(use(element)); }
 
-    [[nodiscard]] ThreeMfUse use(const XmlElement& element, std::string words) const {
-        const std::string_view model = element.attribute_of("/production/", "path").value_or(path_);
-        ThreeMfUse result{model_path(model), number(element, "objectid"), {}, std::move(words)};
+    [[nodiscard]] ThreeMfUse use(const XmlElement& element) {
+        const auto path = element.attribute_of("/production/", "path");
+        ThreeMfUse result{path ? package_.model_number(*path) : model_, number(element, "objectid"), {}};
         if (const auto transform = element.attribute("transform")) result.placement = placement(*transform);
         return result;
     }
@@ -244,14 +242,13 @@ private:
         const auto index = element.attribute(index_name);
         if (!group || !index) return otherwise;
         const std::optional<std::int64_t> id = parse_integer(trimmed(*group)), number = parse_integer(trimmed(*index));
-        for (const BaseMaterials& known : base_materials_) {
-            if (id != known.id) continue;
-            if (!number || *number < 0 || static_cast<std::uint64_t>(*number) >= known.count)
-                refuse(text(index_name, " is '", printable(*index), "', and the group has ", known.count,
-                            " base materials"));
-            return static_cast<std::uint32_t>(known.first + static_cast<std::uint64_t>(*number));
-        }
-        return 0;
+        const auto found = id ? material_groups_.find(*id) : material_groups_.end();
+        if (found == material_groups_.end()) return 0;
+        const BaseMaterials& known = base_materials_[found->second];
+        if (!number || *number < 0 || static_cast<std::uint64_t>(*number) >= known.count)
+            refuse(
+                text(index_name, " is '", printable(*index), "', and the group has ", known.count, " base materials"));
+        return static_cast<std::uint32_t>(known.first + static_cast<std::uint64_t>(*number));
     }
 
     [[nodiscard]] std::uint32_t number(const XmlElement& element, std::string_view name) const {
@@ -271,14 +268,15 @@ private:
         throw_error(ImportStatus::invalid_input, words(), ", line ", line_, ": ", problem, ". ", remedy);
     }
 
+    /// The build of other models places nothing.
+    [[nodiscard]] bool is_root() const { return model_ == 0; }
+
     struct BaseMaterials {
-        std::uint32_t id;
         std::uint64_t first;  ///< the number of the first
         std::uint64_t count;
     };
 
-    const std::string& path_;
-    bool is_root_;
+    std::size_t model_;
     const ImportOptions& options_;
     ImportedFile& file_;
     ThreeMfPackage& package_;
@@ -287,7 +285,8 @@ private:
     std::map<std::string, std::string, std::less<>> prefixes_;
     std::set<std::string_view> left_out_;
     std::vector<BaseMaterials> base_materials_;
-    std::string label_;  // of the object
+    std::map<std::int64_t, std::size_t> material_groups_;  // in base_materials_, by the first group's id
+    std::string label_;                                    // of the object
     std::optional<std::string> object_group_;
     std::uint32_t object_material_ = 0;
     MissingVertices missing_vertices_;
@@ -295,9 +294,9 @@ private:
 
 }  // namespace
 
-void read_3mf_model(const std::string& path, std::string_view xml, bool is_root, const ImportOptions& options,
-                    ImportedFile& file, ThreeMfPackage& package) {
-    ModelReader reader(path, is_root, options, file, package);
+void read_3mf_model(std::size_t model, std::string_view xml, const ImportOptions& options, ImportedFile& file,
+                    ThreeMfPackage& package) {
+    ModelReader reader(model, options, file, package);
     parse_xml(reader.words(), xml, reader);
     reader.finish();
 }

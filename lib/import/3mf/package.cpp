@@ -1,8 +1,6 @@
 #include <import/3mf/package.hpp>
 
-#include <algorithm>
 #include <deque>
-#include <set>
 
 #include <import/3mf/xml.hpp>
 #include <import/3mf/zip_archive.hpp>
@@ -51,23 +49,33 @@ std::string root_model(const ImportedFile& file, const ZipArchive& archive) {
 
 }  // namespace
 
+std::size_t ThreeMfPackage::model_number(std::string_view reference) {
+    const auto [place, is_new] = model_numbers.try_emplace(ZipArchive::key_of(reference), models.size());
+    if (is_new) models.push_back(model_path(reference));
+    return place->second;
+}
+
 ThreeMfPackage read_3mf_package(const ImportOptions& options, ImportedFile& file) {
     const ZipArchive archive(file.path, read_bytes(file.path));
     ThreeMfPackage package;
-    std::deque<std::string> waiting = {root_model(file, archive)};
-    std::set<std::string> read = {waiting.front()};
+    std::deque<std::size_t> waiting = {package.model_number(root_model(file, archive))};
+    std::vector<bool> is_known = {true};  // of the package's models: read or waiting
     for (bool is_root = true; !waiting.empty(); is_root = false) {
-        const std::string path = waiting.front();
+        const std::size_t model = waiting.front();
         waiting.pop_front();
         const std::size_t first = package.objects.size();
-        read_3mf_model(path, archive.read(path), is_root, options, file, package);
+        read_3mf_model(model, archive.read(package.models[model]), options, file, package);
         const auto wait_for = [&](const std::vector<ThreeMfUse>& uses) {
-            for (const ThreeMfUse& use : uses)
-                if (read.insert(use.model).second) waiting.push_back(use.model);
+            for (const ThreeMfUse& use : uses) {
+                if (!is_known[use.model]) waiting.push_back(use.model);
+                is_known[use.model] = true;
+            }
         };
+        is_known.resize(package.models.size());
         if (is_root) wait_for(package.items);
         for (std::size_t i = first; i < package.objects.size(); ++i) wait_for(package.objects[i].components);
-        show_reading(options, static_cast<double>(read.size() - waiting.size()), static_cast<double>(read.size()));
+        show_reading(options, static_cast<double>(is_known.size() - waiting.size()),
+                     static_cast<double>(is_known.size()));
     }
     return package;
 }

@@ -16,12 +16,12 @@
 
 namespace espalier::importer {
 
-/// An object that stands in another one, or in the build. Objects are numbered in each of the package's models.
+/// An object that stands in another one, or in the build. Objects have numbers of their own in each of the package's
+/// models.
 struct ThreeMfUse {
-    std::string model;  ///< the path of its part in the package
+    std::size_t model = 0;  ///< in ThreeMfPackage::models
     std::uint32_t id = 0;
     Placement placement;
-    std::string words;  ///< name the user in messages: "'gear.3mf', object 3 (gear), component 0"
 };
 
 struct ThreeMfObject {
@@ -40,21 +40,26 @@ inline std::string model_path(std::string_view reference) {
 }
 
 struct ThreeMfPackage {
+    std::vector<std::string> models;                   ///< their paths, in the order in which they are first named
+    std::map<std::string, std::size_t> model_numbers;  ///< in `models`, by the archive's keys of their paths
     std::vector<ThreeMfObject> objects;
-    std::map<std::pair<std::string, std::uint32_t>, std::size_t> numbers;  ///< of objects, by model and id
+    std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> numbers;  ///< of objects, by model and id
     std::vector<ThreeMfUse> items;                                         ///< of the build
     std::string unit;                                                      ///< empty: none is stated
     double metres_per_unit = 0.001;
     std::uint64_t materials = 1;  ///< those of base materials, from 1 on, and 0
+
+    /// Returns the number of a model, which may not be read yet.
+    std::size_t model_number(std::string_view reference);
 };
 
 /// Reads the package that is a file. Appends to `file` warnings about what changes its geometry and is not read. Throws
 /// ImportError: (invalid_input) for a broken package, (unsupported) for one that requires such an extension.
 ThreeMfPackage read_3mf_package(const ImportOptions& options, ImportedFile& file);
 
-/// Reads one model of a package, a text of XML: its objects, and those of its build if it `is_root`. Throws as
-/// read_3mf_package does.
-void read_3mf_model(const std::string& path, std::string_view xml, bool is_root, const ImportOptions& options,
-                    ImportedFile& file, ThreeMfPackage& package);
+/// Reads the model with that number in a package, a text of XML: its objects, and the build if it is the first. Throws
+/// as read_3mf_package does.
+void read_3mf_model(std::size_t model, std::string_view xml, const ImportOptions& options, ImportedFile& file,
+                    ThreeMfPackage& package);
 
 }  // namespace espalier::importer

@@ -33,13 +33,13 @@ Number number_at(std::string_view record, std::size_t offset) {
     return little_endian<Number>(record.data() + offset);
 }
 
-std::string key_of(std::string_view name) {
+}  // namespace
+
+std::string ZipArchive::key_of(std::string_view name) {
     std::string key = lower_case(name);
     std::replace(key.begin(), key.end(), '\\', '/');
     return key.starts_with('/') ? key.substr(1) : key;
 }
-
-}  // namespace
 
 ZipArchive::ZipArchive(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {
     read_directory(find_directory());
@@ -66,6 +66,7 @@ ZipArchive::Directory ZipArchive::find_directory() const {
 
 void ZipArchive::read_directory(const Directory& directory) {
     std::string_view rest = part(directory.at, directory.bytes);
+    std::uint64_t packed_bytes = 0;
     for (std::uint64_t i = 0; i < directory.entries; ++i) {
         if (rest.size() < entry_bytes || !rest.starts_with("PK\1\2")) fail("its list of files is broken");
         Entry entry{number_at<std::uint16_t>(rest, 8),  number_at<std::uint16_t>(rest, 10),
@@ -77,6 +78,9 @@ void ZipArchive::read_directory(const Directory& directory) {
         if (rest.size() < all) fail("its list of files is broken");
         const std::string_view name = rest.substr(entry_bytes, name_bytes);
         read_wide_sizes(rest.substr(entry_bytes + name_bytes, extra_bytes), entry);
+        // Files that share bytes would unpack a small archive to any size.
+        if (entry.packed_bytes > bytes_.size() - packed_bytes) fail("it is cut off, or files in it overlap");
+        packed_bytes += entry.packed_bytes;
         if (!entries_.emplace(key_of(name), entry).second)
             fail(text("it has the file '", printable(name), "' twice, and only one of the two can count"));
         rest.remove_prefix(all);

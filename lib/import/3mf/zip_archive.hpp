@@ -15,6 +15,9 @@ public:
     /// one.
     ZipArchive(std::string path, std::string bytes);
 
+    /// Returns what two names have in common that name one file.
+    [[nodiscard]] static std::string key_of(std::string_view name);
+
     [[nodiscard]] bool has(std::string_view name) const;
     /// Returns the unpacked bytes of a file in it. Throws ImportError: (invalid_input) for one that is missing,
     /// damaged or other than its sizes, (unsupported) for one that is encrypted or packed in another way.

@@ -75,7 +75,9 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     file.path = path;
     const bool is_stated = !options.format.empty();
     const std::string ending = is_stated ? "." + options.format : ending_of(path);
-    OpenedFiles files{path, is_stated ? path + ending : path, file.opened};
+    // By the ending of this name assimp finds the importer: what gzip packed has another one.
+    const bool has_ending = !is_stated && lower_case(path).ends_with(ending);
+    OpenedFiles files{path, has_ending ? path : path + ending, file.opened};
     const std::vector<std::string>& missing = files.missing;
     importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes, like the next
     importer.SetIOHandler(list_opened_files(files).release());

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include <import/base/gzip.hpp>
 #include <import/base/text_file.hpp>
 #include <import/platform/files.hpp>
 
@@ -81,6 +82,7 @@ private:
             files_.unreadable = path;
             files_.error = error;
         }
+        if (files_.path == path && is_gzip(bytes)) bytes = unpack_gzip(path, bytes, bytes.max_size());
         const bool is_little = bytes.starts_with("\xFF\xFE"), is_big = bytes.starts_with("\xFE\xFF");
         const bool is_letter =
             bytes.size() > 3 && (is_little ? bytes[2] != 0 && bytes[3] == 0 : bytes[2] == 0 && bytes[3] != 0);

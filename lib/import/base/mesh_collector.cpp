@@ -13,6 +13,10 @@ namespace {
 
 /// One instance is left for the meshes that are merged.
 constexpr std::uint64_t most_places = format::scene::max_instances - 1;
+/// Of one file. Each becomes a mesh with a name, a number and vertices of its own.
+constexpr std::uint64_t most_copies = std::uint64_t{1} << 20;
+/// Of the meshes of one file. A name that a file has once may be that of all its meshes.
+constexpr std::uint64_t most_name_bytes = std::uint64_t{1} << 28;
 
 ImportedFile new_record(const std::string& path, const char* format, const ImportOptions& options) {
     ImportedFile record;
@@ -53,6 +57,14 @@ void MeshCollector::require_room(std::uint64_t triangles, std::string_view words
                 " triangles, the most a blob can hold. Bake them in parts.");
 }
 
+void MeshCollector::require_copies(std::uint64_t copies, std::string_view words) const {
+    if (keeps_places() || copies <= most_copies) return;
+    throw_error(
+        ImportStatus::unsupported, words, ": with it the file has more than ", most_copies,
+        " copies of its meshes. Bake it as a scene, which has a mesh at many places once (--instances auto), or "
+        "in parts.");
+}
+
 void MeshCollector::require_places(std::uint64_t places, std::string_view words) const {
     if (places <= most_places && imported_.places.size() + places <= most_places) return;
     throw_error(ImportStatus::unsupported, words, ": with it the files place meshes more than ", most_places,
@@ -63,6 +75,12 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
     ImportedMesh mesh;
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
+    name_bytes_ += name.size();
+    if (name_bytes_ > most_name_bytes) {
+        throw_file_error(ImportStatus::unsupported, file_.path, ", mesh ", mesh.mesh,
+                         ": with it the names of the file's meshes have more than ", most_name_bytes,
+                         " bytes, as many meshes repeat a long one. Shorten it.");
+    }
     file_.mesh_names.emplace_back(name);
     mesh.name = words_for_mesh(file_, mesh.mesh, name);
     require_room(triangles, mesh.name);
@@ -120,6 +138,14 @@ void UnitlessFile::add_triangles(const std::string& name, std::vector<Vec3d> cor
     for (TriangleVertices& triangle : triangles)
         for (std::uint32_t& vertex : triangle) vertex = next++;
     if (!triangles.empty()) add(name, std::move(corners), std::move(triangles), {});
+}
+
+void UnitlessFile::leave_out_zero_bytes(std::string& content) {
+    const std::size_t end = content.find_last_not_of('\0') + 1;
+    if (end == content.size()) return;
+    warn("trailing_bytes", text(": ", counted(content.size() - end, "zero byte"),
+                                " after the text were not read. Export the file again if it is not whole."));
+    content.resize(end);
 }
 
 void UnitlessFile::warn(const char* kind, const std::string& message) {

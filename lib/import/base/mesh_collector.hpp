@@ -34,8 +34,11 @@ public:
     /// places are kept, a mesh counts once.
     void require_room(std::uint64_t triangles, std::string_view words) const;
     /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty.
-    /// Throws ImportError (unsupported) without room for `triangles`.
+    /// Throws ImportError (unsupported) without room for `triangles`, or for names that many meshes repeat.
     [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
+    /// Throws ImportError (unsupported) when `copies` exceed what a file may have where places are not kept: those of
+    /// meshes at all their places but the first. A few lines can make millions.
+    void require_copies(std::uint64_t copies, std::string_view words) const;
     /// Throws ImportError (unsupported) when `places` more of them exceed what a scene can hold.
     void require_places(std::uint64_t places, std::string_view words) const;
     /// Appends the mesh that begin() returned, to whose positions applied(placement) was applied. `material` is the
@@ -51,7 +54,8 @@ private:
     ImportedFile& file_;
     ImportResult& imported_;
     std::uint64_t first_material_ = 0;
-    std::uint64_t triangles_ = 0;  ///< of the meshes so far, each counted once
+    std::uint64_t triangles_ = 0;   ///< of the meshes so far, each counted once
+    std::uint64_t name_bytes_ = 0;  ///< of the file's meshes so far
 };
 
 /// The record and the meshes of one file. The unit is the options', else a metre.
@@ -69,6 +73,8 @@ public:
              std::vector<std::uint32_t> materials);
     /// Adds a mesh of triangles whose corners come three by three, if there are any.
     void add_triangles(const std::string& name, std::vector<Vec3d> corners);
+    /// Leaves out zero bytes at the end of a text, which programs append to fill a block, with a warning.
+    void leave_out_zero_bytes(std::string& content);
     /// Appends a warning that begins with the file's name.
     void warn(const char* kind, const std::string& message);
     /// Appends the record to the import, after the last mesh.

@@ -13,6 +13,10 @@ inline constexpr const char* crossing_polygon_words =
     "the outline of a face crosses itself, and its triangles may cover more or less than meant. Triangulate it before "
     "export.";
 
+inline constexpr const char* tangled_polygon_words =
+    "the outline of a face has so many corners that lie between others that cutting it into triangles would take too "
+    "long. Triangulate it before export.";
+
 /// How often something was found, and the line of the first.
 struct Occurrences {
     std::uint64_t count = 0;

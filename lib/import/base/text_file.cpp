@@ -1,10 +1,12 @@
 #include <import/base/text_file.hpp>
 
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <span>
 
 #include <import/base/error.hpp>
+#include <import/base/gzip.hpp>
 #include <import/platform/files.hpp>
 
 namespace espalier::importer {
@@ -79,21 +81,42 @@ double beyond_double(std::string_view decimal) {
     return decimal[0] == '-' ? -size : size;
 }
 
+/// All bytes of a file, packed or not.
+template <class Bytes>
+Bytes read_packed(const std::string& path) {
+    Bytes bytes;
+    if (const int error = read_whole_file(path_of(path), bytes); error != 0) fail_to_read(path, error);
+    return bytes;
+}
+
 }  // namespace
 
-std::string ending_of(const std::string& path) { return lower_case(text_of(path_of(path).extension())); }
+std::string ending_of(const std::string& path) {
+    const std::filesystem::path name = path_of(path);
+    const std::string ending = lower_case(text_of(name.extension()));
+    return ending == ".gz" ? lower_case(text_of(name.stem().extension())) : ending;
+}
 
 std::string read_begin(const std::string& path, std::size_t most) {
     std::string begin(most, '\0');
     InputFile file(path_of(path));
     begin.resize(file.read(std::as_writable_bytes(std::span(begin))));
     if (file.error() != 0) fail_to_read(path, file.error());
-    return begin;
+    return is_gzip(begin) ? unpack_gzip(path, read_packed<std::string>(path), most) : begin;
 }
 
 std::string read_bytes(const std::string& path) {
-    std::string bytes;
-    if (const int error = read_whole_file(path_of(path), bytes); error != 0) fail_to_read(path, error);
+    auto bytes = read_packed<std::string>(path);
+    return is_gzip(bytes) ? unpack_gzip(path, bytes, bytes.max_size()) : bytes;
+}
+
+std::vector<std::byte> read_byte_list(const std::string& path) {
+    auto bytes = read_packed<std::vector<std::byte>>(path);
+    const std::string_view packed(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (!is_gzip(packed)) return bytes;
+    const std::string unpacked = unpack_gzip(path, packed, packed.max_size());
+    const auto list = std::as_bytes(std::span(unpacked));
+    bytes.assign(list.begin(), list.end());
     return bytes;
 }
 
@@ -125,6 +148,11 @@ bool Lines::next(std::string_view& line) {
     return true;
 }
 
+/// Spaces at the end are left out here, once: a line may have a million of them.
+Words::Words(std::string_view line) : rest_(line) {
+    while (!rest_.empty() && is_space(rest_.back())) rest_.remove_suffix(1);
+}
+
 std::string_view Words::next() {
     std::size_t begin = 0;
     while (begin < rest_.size() && is_space(rest_[begin])) ++begin;
@@ -138,7 +166,6 @@ std::string_view Words::next() {
 std::string_view Words::rest() const {
     std::string_view result = rest_;
     while (!result.empty() && is_space(result.front())) result.remove_prefix(1);
-    while (!result.empty() && is_space(result.back())) result.remove_suffix(1);
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace espalier::importer {
 
@@ -26,14 +27,14 @@ Number little_endian(const char* bytes) {
     return stored_number<Number>(bytes, std::endian::little);
 }
 
-/// Returns the ending of a file's name with its dot, in lower case; empty without one.
+/// Returns the ending of a file's name with its dot, in lower case, and without a ".gz" behind it; empty without one.
 std::string ending_of(const std::string& path);
 
-/// Returns the first bytes of a file, at most so many. Throws ImportError (file_access) when it cannot be read.
+/// Return the first bytes of a file, at most so many, or all of them: those that gzip packed, unpacked. Throw
+/// ImportError: (file_access) when it cannot be read, and as unpack_gzip() does.
 std::string read_begin(const std::string& path, std::size_t most);
-
-/// Returns all bytes of a file. Throws ImportError (file_access) when it cannot be read.
 std::string read_bytes(const std::string& path);
+std::vector<std::byte> read_byte_list(const std::string& path);
 
 /// Returns the text without its byte order mark; UTF-16 with such a mark becomes UTF-8.
 std::string utf8_text(std::string bytes);
@@ -64,7 +65,7 @@ private:
 /// The words of a line, separated by spaces and tabs.
 class Words {
 public:
-    explicit Words(std::string_view line) : rest_(line) {}
+    explicit Words(std::string_view line);
 
     /// Returns the next word, or an empty one after the last.
     std::string_view next();

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include <import/base/numbers.hpp>
-#include <import/gltf/data/tile.hpp>
 
 namespace espalier::importer {
 
@@ -43,7 +42,6 @@ void require_known_gltf_extensions(const GltfObject& root) {
         if (std::find(read_here.begin(), read_here.end(), name) != read_here.end() || is_harmless(name)) continue;
         root.refuse(text("it requires the glTF extension ", printable(name), ", which is not read. ", way_out(name)));
     }
-    if (const auto relative = root.extension("CESIUM_RTC")) require_no_centre(*relative, "center");
 }
 
 }  // namespace espalier::importer

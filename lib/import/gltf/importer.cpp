@@ -22,6 +22,12 @@ bool is_named_gltf(const std::string& path, const ImportOptions& options) {
     return name == ".gltf" || name == ".glb" || name == ".b3dm";
 }
 
+/// What the accessors of a mesh claim.
+struct ClaimedMesh {
+    std::uint64_t primitives = 0;
+    std::uint64_t triangles = 0;
+};
+
 /// Counts what a warning is about, with the first mesh as its example.
 struct Found {
     std::uint64_t count = 0;
@@ -57,7 +63,7 @@ public:
 
     void read() {
         nodes_ = read_gltf_nodes(root_);
-        asset_ = meshes_.asset_placement();
+        asset_ = combine(meshes_.asset_placement(), gltf_centre(root_));
         for (const std::size_t number : nodes_.in_scene) {
             if (const auto mesh = gltf_node(root_, number).index("mesh", root_.size_of("meshes"))) ++uses_left_[*mesh];
         }
@@ -75,37 +81,43 @@ private:
     void require_room() {
         std::uint64_t triangles = 0;
         std::uint64_t places = 0;
-        std::map<std::size_t, std::uint64_t> of_mesh;
+        std::uint64_t copies = 0;
+        std::map<std::size_t, ClaimedMesh> claimed;
         for (const std::size_t number : nodes_.in_scene) {
             const GltfObject node = gltf_node(root_, number);
-            const auto mesh = node.index("mesh", root_.size_of("meshes"));
-            if (!mesh) continue;
-            const bool is_new = of_mesh.count(*mesh) == 0;
-            if (is_new) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
+            const auto mesh_number = node.index("mesh", root_.size_of("meshes"));
+            if (!mesh_number) continue;
+            const auto [place, is_new] = claimed.try_emplace(*mesh_number);
+            if (is_new) place->second = claimed_mesh(mesh_object(*mesh_number));
+            const ClaimedMesh& mesh = place->second;
             const std::uint64_t instances = count_gltf_instances(node, data_);
             // Each factor and each sum is refused long before 64 bits overflow.
             if (meshes_.keeps_places()) {
                 meshes_.require_places(instances, node.words());
-                places += instances * mesh_object(*mesh).size_of("primitives");
+                places += instances * mesh.primitives;
                 meshes_.require_places(places, node.words());
-                triangles += is_new ? of_mesh[*mesh] : 0;
+                triangles += is_new ? mesh.triangles : 0;
             } else {
                 meshes_.require_room(instances, node.words());
-                meshes_.require_room(instances * of_mesh[*mesh], node.words());
-                triangles += instances * of_mesh[*mesh];
+                meshes_.require_room(instances * mesh.triangles, node.words());
+                // One without primitives still has instances to read.
+                copies += (instances - std::min<std::uint64_t>(instances, is_new ? 1 : 0)) *
+                          std::max<std::uint64_t>(1, mesh.primitives);
+                meshes_.require_copies(copies, node.words());
+                triangles += instances * mesh.triangles;
             }
             meshes_.require_room(triangles, node.words());
         }
     }
 
-    std::uint64_t claimed_triangles(const GltfObject& mesh) {
-        std::uint64_t triangles = 0;
-        for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
+    ClaimedMesh claimed_mesh(const GltfObject& mesh) {
+        ClaimedMesh claimed{mesh.size_of("primitives"), 0};
+        for (std::size_t i = 0; i < claimed.primitives; ++i) {
             const GltfObject primitive = mesh.object_in("primitives", i, text(mesh.words(), ", primitive ", i));
-            triangles += count_gltf_triangles(primitive, data_);
-            meshes_.require_room(triangles, primitive.words());
+            claimed.triangles += count_gltf_triangles(primitive, data_);
+            meshes_.require_room(claimed.triangles, primitive.words());
         }
-        return triangles;
+        return claimed;
     }
 
     void add_node(std::size_t number) {
@@ -114,8 +126,7 @@ private:
         if (!mesh_number) return;
         const GltfObject mesh = mesh_object(*mesh_number);
         const auto skin = node.index("skin", root_.size_of("skins"));
-        const std::vector<Placement> joints =
-            skin ? joint_placements(data_, *skin, nodes_, asset_) : std::vector<Placement>{};
+        const std::vector<Placement>* const joints = skin ? &joints_of(*skin) : nullptr;
         if (skin && node.extension("EXT_mesh_gpu_instancing")) {
             node.refuse("it is skinned and instanced, which glTF leaves open. Export it without one of these.");
         }
@@ -125,7 +136,7 @@ private:
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 std::string name = mesh.text_of("name");
                 if (primitives.size() > 1 && !name.empty()) name += text("-", i);
-                add_mesh(node, mesh, primitives[i], name, combine(placement, instance), skin ? &joints : nullptr);
+                add_mesh(node, mesh, primitives[i], name, combine(placement, instance), joints);
             }
         }
         if (--uses_left_[*mesh_number] == 0) primitives_.erase(*mesh_number);
@@ -136,6 +147,13 @@ private:
         return root_.object_in(
             "meshes", number,
             text(root_.words(), ", glTF mesh ", number, name.empty() ? "" : " (" + printable(name) + ")"));
+    }
+
+    /// Many nodes may share a skin.
+    const std::vector<Placement>& joints_of(std::size_t skin) {
+        const auto found = joints_.find(skin);
+        if (found != joints_.end()) return found->second;
+        return joints_.emplace(skin, joint_placements(data_, skin, nodes_, asset_)).first->second;
     }
 
     /// The primitives of a mesh stay until its last node is done.
@@ -158,27 +176,25 @@ private:
         if (primitive.left_over_corners > 0) left_over_.add(mesh);
         if (!primitive.has_positions) without_positions_.add(mesh);
         if (primitive.differs_from_accessors) differing_.add(mesh);
-        if (primitive.is_morphed()) morphed_.add(mesh);
+        if (primitive.is_morphed) morphed_.add(mesh);
         const bool is_skinned = joints != nullptr && !primitive.influences.empty();
         if (is_skinned) skinned_.add(mesh);
         if (joints != nullptr && !is_skinned) unweighted_.add(mesh);
         if (primitive.imported && !is_skinned) return meshes_.add_place(*primitive.imported, mesh, placement);
 
-        const std::vector<double> weights = morph_weights(node, owner, primitive);
-        const std::vector<GltfAccessor> displacements = primitive.displacements(weights, data_);
-        mesh.positions.reserve(primitive.vertices.size());
+        mesh.positions = shape_of(node, owner, primitive);
         const Placement applied = meshes_.applied(placement);
         std::vector<bool> mirrors(is_skinned ? primitive.vertices.size() : 0);
-        for (const std::uint32_t vertex : primitive.vertices) {
-            const Vec3d position = primitive.position(vertex, weights, displacements);
-            if (is_skinned) {
-                const Placement skinned =
-                    skinned_placement(primitive.influences, vertex, *joints, asset_, primitive.object);
-                mirrors[mesh.positions.size()] = skinned.mirrors();
-                mesh.positions.push_back(skinned(position));
-            } else {
-                mesh.positions.push_back(applied(position));
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            Vec3d& position = mesh.positions[i];
+            if (!is_skinned) {
+                position = applied(position);
+                continue;
             }
+            const Placement skinned =
+                skinned_placement(primitive.influences, primitive.vertices[i], *joints, asset_, primitive.object);
+            mirrors[i] = skinned.mirrors();
+            position = skinned(position);
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.
         mesh.triangles = primitive.triangles;
@@ -193,17 +209,15 @@ private:
             meshes_.add(std::move(mesh), primitive.object.index("material", materials).value_or(materials),
                         is_skinned ? Placement{} : placement);
         // A skin and a node's weights give each place a shape of its own.
-        if (meshes_.keeps_places() && !is_skinned && !primitive.is_morphed()) primitive.imported = index;
+        if (meshes_.keeps_places() && !is_skinned && !primitive.is_morphed) primitive.imported = index;
     }
 
-    /// The node's weights, else the mesh's, else zeros: one for each morph target.
-    static std::vector<double> morph_weights(const GltfObject& node, const GltfObject& mesh,
-                                             const GltfPrimitive& primitive) {
-        std::vector<double> result(primitive.object.size_of("targets"), 0.0);
-        const GltfObject& stated = node.has("weights") ? node : mesh;
-        const std::size_t count = std::min(result.size(), stated.size_of("weights"));
-        for (std::size_t i = 0; i < count; ++i) result[i] = stated.number_in("weights", i);
-        return result;
+    /// By the node's weights, else the mesh's, which are those of all its other nodes too.
+    std::vector<Vec3d> shape_of(const GltfObject& node, const GltfObject& mesh, GltfPrimitive& primitive) {
+        if (!primitive.is_morphed || node.has("weights"))
+            return primitive.shape_by(node.has("weights") ? node : mesh, data_);
+        if (!primitive.shape) primitive.shape = primitive.shape_by(mesh, data_);
+        return *primitive.shape;
     }
 
     void warn() {
@@ -264,6 +278,7 @@ private:
     Placement asset_;
     std::map<std::size_t, std::size_t> uses_left_;
     std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;
+    std::map<std::size_t, std::vector<Placement>> joints_;
     Found skinned_, unweighted_, morphed_, left_over_, without_positions_, differing_;
 };
 

@@ -159,6 +159,14 @@ void add_weighted(Placement& sum, const Placement& part, double weight) {
 
 }  // namespace
 
+Placement gltf_centre(const GltfObject& root) {
+    Placement result;
+    const auto relative = root.extension("CESIUM_RTC");
+    if (!relative) return result;
+    result.offset = relative->numbers<3>("center").value_or(std::array<double, 3>{});
+    return result;
+}
+
 GltfObject gltf_node(const GltfObject& root, std::size_t number) {
     return root.object_in("nodes", number, text(root.words(), ", node ", number));
 }

@@ -26,6 +26,9 @@ struct GltfNodes {
 /// forest, or a transform is none.
 GltfNodes read_gltf_nodes(const GltfObject& root);
 
+/// Returns what moves all of a scene: the centre that CESIUM_RTC states, so that positions around it fit into float32.
+Placement gltf_centre(const GltfObject& root);
+
 /// Returns the words that name a node in messages.
 GltfObject gltf_node(const GltfObject& root, std::size_t number);
 /// Returns the instances' transforms in the node's space: one that changes nothing, for a node without the extension.
@@ -56,16 +59,14 @@ struct GltfPrimitive {
     bool has_positions = false;
     bool differs_from_accessors = false;  ///< Draco packs other numbers of corners or vertices than accessors state
     GltfAccessor positions;
-    GltfInfluences influences;              ///< empty: no skin moves it
-    std::optional<std::uint32_t> imported;  ///< the mesh that its places share, once there is one
+    GltfInfluences influences;                     ///< empty: no skin moves it
+    std::optional<std::uint32_t> imported;         ///< the mesh that its places share, once there is one
+    bool is_morphed = false;                       ///< morph targets move its vertices
+    std::optional<std::vector<Vec3d>> shape = {};  ///< by the weights of the mesh, once it is needed
 
-    /// Returns where a vertex is in the mesh's space: its position and the morph targets' parts of it.
-    [[nodiscard]] Vec3d position(std::uint32_t vertex, const std::vector<double>& weights,
-                                 const std::vector<GltfAccessor>& displacements) const;
-    /// Tests whether morph targets move its vertices.
-    [[nodiscard]] bool is_morphed() const;
-    /// Returns one accessor for each weight. Those of weight 0 are not read, and have no elements.
-    [[nodiscard]] std::vector<GltfAccessor> displacements(const std::vector<double>& weights, GltfData& data) const;
+    /// Returns where `vertices` are in the mesh's space: their positions and the morph targets' parts of them, by the
+    /// weights that a node or a mesh states. Targets without one have the weight 0, and are not read.
+    [[nodiscard]] std::vector<Vec3d> shape_by(const GltfObject& stated, GltfData& data) const;
 };
 
 /// Throws ImportError when it is broken; with `keeps_vertices` (ImportOptions), also (unsupported) when it is packed

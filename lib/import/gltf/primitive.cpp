@@ -15,6 +15,7 @@ namespace {
 
 /// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
 constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_gaps = 16;  // of a table of vertices, for each corner
 constexpr std::uint32_t not_used = std::numeric_limits<std::uint32_t>::max();
 
 /// Reads accessors, or what Draco packs in their place.
@@ -89,6 +90,18 @@ void keep_used_vertices(GltfPrimitive& primitive) {
         last = std::max(last, index);
     });
     if (first > last) return;
+    // Two vertices may be a million apart, in each of many primitives.
+    if (last - first > most_gaps * 3 * primitive.triangles.size()) {
+        std::vector<std::uint32_t>& used = primitive.vertices;
+        for_each_index([&](std::uint32_t index) { used.push_back(index); });
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        for_each_index([&](std::uint32_t& index) {
+            const auto place = std::lower_bound(used.begin(), used.end(), index);
+            index = static_cast<std::uint32_t>(place - used.begin());
+        });
+        return;
+    }
     std::vector<std::uint32_t> numbers(std::size_t{last - first} + 1, not_used);
     for_each_index([&](std::uint32_t index) { numbers[index - first] = 0; });
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -168,33 +181,31 @@ void read_topology(const GltfObject& object, std::uint64_t mode, const std::opti
 
 }  // namespace
 
-Vec3d GltfPrimitive::position(std::uint32_t vertex, const std::vector<double>& weights,
-                              const std::vector<GltfAccessor>& displacements) const {
-    std::array<double, 3> result{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        result[axis] = positions.number(vertex, axis);
-        for (std::size_t i = 0; i < displacements.size(); ++i) {
-            if (displacements[i].count > 0) result[axis] += weights[i] * displacements[i].number(vertex, axis);
-        }
-    }
-    return {result[0], result[1], result[2]};
-}
-
-bool GltfPrimitive::is_morphed() const {
-    for (std::size_t i = 0; i < object.size_of("targets"); ++i) {
-        if (object.object_in("targets", i, object.words()).has("POSITION")) return true;
-    }
-    return false;
-}
-
-std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>& weights, GltfData& data) const {
-    std::vector<GltfAccessor> result(weights.size());
-    for (std::size_t i = 0; i < weights.size(); ++i) {
+std::vector<Vec3d> GltfPrimitive::shape_by(const GltfObject& stated, GltfData& data) const {
+    struct Morph {
+        double weight;
+        GltfAccessor displacement;
+    };
+    std::vector<Morph> morphs;
+    const std::size_t weights = is_morphed ? std::min(object.size_of("targets"), stated.size_of("weights")) : 0;
+    for (std::size_t i = 0; i < weights; ++i) {
+        const double weight = stated.number_in("weights", i);
+        if (weight == 0.0) continue;
         const GltfObject target = object.object_in("targets", i, text(object.words(), ", morph target ", i));
         const auto number = target.index("POSITION", data.accessor_count());
-        if (!number || weights[i] == 0.0) continue;
-        result[i] = data.accessor(*number, GltfUse::displacement, target.words());
-        if (result[i].count < positions.count) target.fail("it has fewer elements than POSITION");
+        if (!number) continue;
+        morphs.push_back({weight, data.accessor(*number, GltfUse::displacement, target.words())});
+        if (morphs.back().displacement.count < positions.count) target.fail("it has fewer elements than POSITION");
+    }
+    std::vector<Vec3d> result;
+    result.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+        std::array<double, 3> position{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            position[axis] = positions.number(vertex, axis);
+            for (const Morph& morph : morphs) position[axis] += morph.weight * morph.displacement.number(vertex, axis);
+        }
+        result.push_back({position[0], position[1], position[2]});
     }
     return result;
 }
@@ -223,6 +234,10 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfData& data, bool
     }
     result.influences = read_influences(reader, object, result.positions.count);
     result.differs_from_accessors = reader.differs_from_accessors();
+    for (std::size_t i = 0; i < object.size_of("targets"); ++i) {
+        const GltfObject target = object.object_in("targets", i, text(object.words(), ", morph target ", i));
+        result.is_morphed = target.index("POSITION", data.accessor_count()) || result.is_morphed;
+    }
     return result;
 }
 

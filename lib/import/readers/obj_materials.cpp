@@ -49,7 +49,8 @@ void ObjMaterials::read_libraries(const std::string& mesh_path, std::string_view
     for (const std::string_view name : libraries) {
         const std::string path = library_path(mesh_path, name);
         if (path.empty() && !first_missing_) first_missing_ = {std::string(name), count()};
-        if (path.empty() || std::find(opened.begin(), opened.end(), path) != opened.end()) continue;
+        std::error_code error;
+        if (path.empty() || !read_.insert(text_of(std::filesystem::canonical(path_of(path), error))).second) continue;
         read_library(path);
         opened.push_back(path);
     }

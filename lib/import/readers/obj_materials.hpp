@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,7 @@ public:
 private:
     void read_library(const std::string& path);
 
+    std::set<std::string> read_;  // libraries, by their paths without ".", ".." and links
     std::optional<MissingLibrary> first_missing_;
     std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };

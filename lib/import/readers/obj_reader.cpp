@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
 #include <import/base/mesh_collector.hpp>
 #include <import/base/missing_vertices.hpp>
+#include <import/base/not_finite_vertices.hpp>
 #include <import/base/occurrences.hpp>
 #include <import/base/polygon.hpp>
 #include <import/base/text_file.hpp>
 #include <import/readers/obj_materials.hpp>
+#include <import/readers/obj_names.hpp>
 
 namespace espalier::importer {
 
@@ -51,7 +52,8 @@ public:
         : options_(options), file_(path, "Wavefront OBJ", options, imported) {}
 
     void read() {
-        const std::string content = utf8_text(read_bytes(file_.path()));
+        std::string content = utf8_text(read_bytes(file_.path()));
+        file_.leave_out_zero_bytes(content);
         if (const std::size_t zero = content.find('\0'); zero != std::string::npos) {
             throw_file_error(ImportStatus::invalid_input, file_.path(), " is no Wavefront OBJ: byte ", zero,
                              " is zero, and OBJ is text. Name the file with its format's ending.");
@@ -115,11 +117,10 @@ private:
             read_corners(words, loose_);
             ++file_.record().points_and_lines;
         } else if (keyword == "o") {
-            object_ = words.rest();
-            group_.clear();
+            names_.set_object(words.rest());
             mesh_ = no_number;
         } else if (keyword == "g") {
-            group_ = words.rest();
+            names_.set_group(words.rest());
             mesh_ = no_number;
         } else if (keyword == "usemtl") {
             material_ = words.rest().empty() ? 0 : materials_.number_of(words.rest());
@@ -149,6 +150,8 @@ private:
         if (count == 4 && numbers[3] != 1.0) weights_.add(line_);
         if (positions_.size() >= no_number) refuse("the file has more than 4294967295 vertices. Split it.");
         positions_.push_back({numbers[0], numbers[1], numbers[2]});
+        not_finite_.look_at(positions_.size() - 1, positions_.back(),
+                            [&] { return text("line ", line_, ": vertex ", positions_.size(), ", counted from 1,"); });
     }
 
     /// A '#' in a list of numbers begins a comment.
@@ -163,9 +166,10 @@ private:
     /// from the last vertex; positive ones may name vertices that follow.
     std::uint32_t read_corners(Words& words, std::vector<std::uint32_t>& corners) {
         std::uint32_t count = 0;
-        numbers_.clear();
+        written_.clear();
         for (std::string_view word = next_word(words); !word.empty(); word = next_word(words), ++count) {
-            const auto number = parse_integer(word.substr(0, word.find('/')));
+            const std::string_view written = word.substr(0, word.find('/'));
+            const auto number = parse_integer(written);
             if (!number) {
                 refuse(text('\'', printable(word),
                             "' is not the number of a vertex. Correct it, or export the file again."));
@@ -175,7 +179,7 @@ private:
                                             ? static_cast<std::int64_t>(positions_.size()) + *number
                                             : no_number;
             corners.push_back(static_cast<std::uint32_t>(std::min<std::int64_t>(vertex, no_number)));
-            numbers_.push_back(*number);
+            written_.push_back(written);
         }
         return count;
     }
@@ -186,39 +190,31 @@ private:
             loose_.insert(loose_.end(), corners_.end() - count, corners_.end());
             corners_.resize(corners_.size() - count);
             ++file_.record().points_and_lines;
+            short_faces_.add(line_);
             return;
         }
         for (std::uint32_t i = 0; i < count; ++i)
-            if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, numbers_[i]);
-        if (mesh_ == no_number) mesh_ = mesh_number();
+            if (corners_[corners_.size() - count + i] == no_number) add_missing(line_, written_[i]);
+        if (mesh_ == no_number) mesh_ = names_.mesh();
         faces_.push_back(
             {mesh_, material_, static_cast<std::uint32_t>(std::min<std::uint64_t>(line_, no_number)), count});
     }
 
     /// A number below 0 counts back from the vertices before the face, which may be fewer than the file's.
-    void add_missing(std::uint64_t line, std::int64_t number) {
+    void add_missing(std::uint64_t line, std::string_view number) {
         missing_vertices_.add([&] {
             const std::string place = text("line ", line, ": a face");
-            if (number >= 0) return words_for_missing(place, number, positions_.size(), 1);
-            return text(place, " names vertex ", number, ", counted back, and ", counted(positions_.size(), "vertex"),
-                        " precede it");
+            if (!number.starts_with('-')) return words_for_missing(place, number, positions_.size(), 1);
+            return text(place, " names vertex ", written_number(number), ", counted back, and ",
+                        counted(positions_.size(), "vertex"), " precede it");
         });
-    }
-
-    /// Of the current object and group, which gets the next number with its first face.
-    std::uint32_t mesh_number() {
-        std::string name = object_.empty() || group_.empty() ? object_ + group_ : object_ + '/' + group_;
-        const auto [place, is_new] =
-            mesh_numbers_.try_emplace({object_, group_}, static_cast<std::uint32_t>(mesh_names_.size()));
-        if (is_new) mesh_names_.push_back(std::move(name));
-        return place->second;
     }
 
     void add_meshes() {
         // Counting sort: the faces of each mesh, in the order of the file.
-        std::vector<std::uint64_t> begins(mesh_names_.size() + 1);
+        std::vector<std::uint64_t> begins(names_.count() + 1);
         for (const Face& face : faces_) ++begins[face.mesh + 1];
-        for (std::size_t mesh = 0; mesh < mesh_names_.size(); ++mesh) begins[mesh + 1] += begins[mesh];
+        for (std::size_t mesh = 0; mesh < names_.count(); ++mesh) begins[mesh + 1] += begins[mesh];
         struct Place {
             std::uint64_t face;
             std::uint64_t corner;
@@ -232,13 +228,13 @@ private:
         }
         owners_.assign(positions_.size(), no_number);
         locals_.resize(positions_.size());
-        for (std::uint32_t mesh = 0; mesh < mesh_names_.size(); ++mesh) {
+        for (std::uint32_t mesh = 0; mesh < names_.count(); ++mesh) {
             ObjMesh target{mesh, {}, {}, {}};
             for (std::uint64_t at = begins[mesh]; at < begins[mesh + 1]; ++at) {
                 const Face& face = faces_[order[at].face];
                 add_face(face, std::span(corners_).subspan(order[at].corner, face.corners), target);
             }
-            file_.add(mesh_names_[mesh], std::move(target.positions), std::move(target.triangles),
+            file_.add(names_.name_of(mesh), std::move(target.positions), std::move(target.triangles),
                       std::move(target.materials));
         }
         count_unused_vertices();
@@ -255,7 +251,7 @@ private:
             add_face(face, std::span(corners_).subspan(corner, face.corners), target);
             corner += face.corners;
         }
-        file_.add(mesh_names_.size() == 1 ? mesh_names_.front() : "", std::move(target.positions),
+        file_.add(names_.count() == 1 ? names_.name_of(0) : "", std::move(target.positions),
                   std::move(target.triangles), std::move(target.materials));
     }
 
@@ -268,9 +264,10 @@ private:
 
     void add_face(const Face& face, std::span<const std::uint32_t> corners, ObjMesh& mesh) {
         local_corners_.clear();
+        not_finite_.check(corners, file_.record(), options_, mesh.number, mesh.triangles.size());
         for (const std::uint32_t vertex : corners) {
             if (vertex >= positions_.size()) {
-                if (vertex != no_number) add_missing(face.line, std::int64_t{vertex} + 1);
+                if (vertex != no_number) add_missing(face.line, text(std::uint64_t{vertex} + 1));
                 local_corners_.push_back(vertex);  // no vertex of the mesh either
                 continue;
             }
@@ -281,7 +278,9 @@ private:
             }
             local_corners_.push_back(locals_[vertex]);
         }
-        if (!cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles)) crossing_.add(face.line);
+        const PolygonCut cut = cutter_.cut_face(local_corners_, mesh.positions, mesh.triangles);
+        if (cut == PolygonCut::too_tangled) refuse_line(file_.path(), face.line, tangled_polygon_words);
+        if (cut == PolygonCut::crossing) crossing_.add(face.line);
         mesh.materials.resize(mesh.triangles.size(), face.material);
     }
 
@@ -295,6 +294,9 @@ private:
 
     void warn() {
         missing_vertices_.report(file_.record(), options_);
+        short_faces_.warn(
+            file_, "short_face",
+            "a face has fewer than three corners, and was left out. Correct it, or export the file again.");
         crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
         free_form_.warn(file_, "free_form", "a free-form curve or surface was left out. Export it as polygons.");
         weights_.warn(file_, "vertex_weight",
@@ -325,21 +327,20 @@ private:
 
     std::vector<Vec3d> positions_;
     std::vector<Face> faces_;
-    std::vector<std::uint32_t> corners_;  // of the faces, one after the other
-    std::vector<std::int64_t> numbers_;   // of the corners of a line, as written
-    std::vector<std::uint32_t> loose_;    // of points and lines
-    std::string object_;
-    std::string group_;
+    std::vector<std::uint32_t> corners_;     // of the faces, one after the other
+    std::vector<std::string_view> written_;  // the numbers of a line's corners
+    std::vector<std::uint32_t> loose_;       // of points and lines
+    ObjNames names_;
     std::uint32_t mesh_ = no_number;  // none for the names yet
     std::uint32_t material_ = 0;
-    std::map<std::pair<std::string, std::string>, std::uint32_t> mesh_numbers_;
-    std::vector<std::string> mesh_names_;
 
     std::vector<std::uint32_t> owners_;  // the mesh that used a vertex last,
     std::vector<std::uint32_t> locals_;  // and its number there
     std::vector<std::uint32_t> local_corners_;
 
     MissingVertices missing_vertices_;
+    NotFiniteVertices not_finite_;
+    Occurrences short_faces_;
     Occurrences crossing_;
     Occurrences free_form_;
     Occurrences weights_;

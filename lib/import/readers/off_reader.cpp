@@ -7,6 +7,7 @@
 
 #include <import/base/mesh_collector.hpp>
 #include <import/base/missing_vertices.hpp>
+#include <import/base/not_finite_vertices.hpp>
 #include <import/base/numbers.hpp>
 #include <import/base/occurrences.hpp>
 #include <import/base/polygon.hpp>
@@ -51,6 +52,12 @@ public:
         while (!left.next().empty()) ++count;
         return count;
     }
+    /// Moves to the end of the line and returns how many words were left on it.
+    std::size_t take_line() {
+        std::size_t count = 0;
+        while (!next_on_line().empty()) ++count;
+        return count;
+    }
     [[nodiscard]] std::uint64_t line() const { return lines_.number(); }
 
 private:
@@ -86,7 +93,7 @@ std::optional<OffKeyword> parse_keyword(std::string_view word) {
 class OffReader {
 public:
     OffReader(std::string_view content, const ImportOptions& options, UnitlessFile& file)
-        : content_(content), words_(content), options_(options), file_(file) {}
+        : content_(content), words_(content), body_(content), options_(options), file_(file) {}
 
     void read() {
         read_header();
@@ -94,11 +101,7 @@ public:
         for (std::uint64_t face = 0; face < face_count_; ++face) read_face(face);
         missing_vertices_.report(file_.record(), options_);
         crossing_.warn(file_, "crossing_polygon", crossing_polygon_words);
-        if (words_.has_more_on_line() || words_.next_line()) {
-            file_.warn("trailing_bytes",
-                       text(", line ", words_.line(), ": more follows the ", counted(face_count_, "face"),
-                            " that the header states; it was not read."));
-        }
+        warn_about_more();
         if (!options_.keep_vertices) file_.record().points_and_lines += unused_vertices(positions_.size(), triangles_);
         file_.add("", std::move(positions_), std::move(triangles_), {});
     }
@@ -126,6 +129,7 @@ private:
         face_count_ = count(words_.next(), "faces", least_face_bytes);
         // The number of edges, which nothing depends on; some programs leave it out.
         if (!is_one_line || words_.has_more_on_line()) words_.next();
+        body_ = words_;
     }
 
     /// A number of the header, for so many things the file must have room.
@@ -137,10 +141,37 @@ private:
         const auto result = static_cast<std::uint64_t>(*number);
         const std::size_t room = content_.size() / least_bytes + 1;
         if (result > room || result >= off_no_vertex) {
-            refuse(
-                text("the header states ", result, ' ', things, ", and the file is too short for them. Is it whole?"));
+            refuse(text("the header states ", result, ' ', things, ", and the file has bytes for ", room,
+                        ". Is it whole?"));
         }
         return result;
+    }
+
+    /// Where each vertex has a line of its own, as many lines as there are have the numbers of the first one.
+    [[nodiscard]] std::string other_vertex_count() const {
+        OffWords ahead = body_;
+        std::uint64_t lines = 0;
+        std::size_t of_first = 0;
+        while (!ahead.has_more_on_line() && ahead.next_line()) {
+            const std::size_t numbers = ahead.take_line();
+            if (lines == 0) of_first = numbers;
+            if (numbers != of_first) break;
+            ++lines;
+        }
+        if (lines == 0 || lines == vertex_count_) return {};
+        return text("; it states ", counted(vertex_count_, "vertex"), ", and the first ", counted(lines, "line"),
+                    lines == 1 ? " looks like one" : " look like one each");
+    }
+
+    void warn_about_more() {
+        if (!words_.has_more_on_line() && !words_.next_line()) return;
+        const std::uint64_t line = words_.line();
+        std::uint64_t lines = 1;
+        while (words_.next_line()) ++lines;
+        file_.warn("trailing_bytes",
+                   text(", line ", line, ": the header states ", counted(face_count_, "face"), ", and ",
+                        counted(lines, "line"), " more than that ", lines == 1 ? "follows" : "follow",
+                        other_vertex_count(), ". What follows was not read: correct the header."));
     }
 
     /// Colours, normals and texture coordinates have three, four or two numbers, which programs disagree on: where
@@ -166,24 +197,27 @@ private:
             std::array<double, 3> numbers{};
             for (double& number : numbers) {
                 const std::string_view word = by_lines ? words_.next_on_line() : words_.next();
-                if (word.empty())
-                    refuse(text("vertex ", vertex, " has fewer than three coordinates. Is the file whole?"));
+                if (word.empty()) {
+                    refuse(text("the header states ", counted(vertex_count_, "vertex"), ", and the file has ", vertex,
+                                ": it ends within vertex ", vertex, ", counted from 0. Is it whole?"));
+                }
                 const std::optional<double> value = parse_coordinate(word);
                 if (!value) refuse_word(word, "not a number");
                 number = *value;
             }
             positions_.push_back({numbers[0], numbers[1], numbers[2]});
+            not_finite_.look_at(vertex, positions_.back(),
+                                [&] { return text("line ", words_.line(), ": vertex ", vertex, ", counted from 0,"); });
             for (std::size_t i = 0; !by_lines && i < more_numbers_; ++i) words_.next();
-            while (by_lines && !words_.next_on_line().empty()) {
-            }
+            if (by_lines) words_.take_line();
         }
     }
 
     void read_face(std::uint64_t face) {
         const std::string_view word = words_.next();
         if (word.empty()) {
-            refuse(text("the file ends after ", counted(face, "face"), " of the ", face_count_,
-                        " that its header states. Is it whole? Each face begins a line of its own."));
+            refuse(text("the header states ", counted(face_count_, "face"), ", and the file has ", face,
+                        other_vertex_count(), ". Is it whole? Each face begins a line of its own."));
         }
         const std::optional<std::int64_t> count = parse_integer(word);
         if (!count || *count < 0) refuse_word(word, "not the number of a face's corners");
@@ -192,21 +226,27 @@ private:
         end_line(face);
         if (*count < 3) {
             file_.record().points_and_lines += *count > 0;
-        } else if (!cutter_.cut_face(corners_, positions_, triangles_)) {
-            crossing_.add(words_.line());
+            return;
         }
+        not_finite_.check(corners_, file_.record(), options_, 0, triangles_.size());
+        const PolygonCut cut = cutter_.cut_face(corners_, positions_, triangles_);
+        if (cut == PolygonCut::too_tangled) refuse(tangled_polygon_words);
+        if (cut == PolygonCut::crossing) crossing_.add(words_.line());
     }
 
     /// The vertex, or a number that no vertex has.
     std::uint32_t read_corner(std::uint64_t face) {
         const std::string_view word = words_.next();
-        if (word.empty()) refuse(text("the file ends within face ", face, ". Is it whole?"));
+        if (word.empty()) {
+            refuse(text("the header states ", counted(face_count_, "face"), ", and the file has ", face,
+                        ": it ends within face ", face, ", counted from 0", other_vertex_count(), ". Is it whole?"));
+        }
         const std::optional<std::int64_t> vertex = parse_integer(word);
         if (!vertex) refuse_word(word, "not the number of a vertex");
         if (*vertex >= 0 && static_cast<std::uint64_t>(*vertex) < positions_.size())
             return static_cast<std::uint32_t>(*vertex);
         missing_vertices_.add([&] {
-            return words_for_missing(text("line ", words_.line(), ": face ", face), *vertex, positions_.size(), 0);
+            return words_for_missing(text("line ", words_.line(), ": face ", face), word, positions_.size(), 0);
         });
         return off_no_vertex;
     }
@@ -217,12 +257,12 @@ private:
             refuse(text(more, " numbers follow the corners of face ", face,
                         ", and a colour has at most four. Write each face on a line of its own."));
         }
-        while (!words_.next_on_line().empty()) {
-        }
+        words_.take_line();
     }
 
     [[noreturn]] void refuse_word(std::string_view word, const char* problem) const {
-        refuse(text("'", printable(word.substr(0, 40)), "' is ", problem, ". Correct it, or export the file again."));
+        refuse(text("'", printable(word.substr(0, 40)), "' is ", problem, other_vertex_count(),
+                    ". Correct it, or export the file again."));
     }
     [[noreturn]] void refuse(const std::string& problem) const { refuse_line(file_.path(), words_.line(), problem); }
     [[noreturn]] void refuse(ImportStatus code, const char* problem) const {
@@ -231,6 +271,7 @@ private:
 
     std::string_view content_;
     OffWords words_;
+    OffWords body_;  // behind the header
     const ImportOptions& options_;
     UnitlessFile& file_;
     PolygonCutter cutter_;
@@ -241,6 +282,7 @@ private:
     std::vector<TriangleVertices> triangles_;
     std::vector<std::uint32_t> corners_;
     MissingVertices missing_vertices_;
+    NotFiniteVertices not_finite_;
     Occurrences crossing_;
 };
 
@@ -248,7 +290,8 @@ private:
 
 void import_off(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "OFF", options, imported);
-    const std::string content = utf8_text(read_bytes(path));
+    std::string content = utf8_text(read_bytes(path));
+    file.leave_out_zero_bytes(content);
     OffReader(content, options, file).read();
     file.finish();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,8 +46,6 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::size_t bytes = 0;    ///< where the data begins
     std::uint64_t lines = 0;  ///< of the header
-
-    [[nodiscard]] const PlyElement* find(std::string_view element) const;
 };
 
 /// Throws ImportError (invalid_input) if the file is no PLY, or a line of the header is wrong.
@@ -59,6 +58,7 @@ public:
         : path_(&path), header_lines_(header.lines), lines_(content.substr(header.bytes)), content_(content) {}
 
     void begin_element(const PlyElement& element) {
+        beyond_all_ = {};
         std::string_view line;
         words_ = Words({});
         while (lines_.next(line)) {
@@ -84,7 +84,12 @@ public:
         const std::string_view word = next();
         const auto value = parse_integer(word);
         if (!value) refuse(text("'", printable(word.substr(0, 40)), "' is not an integer."));
+        if (is_limit(*value) && beyond_all_.empty()) beyond_all_ = word;
         return *value;
+    }
+    /// Returns an integer of the line as the file writes it.
+    [[nodiscard]] std::string written(std::int64_t value) const {
+        return is_limit(value) ? std::string(beyond_all_) : text(value);
     }
     void skip(PlyType, std::uint64_t count) {
         for (std::uint64_t i = 0; i < count; ++i) next();
@@ -113,11 +118,16 @@ private:
         return word;
     }
 
+    using Limits = std::numeric_limits<std::int64_t>;
+    /// What parse_integer() makes of numbers beyond its type.
+    static bool is_limit(std::int64_t value) { return value == Limits::min() || value == Limits::max(); }
+
     const std::string* path_;
     std::uint64_t header_lines_;
     Lines lines_;
     std::string_view content_;
     Words words_{{}};
+    std::string_view beyond_all_;  // the first integer of the line that is a limit
 };
 
 class PlyBytes {
@@ -142,6 +152,7 @@ public:
         if (type == PlyType::int32) return take<std::int32_t>();
         return take<std::uint32_t>();
     }
+    [[nodiscard]] static std::string written(std::int64_t value) { return text(value); }
     void skip(PlyType type, std::uint64_t count) {
         require(count, size_of(type));
         at_ += static_cast<std::size_t>(count) * size_of(type);

@@ -1,5 +1,7 @@
 #include <import/readers/ply.hpp>
 
+#include <set>
+
 namespace espalier::importer {
 
 namespace {
@@ -48,7 +50,7 @@ public:
                 refuse(text("'", printable(keyword.substr(0, 40)), "' is no statement of a PLY header."));
             }
         }
-        refuse("the header has no end. Is the file whole?");
+        refuse_line(path_, lines_.number(), "the header has no end. Is the file whole?");
     }
 
 private:
@@ -70,9 +72,10 @@ private:
         element.name = words.next();
         const auto count = parse_integer(words.next());
         if (element.name.empty() || !count || *count < 0) refuse("an element needs a name and how many there are.");
-        if (header_.find(element.name) != nullptr) {
+        if (!elements_.insert(element.name).second) {
             refuse(text("the element '", printable(element.name), "' is there twice."));
         }
+        properties_.clear();
         element.count = static_cast<std::uint64_t>(*count);
         header_.elements.push_back(std::move(element));
     }
@@ -89,7 +92,7 @@ private:
         property.type = read_type(type);
         property.name = words.next();
         if (property.name.empty()) refuse("a property needs a name.");
-        if (header_.elements.back().find(property.name) != nullptr) {
+        if (!properties_.insert(property.name).second) {
             refuse(text("the element '", printable(header_.elements.back().name), "' has the property '",
                         printable(property.name), "' twice."));
         }
@@ -109,6 +112,8 @@ private:
     const std::string& path_;
     Lines lines_;
     PlyHeader header_;
+    std::set<std::string> elements_;
+    std::set<std::string> properties_;  // of the last element
 };
 
 }  // namespace
@@ -128,12 +133,6 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
     const auto found = std::find_if(properties.begin(), properties.end(),
                                     [property](const PlyProperty& candidate) { return candidate.name == property; });
     return found == properties.end() ? nullptr : &*found;
-}
-
-const PlyElement* PlyHeader::find(std::string_view element) const {
-    const auto found = std::find_if(elements.begin(), elements.end(),
-                                    [element](const PlyElement& candidate) { return candidate.name == element; });
-    return found == elements.end() ? nullptr : &*found;
 }
 
 PlyHeader read_ply_header(const std::string& path, std::string_view content) {

@@ -6,6 +6,8 @@
 
 #include <import/base/mesh_collector.hpp>
 #include <import/base/missing_vertices.hpp>
+#include <import/base/not_finite_vertices.hpp>
+#include <import/base/occurrences.hpp>
 #include <import/base/polygon.hpp>
 #include <import/readers/ply.hpp>
 
@@ -104,6 +106,8 @@ private:
             }
             values_.end_element();
             positions_.push_back({coordinates[0], coordinates[1], coordinates[2]});
+            not_finite_.look_at(i, positions_.back(),
+                                [&] { return text(values_.place(), ": vertex ", i, ", counted from 0,"); });
         }
     }
 
@@ -144,8 +148,9 @@ private:
         if (vertex >= 0 && static_cast<std::uint64_t>(vertex) < positions_.size()) {
             return static_cast<std::uint32_t>(vertex);
         }
-        missing_vertices_.add(
-            [&] { return words_for_missing(values_.place() + ": a face", vertex, positions_.size(), 0); });
+        missing_vertices_.add([&] {
+            return words_for_missing(values_.place() + ": a face", values_.written(vertex), positions_.size(), 0);
+        });
         return vertex < 0 || vertex > no_vertex ? no_vertex : static_cast<std::uint32_t>(vertex);
     }
 
@@ -156,7 +161,10 @@ private:
         }
         corners_.clear();
         for (const std::int64_t vertex : list_) corners_.push_back(checked(vertex));
-        if (!cutter_.cut_face(corners_, positions_, triangles_) && crossing_++ == 0) first_crossing_ = values_.place();
+        not_finite_.check(corners_, file_.record(), options_, 0, triangles_.size());
+        const PolygonCut cut = cutter_.cut_face(corners_, positions_, triangles_);
+        if (cut == PolygonCut::too_tangled) values_.refuse(tangled_polygon_words);
+        if (cut == PolygonCut::crossing && crossing_++ == 0) first_crossing_ = values_.place();
     }
 
     /// A negative number ends a strip. Every second triangle of a strip runs the other way round.
@@ -169,6 +177,7 @@ private:
             }
             if (at < begin + 2) continue;
             const std::uint32_t corners[] = {checked(list_[at - 2]), checked(list_[at - 1]), checked(list_[at])};
+            not_finite_.check(corners, file_.record(), options_, 0, triangles_.size());
             const bool turned = (at - begin) % 2 == 1;
             const TriangleVertices triangle{corners[turned ? 1 : 0], corners[turned ? 0 : 1], corners[2]};
             if (!repeats_a_vertex(triangle, positions_.size())) triangles_.push_back(triangle);
@@ -203,6 +212,7 @@ private:
     std::vector<std::int64_t> list_;
     std::vector<std::uint32_t> corners_;
     MissingVertices missing_vertices_;
+    NotFiniteVertices not_finite_;
     std::uint64_t crossing_ = 0;
     std::string first_crossing_;
 };
@@ -217,9 +227,10 @@ void read_values(const PlyHeader& header, const std::string& content, const Impo
 
 void import_ply(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "PLY", options, imported);
-    const std::string content = utf8_text(read_bytes(path));
+    std::string content = utf8_text(read_bytes(path));
     const PlyHeader header = read_ply_header(path, content);
     if (header.form == PlyForm::text) {
+        file.leave_out_zero_bytes(content);
         read_values<PlyText>(header, content, options, file);
     } else {
         read_values<PlyBytes>(header, content, options, file);

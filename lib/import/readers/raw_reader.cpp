@@ -87,7 +87,8 @@ private:
 
 void import_raw(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "RAW", options, imported);
-    const std::string content = utf8_text(read_bytes(path));
+    std::string content = utf8_text(read_bytes(path));
+    file.leave_out_zero_bytes(content);
     RawReader(content, file).read();
     file.finish();
 }

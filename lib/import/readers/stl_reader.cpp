@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <import/base/mesh_collector.hpp>
+#include <import/base/not_finite_vertices.hpp>
 #include <import/base/text_file.hpp>
 
 namespace espalier::importer {
@@ -55,7 +56,8 @@ void read_binary(std::string_view bytes, UnitlessFile& file) {
 
 class TextReader {
 public:
-    TextReader(std::string_view content, UnitlessFile& file) : lines_(content), file_(file) {}
+    TextReader(std::string_view content, const ImportOptions& options, UnitlessFile& file)
+        : lines_(content), options_(options), file_(file) {}
 
     void read() {
         for (std::string_view line; lines_.next(line);) {
@@ -124,14 +126,22 @@ private:
 
     void read_corner(Words& words) {
         std::array<double, 3> numbers{};
-        for (double& number : numbers) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string_view word = words.next();
+            if (word.empty())
+                refuse(text("a vertex has ", counted(axis, "coordinate"), ", not 3: ", "xyz"[axis],
+                            axis < 2 ? " and what follows it are missing" : " is missing", ". Is the file whole?"));
             const auto value = parse_coordinate(word);
             if (!value)
                 refuse(text("'", printable(word), "' is not a coordinate. Correct it, or export the file again."));
-            number = *value;
+            numbers[axis] = *value;
         }
         corners_.push_back({numbers[0], numbers[1], numbers[2]});
+        const auto not_finite = words_for_not_finite(corners_.back());
+        if (not_finite && options_.require_vertices) {
+            refuse_not_finite(file_.path(), options_, text("line ", lines_.number(), ": a vertex"), *not_finite,
+                              file_.record().meshes, (corners_.size() - 1) / 3);
+        }
     }
 
     void end_solid() {
@@ -143,6 +153,7 @@ private:
     [[noreturn]] void refuse(const std::string& problem) const { refuse_line(file_.path(), lines_.number(), problem); }
 
     Lines lines_;
+    const ImportOptions& options_;
     UnitlessFile& file_;
     State state_ = State::outside;
     std::string name_;
@@ -158,7 +169,8 @@ bool is_exactly_binary(std::string_view bytes) {
 }
 
 bool is_text(std::string_view bytes) {
-    if (is_exactly_binary(bytes) || bytes.find('\0') != std::string_view::npos) return false;
+    bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);
+    if (bytes.find('\0') != std::string_view::npos) return false;
     Lines lines(bytes);
     std::string_view first;
     while (first.empty()) {
@@ -174,9 +186,11 @@ bool is_text(std::string_view bytes) {
 void import_stl(const std::string& path, const ImportOptions& options, ImportResult& imported) {
     UnitlessFile file(path, "STL", options, imported);
     std::string bytes = read_bytes(path);
-    if (!is_exactly_binary(bytes)) bytes = utf8_text(std::move(bytes));
-    if (is_text(bytes)) {
-        TextReader(bytes, file).read();
+    const bool is_binary = is_exactly_binary(bytes);
+    if (!is_binary) bytes = utf8_text(std::move(bytes));
+    if (!is_binary && is_text(bytes)) {
+        file.leave_out_zero_bytes(bytes);
+        TextReader(bytes, options, file).read();
     } else {
         read_binary(bytes, file);
     }

@@ -75,7 +75,8 @@ def read_mesh(path: Path, **options: Any) -> MeshFile:
     coordinates. up: "x", "y" or "z", the axis that points up in the file and is turned to +Y; by default axes stay.
     materials: also reads a number for each triangle.
     keep_vertices: keeps all vertices in the order of the file, as for the poses of a deformable blob.
-    require_vertices: refuses a face that names a vertex which the file does not have; by default it is warned of.
+    require_vertices: refuses a face that names a vertex which the file does not have, or in texts one that is NaN or
+        infinite; by default the former is warned of.
     memory: bytes that reading may take, by default half of the machine's; 0 is no limit. seconds: of processor time.
 
     Reads in a child process where the system has fork(), so that the crash of a library is an error like others. On

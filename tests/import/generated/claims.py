@@ -55,10 +55,10 @@ class Claims:
             self.check(claim, document["inputs"][0][key] == value, f"{key} is {document['inputs'][0][key]}, not {value}")
         return document
 
-    def refuses(self, claim, name, content, *words):
+    def refuses(self, claim, name, content, *words, options=()):
         """The file is refused with its name and these words, and no blob is left."""
         path = self.write(name, content)
-        code, document, stderr = self.run(name)
+        code, document, stderr = self.run(name, *options)
         message = document.get("error", {}).get("message", "")
         self.check(claim, code in (3, 5), f"exit status {code}: {stderr}")
         for word in (path, *words):

@@ -24,7 +24,7 @@ def words(corner):
     return " ".join(map(repr, corner))
 
 
-def gltf(**node):
+def gltf(root=None, **node):
     corners = b"".join(struct.pack("<3f", *corner) for corner in SINGLE)
     data = corners + b"".join(struct.pack("<3I", *face) for face in FACES)
     views = [{"buffer": 0, "byteLength": len(corners)}, {"buffer": 0, "byteOffset": len(corners), "byteLength": len(data) - len(corners)}]
@@ -32,7 +32,7 @@ def gltf(**node):
                  {"bufferView": 1, "componentType": 5125, "count": 3 * len(FACES), "type": "SCALAR"}]
     return json.dumps({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, **node}],
                        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}], "bufferViews": views, "accessors": accessors,
-                       "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]})
+                       "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}], **(root or {})})
 
 
 def digits(claims):
@@ -86,4 +86,7 @@ def digits(claims):
     placed = [tuple(a + b for a, b in zip(corner, MOVED)) for corner in singles]
     keeps("glTF: the translation of a node is in float64", "digits.gltf", gltf(translation=MOVED), placed)
     keeps("glTF: the matrix of a node is in float64", "digits.gltf", gltf(matrix=[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, *MOVED, 1]), placed)
+    centre = {"extensionsUsed": ["CESIUM_RTC"], "extensions": {"CESIUM_RTC": {"center": MOVED}}}
+    keeps("glTF: the centre of CESIUM_RTC is in float64", "digits.gltf", gltf(centre), placed)
+    keeps("glTF: the centre of CESIUM_RTC is in the unit of the file", "digits.gltf", gltf(centre), [tuple(0.5 * x for x in corner) for corner in placed], "--scale", "0.5")
     keeps("glTF: positions of float32 stay", "digits.gltf", gltf(), singles)

@@ -40,8 +40,8 @@ def off(claims):
                  options=["--deformable", "--range", "0", "0", "0", "9", "9", "9"])
 
     for claim, content, words in (
-            ("a file that ends within a face", SQUARE.format(1) + "4 0 1 2\n", ["within face 0"]),
-            ("fewer faces than stated", SQUARE.format(3) + "3 0 1 2\n", ["after 1 face of the 3"]),
+            ("a file that ends within a face", SQUARE.format(1) + "4 0 1 2\n", ["states 1 face, and the file has 0", "within face 0"]),
+            ("fewer faces than stated", SQUARE.format(3) + "3 0 1 2\n", ["states 3 faces, and the file has 1"]),
             ("two faces on a line", SQUARE.format(2) + "3 0 1 2 3 0 2 3\n", ["line 7", "line of its own"]),
             ("two polygons on a line", SQUARE.format(2) + "4 0 1 2 3 4 0 1 2 3\n", ["line 7", "5 numbers follow"]),
             ("fewer vertices than stated", "OFF\n4 0 0\n0 0 0\n1 1 # no more\n", ["line 4", "vertex 1"]),
@@ -52,7 +52,7 @@ def off(claims):
             ("a negative count", "OFF\n-4 1 0\n", ["line 2", "'-4'"]), ("no count", "OFF\n", ["''"]),
             ("the binary form", b"OFF BINARY\n\0\0\0\4", ["binary OFF", "text"]),
             ("four axes", "4OFF\n1 0 0\n0 0 0 1\n", ["three coordinates"]), ("a number of axes", "nOFF\n2 1 0 0\n1 1\n", ["three coordinates"]),
-            ("another format with this ending", "o box\nv 0 0 0\n", ["no OFF"])):
+            ("another text with this ending", "o box\nw 0 0 0\n", ["no OFF"])):
         claims.refuses(f"OFF: {claim} is refused", "bad.off", content, *words)
     for number in ("9", "-1", "99999999999"):
         claims.refuses("OFF: a missing vertex is refused with its line and its number as written", "missing.off",

@@ -120,4 +120,4 @@ def ply(claims):
     claims.refuses("PLY: an unknown type is refused", "type.ply", text.replace("property float z", "property real z"), "'real'")
     claims.refuses("PLY: an unknown format is refused", "format.ply", text.replace("ascii", "utf8"), "'utf8'")
     claims.refuses("PLY: a header without an end is refused", "header.ply", text[:text.index("end_header")], "no end")
-    claims.refuses("PLY: another format with this ending is refused", "obj.ply", obj_box(), "no PLY")
+    claims.refuses("PLY: another text with this ending is refused", "text.ply", "vertices\n" + obj_box(), "no PLY")

@@ -38,7 +38,7 @@ def stl(claims):
     claims.bakes("STL: one without an ending is read by its content", "text_without_ending", stl_text(), 12, BOX_BOUNDS)
     claims.refuses("STL: a binary file that is cut off is refused", "cut.stl", stl_bytes()[:-1], "room for 11")
     claims.refuses("STL: a binary file that states more triangles is refused", "more.stl", stl_bytes(count=4000000000), "4000000000")
-    for name, content in (("a zero byte", stl_text() + "\0"), ("another first word", "color 1 0 0\n" + stl_text())):
+    for name, content in (("a zero byte", stl_text() + "\0\n"), ("another first word", "color 1 0 0\n" + stl_text())):
         claims.refuses(f"STL: a text with {name} is refused with what a text is", "text.stl", content, "begins with 'solid'", "zero byte")
     claims.refuses("STL: a text that is cut off is refused", "cut.stl", stl_text()[:-60].rsplit("\n", 1)[0], "facet")
     claims.refuses("STL: a facet with four corners is refused", "four.stl", stl_text().replace("endloop", "vertex 0 0 0\nendloop", 1), "4 corners")

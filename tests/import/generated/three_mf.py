@@ -144,7 +144,7 @@ def three_mf(claims):
     boxes("objects nest to any depth", package(model(deep, '<item objectid="49999"/>')), 1, BOX_BOUNDS)
     doubled = thing(1) + "".join(thing(i, parts(i - 1, i - 1)) for i in range(2, 90))
     hollow = doubled.replace(mesh(), mesh([], []))
-    claims.refuses("3MF: a mesh that is placed 2^88 times is refused before memory is taken", "doubled.3mf", package(model(doubled, '<item objectid="89"/>')), "triangles")
+    claims.refuses("3MF: a mesh that is placed 2^88 times is refused before memory is taken", "doubled.3mf", package(model(doubled, '<item objectid="89"/>')), "1048576 copies")
     claims.refuses("3MF: nothing that is placed 2^88 times is an empty file", "hollow.3mf", package(model(hollow, '<item objectid="89"/>')), "no triangles")
     for number in ("8", "-1", "99999999999"):
         odd = package(model(thing(1, mesh().replace('v3="6"', f'v3="{number}"', 1), 'name="gear"')))

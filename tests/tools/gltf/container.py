@@ -67,18 +67,16 @@ def tiles():
     for name, features in (("case.b3dm", b'{"BATCH_LENGTH":1}'), ("case.bin", b""), ("case.b3dm", b'{"RTC_CENTER":[0,0,0]}')):
         tile(name, features)
         warned(bakes(name, solid()), "trailing_bytes", False)
-    claim("a tile around a centre is refused by its name with the way out, and so is that extension of glTF")
+    claim("a tile around a centre is refused by its name with the way out")
     tile("centre.b3dm", b'{"RTC_CENTER":[4e6,0,-1]}')
     refused("centre.b3dm", 5, "RTC_CENTER", "4e+06 0 -1", "0 0 0")
+    claim("the centre of CESIUM_RTC moves all of a glTF")
     for required in (True, False):
-        for centre in ([0, 0, 0], [0, 1e6, 0]):
+        for centre in ([0, 0, 0], [0, 96, -8]):
             gltf = solid_file()
             gltf.extension("CESIUM_RTC", required)
-            changed(gltf, "extensions", {"CESIUM_RTC": {"center": centre}})
-            if any(centre):
-                refused(gltf, 5, "CESIUM_RTC", "0 1e+06 0")
-            else:
-                bakes(gltf, solid())
+            bakes(changed(gltf, "extensions", {"CESIUM_RTC": {"center": centre}}), solid(moved(*centre)))
+    refused(changed(gltf, "extensions", {"CESIUM_RTC": {"center": [1, 2]}}), 3, "CESIUM_RTC", "center", "3 numbers")
     claim("tiles of other kinds, versions and lengths are refused by name")
     for kind in (b"i3dm", b"pnts", b"cmpt"):
         tile("other.b3dm", kind=kind)

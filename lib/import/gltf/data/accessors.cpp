@@ -73,10 +73,10 @@ std::size_t bytes_of(GltfComponent component) {
 
 const std::byte* GltfAccessor::place(std::size_t element, std::size_t of) const {
     const std::size_t within = of * bytes_of(component);
-    if (!replaced.empty()) {
-        const auto found = std::lower_bound(replaced.begin(), replaced.end(), element);
-        if (found != replaced.end() && *found == element) {
-            const auto row = static_cast<std::size_t>(found - replaced.begin());
+    if (replaced != nullptr) {
+        const auto found = std::lower_bound(replaced->begin(), replaced->end(), element);
+        if (found != replaced->end() && *found == element) {
+            const auto row = static_cast<std::size_t>(found - replaced->begin());
             return replacements.data() + row * components * bytes_of(component) + within;
         }
     }
@@ -130,11 +130,11 @@ GltfAccessor GltfData::accessor(std::size_t number, GltfUse use, std::string_vie
         const std::size_t bytes = result.components * bytes_of(result.component);
         result.bytes = elements(json, result.count, bytes, &result.stride);
     }
-    if (const auto sparse = json.object("sparse")) read_replacements(*sparse, result);
+    if (const auto sparse = json.object("sparse")) read_replacements(number, *sparse, result);
     return result;
 }
 
-void GltfData::read_replacements(const GltfObject& sparse, GltfAccessor& accessor) {
+void GltfData::read_replacements(std::size_t number, const GltfObject& sparse, GltfAccessor& accessor) {
     const std::uint64_t count = sparse.required_whole("count");
     const auto places = sparse.object("indices");
     const auto values = sparse.object("values");
@@ -147,14 +147,21 @@ void GltfData::read_replacements(const GltfObject& sparse, GltfAccessor& accesso
     const std::size_t bytes = bytes_of(component);
     const std::span<const std::byte> stored = elements(*places, count, bytes, nullptr);
     accessor.replacements = elements(*values, count, accessor.components * bytes_of(accessor.component), nullptr);
-    accessor.replaced.reserve(count);
+    std::shared_ptr<const std::vector<std::uint32_t>>& known = replaced_[number];
+    if (known != nullptr) {
+        accessor.replaced = known;
+        return;
+    }
+    std::vector<std::uint32_t> replaced;
+    replaced.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t element = unsigned_at(stored.data() + i * bytes, bytes);
-        if (element >= accessor.count || (i > 0 && element <= accessor.replaced.back())) {
+        if (element >= accessor.count || (i > 0 && element <= replaced.back())) {
             places->fail(text("element ", element, " is not behind the one before it, or not one of ", accessor.count));
         }
-        accessor.replaced.push_back(element);
+        replaced.push_back(element);
     }
+    accessor.replaced = known = std::make_shared<const std::vector<std::uint32_t>>(std::move(replaced));
 }
 
 /// The bytes from the first element to the end of the last. Without `stride` they must follow each other.

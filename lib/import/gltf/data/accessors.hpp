@@ -36,9 +36,9 @@ struct GltfAccessor {
     bool normalised = false;           ///< of integers; glTF forbids it for float32, where it changes nothing
     std::span<const std::byte> bytes;  ///< empty: all are zero
     std::size_t stride = 0;
-    std::vector<std::uint32_t> replaced;                  ///< sparse: ascending elements
-    std::span<const std::byte> replacements;              ///< sparse: what they are instead, without gaps
-    std::shared_ptr<const std::vector<std::byte>> owned;  ///< what `bytes` points into, unless a buffer
+    std::shared_ptr<const std::vector<std::uint32_t>> replaced;  ///< sparse: ascending elements; null: none
+    std::span<const std::byte> replacements;                     ///< sparse: what they are instead, without gaps
+    std::shared_ptr<const std::vector<std::byte>> owned;         ///< what `bytes` points into, unless a buffer
 
     /// Returns a component: a normalised integer as -1..1 or 0..1, other numbers by their value.
     [[nodiscard]] double number(std::size_t element, std::size_t of) const;
@@ -87,7 +87,7 @@ private:
                                                       std::uint64_t length);
     std::span<const std::byte> part_of_buffer(const GltfObject& part);
     [[nodiscard]] GltfObject object(std::size_t number, std::string_view words) const;
-    void read_replacements(const GltfObject& sparse, GltfAccessor& accessor);
+    void read_replacements(std::size_t number, const GltfObject& sparse, GltfAccessor& accessor);
     std::span<const std::byte> elements(const GltfObject& place, std::size_t count, std::size_t bytes,
                                         std::size_t* stride);
 
@@ -97,6 +97,8 @@ private:
     GltfObject root_;
     std::vector<std::optional<std::vector<std::byte>>> buffers_;  ///< those that are no binary chunk, once read
     std::map<std::size_t, std::vector<std::byte>> decompressed_;
+    /// Of sparse accessors: many primitives may share one.
+    std::map<std::size_t, std::shared_ptr<const std::vector<std::uint32_t>>> replaced_;
 };
 
 /// One decompressed primitive: triangles, and attributes by their Draco id.

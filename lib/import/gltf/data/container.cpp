@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <import/base/error.hpp>
+#include <import/base/text_file.hpp>
 #include <import/gltf/data/json.hpp>
 #include <import/gltf/data/tile.hpp>
-#include <import/platform/files.hpp>
 
 namespace espalier::importer {
 
@@ -37,14 +37,6 @@ Content content_of(std::string_view start) {
     if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
     const std::size_t first = start.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && start[first] == '{' ? Content::json : Content::other;
-}
-
-std::string start_of(const std::string& path) {
-    std::string start(4096, '\0');
-    InputFile file(path_of(path));
-    start.resize(file.read(std::as_writable_bytes(std::span(start))));
-    if (file.error() != 0) fail_to_read(path, file.error());
-    return start;
 }
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
@@ -112,14 +104,15 @@ std::string without_number(std::string reason) {
 }  // namespace
 
 std::optional<GltfContainer> read_gltf_container(const std::string& path, bool named_so) {
-    const Content content = content_of(start_of(path));
+    constexpr std::size_t start_bytes = 4096;
+    const Content content = content_of(read_begin(path, start_bytes));
     if (content == Content::other) {
         if (!named_so) return std::nullopt;
         fail(path,
              "it is named as a glTF file, and is neither JSON nor binary glTF. Give it the ending of its format.");
     }
     GltfContainer container;
-    if (const int error = read_whole_file(path_of(path), container.file); error != 0) fail_to_read(path, error);
+    container.file = read_byte_list(path);
     std::span<const std::byte> json = container.file;
     container.format = "glTF 2.0";
     if (content == Content::binary || content == Content::tile) {

@@ -29,35 +29,68 @@ struct OpenValue {
     std::uint64_t element = 0;
 };
 
-/// Returns "meshes[0].primitives[1]" for the innermost one.
-std::string path_in(const std::deque<OpenValue>& open) {
-    std::string result;
-    for (std::size_t i = 0; i + 1 < open.size(); ++i)
-        result += open[i].key == nullptr ? text('[', open[i].element, ']') : text(i == 0 ? "" : ".", *open[i].key);
-    return result;
-}
+/// Finds the first key that an object has twice. The library's parser, given such a visitor, searches all of a list
+/// behind each of its elements: the text is read once more here.
+class RepeatedKeyFinder : public nlohmann::json_sax<nlohmann::json> {
+public:
+    std::optional<RepeatedKey> found;
+
+    bool null() override { return end_value(); }
+    bool boolean(bool) override { return end_value(); }
+    bool number_integer(number_integer_t) override { return end_value(); }
+    bool number_unsigned(number_unsigned_t) override { return end_value(); }
+    bool number_float(number_float_t, const string_t&) override { return end_value(); }
+    bool string(string_t&) override { return end_value(); }
+    bool binary(binary_t&) override { return end_value(); }
+    bool start_object(std::size_t) override { return begin_value(); }
+    bool start_array(std::size_t) override { return begin_value(); }
+    bool end_object() override { return end_list(); }
+    bool end_array() override { return end_list(); }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
+
+    bool key(string_t& name) override {
+        const auto [place, is_new] = open_.back().keys.insert(name);
+        open_.back().key = &*place;
+        if (!is_new) found = {name, path()};
+        return is_new;
+    }
+
+private:
+    bool begin_value() {
+        open_.emplace_back();
+        return true;
+    }
+    bool end_list() {
+        open_.pop_back();
+        return end_value();
+    }
+    bool end_value() {
+        if (!open_.empty()) ++open_.back().element;
+        return true;
+    }
+
+    /// Returns "meshes[0].primitives[1]" for the innermost object.
+    [[nodiscard]] std::string path() const {
+        std::string result;
+        for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+            const OpenValue& value = open_[i];
+            result += value.key == nullptr ? text('[', value.element, ']') : text(i == 0 ? "" : ".", *value.key);
+        }
+        return result;
+    }
+
+    std::deque<OpenValue> open_;  // which keeps the places of keys
+};
 
 }  // namespace
 
 ParsedJson parse_json(std::string_view json) {
-    using Event = nlohmann::json::parse_event_t;
-    std::deque<OpenValue> open;  // which keeps the places of keys
-    std::optional<RepeatedKey> repeated;
-    const auto look_at = [&](int, Event event, const nlohmann::json& value) {
-        if (event == Event::object_start || event == Event::array_start) {
-            open.emplace_back();
-        } else if (event == Event::key) {
-            const auto [place, is_new] = open.back().keys.insert(value.get<std::string>());
-            if (!is_new && !repeated) repeated = {*place, path_in(open)};
-            open.back().key = &*place;
-        } else {
-            if (event != Event::value) open.pop_back();
-            if (!open.empty()) ++open.back().element;
-        }
-        return true;
-    };
     try {
-        return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(json, look_at)), {}, repeated};
+        ParsedJson parsed{std::make_shared<const nlohmann::json>(nlohmann::json::parse(json)), {}, {}};
+        RepeatedKeyFinder finder;
+        nlohmann::json::sax_parse(json, &finder);
+        parsed.repeated = finder.found;
+        return parsed;
     } catch (const nlohmann::json::exception& error) {
         return {nullptr, error.what(), {}};
     }

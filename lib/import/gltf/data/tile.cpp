@@ -23,6 +23,17 @@ std::uint64_t field(std::span<const std::byte> tile, HeaderField field) {
     return value;
 }
 
+/// Positions may be relative to a centre.
+void require_no_centre(const GltfObject& table) {
+    const std::optional<std::array<double, 3>> centre = table.numbers<3>("RTC_CENTER");
+    if (!centre || *centre == std::array<double, 3>{}) return;
+    const auto& [x, y, z] = *centre;
+    table.refuse(
+        text("its RTC_CENTER moves the mesh by ", x, ' ', y, ' ', z,
+             ", mostly so far that float32 is too coarse there. Set it to 0 0 0 in the file, and add it to the "
+             "place of the blob in your program."));
+}
+
 /// The features of the whole tile: positions may be relative to one of them.
 void check_features(const std::string& path, std::string_view json) {
     if (json.empty()) return;
@@ -32,7 +43,7 @@ void check_features(const std::string& path, std::string_view json) {
                          ": the JSON of its feature table is broken. Export it again.");
     }
     const GltfObject table(*features.value, text('\'', printable(path), "', feature table"));
-    if (table.has("RTC_CENTER")) require_no_centre(table, "RTC_CENTER");
+    require_no_centre(table);
 }
 
 }  // namespace
@@ -66,16 +77,6 @@ std::span<const std::byte> glb_of_tile(const std::string& path, std::span<const 
     // A tile is padded to a multiple of 8 bytes, binary glTF to one of 4: what is left over is no part of it.
     const std::uint64_t length = glb.size() < 12 ? glb.size() : field(glb, tile_bytes);
     return length < glb.size() && glb.size() - length < 8 ? glb.first(length) : glb;
-}
-
-void require_no_centre(const GltfObject& object, const char* key) {
-    const std::optional<std::array<double, 3>> centre = object.numbers<3>(key);
-    if (!centre || *centre == std::array<double, 3>{}) return;
-    const auto& [x, y, z] = *centre;
-    object.refuse(
-        text("its ", key, " moves the mesh by ", x, ' ', y, ' ', z,
-             ", mostly so far that float32 is too coarse there. Set it to 0 0 0 in the file, and add it to the "
-             "place of the blob in your program."));
 }
 
 }  // namespace espalier::importer

@@ -17,7 +17,4 @@ bool is_tile(std::string_view begin);
 /// relative to a centre, (invalid_input) for a broken one.
 std::span<const std::byte> glb_of_tile(const std::string& path, std::span<const std::byte> tile);
 
-/// Throws ImportError (unsupported) if positions are relative to a centre, the numbers of `key`, other than 0 0 0.
-void require_no_centre(const GltfObject& object, const char* key);
-
 }  // namespace espalier::importer
