@@ -94,9 +94,9 @@ public:
     /// holds such an instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks: it changes six
     /// times at most, and no other instance that comes or goes changes how rays are rounded for the rest. An instance
     /// beyond 2^23 steps rounds rays for itself, as all do that are not on the lattice; so may one whose translation is
-    /// beyond that. In a scene with instances that were inserted or moved through another origin than 0, and in a view
-    /// from another one, the cube reaches 2^23 steps. To round for a region of your own, pass the rounded ray with the
-    /// ray: raycast(scene, ray, rounded). O(1).
+    /// beyond that. In a view from another origin than 0, and in a scene with instances that were inserted or moved
+    /// through one, there is always a region, whose cube reaches 2^23 steps. To round for a region of your own, pass
+    /// the rounded ray with the ray: raycast(scene, ray, rounded). O(1).
     [[nodiscard]] Result<Lattice> common_lattice() const noexcept;
     /// Returns whether instances were moved by a batch since the last refit(): queries then refuse the scene with
     /// not_refitted.
@@ -164,7 +164,9 @@ open_moving_scene(std::span<std::byte> snapshot, Meshes&& meshes, Tiles&& tiles 
 ///
 /// What counts from the origin: shapes and answers of queries, transforms that are inserted, moved and returned, boxes,
 /// common_lattice(), and a baked scene in pairs with this one. What does not depend on it: the world's bounds, handles,
-/// the tree, pairs, and the bytes of the block but for the instances that a view places.
+/// the tree, pairs, and the bytes of the block but for the instances that a view places. A view places none farther
+/// than 2^30 - 128 steps from its origin (out_of_range), and does not round rays once for one whose translation it had
+/// to round: bake meshes around their own origins, then those near the view are exact.
 [[nodiscard]] MovingScene seen_from(const MovingScene& scene, const Vec3d& place) noexcept;
 
 /// Inserts an instance; Instance::source is not stored. It takes the slot of the latest removal that is still free,

@@ -14,13 +14,13 @@ Lattice detail::common_region(const BlockHead& head, std::uint8_t number) {
 }
 
 std::uint8_t detail::common_region_with(const MovingScene& scene, const InstanceSlot& slot) {
+    if (!are_equal(slot.origin, {0, 0, 0})) return most_region;
     const BlockHead& head = MovingSceneAccess::head(scene);
     const MeshOrTile part = part_of(scene, slot.mesh);
     const auto is_held_by = [&](std::uint8_t number) {
         return lies_in(common_region(head, number), part, slot.transform);
     };
     std::uint8_t number = head.common_region;
-    if (!are_equal(slot.origin, {0, 0, 0})) return is_held_by(most_region) ? most_region : number;
     if (number != no_region && is_held_by(number)) return number;
     // From a near corner alone float32 may subtract a far translation exactly: a larger region would lose such a part.
     if (!is_held_by(most_region)) return number;
@@ -32,9 +32,9 @@ std::uint8_t detail::common_region_with(const MovingScene& scene, const Instance
 Result<Lattice> MovingScene::common_lattice() const noexcept {
     if (block_ == nullptr) return {{}, QueryStatus::not_open};
     const BlockHead& head = MovingSceneAccess::head(*this);
-    if (head.common_region == no_region) return {{}, QueryStatus::not_found};
-    const bool is_around_zero = are_equal(origin_, {0, 0, 0});
-    return {common_region(head, is_around_zero ? head.common_region : most_region), QueryStatus::ok};
+    const std::uint8_t number = are_equal(origin_, {0, 0, 0}) ? head.common_region : most_region;
+    if (number == no_region) return {{}, QueryStatus::not_found};
+    return {common_region(head, number), QueryStatus::ok};
 }
 
 YesNo is_on_common_lattice(const MovingScene& scene, InstanceId instance) noexcept {
@@ -44,6 +44,8 @@ YesNo is_on_common_lattice(const MovingScene& scene, InstanceId instance) noexce
     const Result<Lattice> common = scene.common_lattice();
     if (!common) return YesNo::of(false);
     const MeshOrTile part = part_of(scene, outer->mesh);
+    const std::int32_t(&origin)[3] = MovingSceneAccess::origin(scene);
+    if (is_rounded_in(block_of(scene).slots[instance.index], origin, scene.step_exponent())) return YesNo::of(false);
     if (!lies_in(*common, part, outer->transform)) return YesNo::of(false);
     if (instance.in_tile == no_instance.in_tile) return YesNo::of(true);
     Lattice in_tile = *common;

@@ -20,8 +20,8 @@ inline constexpr std::uint8_t most_region = 7;
 Lattice common_region(const BlockHead& head, std::uint8_t number);
 
 /// Returns the number of the least region, no smaller than the head's, that holds the part of a slot at its place on
-/// the lattice; the head's if none does. The region is around the origin that the slot counts from. Around another one
-/// than 0 only the largest counts: other views see the part in cubes around their own origins.
+/// the lattice; the head's if none does. A slot that counts from another origin than 0 has the largest: a view near it
+/// has it in a cube around itself, wherever it was placed from.
 std::uint8_t common_region_with(const MovingScene& scene, const InstanceSlot& slot);
 
 }  // namespace espalier::detail

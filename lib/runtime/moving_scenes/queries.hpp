@@ -30,9 +30,12 @@ struct MovingTree {
         if (answer.meeting != nullptr && !answer.meeting->meets([&](int k) { return slot.box.low[k] - origin[k]; },
                                                                 [&](int k) { return slot.box.high[k] - origin[k]; }))
             return Visit::next;
-        return answer.visit(
-            {part_of(scene, slot.mesh), {number}, seen_transform(slot, scene.origin, scene.tree.step_exponent)},
-            answer.limit);
+        const std::int32_t exponent = scene.tree.step_exponent;
+        return answer.visit({part_of(scene, slot.mesh),
+                             {number},
+                             seen_transform(slot, scene.origin, exponent),
+                             is_rounded_in(slot, scene.origin, exponent)},
+                            answer.limit);
     }
 };
 

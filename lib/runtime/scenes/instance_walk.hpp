@@ -16,6 +16,7 @@ namespace espalier::detail {
 struct VisitedInstance : MeshOrTile {
     InstanceId id;
     Transform transform;
+    bool is_rounded = false;  ///< its translation, for the view of a MovingScene
 
     /// Returns the id of what a query of the instance has found.
     [[nodiscard]] InstanceId id_of(InstanceId in_tile) const { return {id.index, in_tile.index}; }

@@ -52,7 +52,7 @@ public:
     template <class Query>
     ESPALIER_ALWAYS_INLINE auto query(const VisitedInstance& instance, float t_max, Query query) const {
         if (instance.mesh == nullptr) return query_tile(instance, t_max, query);
-        if (region_ != nullptr && lies_in(*region_, *instance.mesh, instance.transform))
+        if (region_ != nullptr && !instance.is_rounded && lies_in(*region_, *instance.mesh, instance.transform))
             return query_on_lattice(instance, t_max, query);
         return query(*instance.mesh, local(instance, t_max));
     }
@@ -73,7 +73,7 @@ private:
     template <class Query>
     ESPALIER_NOINLINE auto query_tile(const VisitedInstance& instance, float t_max, Query query) const {
         const Ray local = this->local(instance, t_max);
-        if (region_ == nullptr || !lies_in(*region_, *instance.tile, instance.transform))
+        if (region_ == nullptr || instance.is_rounded || !lies_in(*region_, *instance.tile, instance.transform))
             return query(*instance.tile, local);
         return query(*instance.tile, local, to_local(instance.transform, *rounded_));
     }

@@ -2,9 +2,12 @@
 #include "support/testing.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <espalier/scenes/pairs.hpp>
+
+#include <runtime/moving_scenes/box_tree/block.hpp>
 
 #include "made_scene.hpp"
 #include "oracle/rational.hpp"
@@ -292,11 +295,12 @@ TEST_CASE("scene: rays at the borders of tiles pass between none anywhere in a w
                                Vec3d{-4'100'000.0, -9.0, 4'100'000.0}}) {
         CAPTURE(place.x);
         MadeScene made(side * side, tile_step_exponent, meshes);
-        // Each tile through a view of its own: as a traveller met it, who came from anywhere around.
+        // Each tile through a view of its own: as a traveller met it, who came from anywhere around, or all from afar.
+        const bool is_afar = place.x == 100'000.0;
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column) {
                 const auto away = [&] { return 500.0 * static_cast<double>(random.signed_unit()); };
-                const double x = away(), z = away();
+                const double x = is_afar ? 40'960.0 : away(), z = is_afar ? -40'960.0 : away();
                 MovingScene view = seen_from(made.scene, {place.x + x, place.y, place.z + z});
                 const Vec3d from = view.origin();
                 const Vec3 at = {static_cast<float>(place.x + tile_cells * column - from.x),
@@ -334,18 +338,63 @@ TEST_CASE("scene: a view from elsewhere and instances placed through one have th
     };
     MadeScene made(4, tile_step_exponent, meshes);
     MovingScene view = seen_from(made.scene, {1000.0, 0.0, 0.0});
-    CHECK(view.common_lattice().status == QueryStatus::not_found);
+    CHECK(made.scene.common_lattice().status == QueryStatus::not_found);
+    CHECK(reach_of(view) == 1 << 23);
     const InstanceHandle handle = *insert(made.scene, {});
     CHECK(reach_of(made.scene) == 1 << 17);
     CHECK(reach_of(view) == 1 << 23);
     CHECK(is_on_common_lattice(view, InstanceId{handle.slot}).yes());
-    // What is on no lattice where it was placed leaves the region as it is.
+    // Also through one that is on no lattice.
     REQUIRE(move(view, handle, {{}, {0.5f * 0x1p-8f, 0.0f, 0.0f}}) == QueryStatus::ok);
-    CHECK(reach_of(made.scene) == 1 << 17);
+    CHECK(reach_of(made.scene) == 1 << 23);
     CHECK_FALSE(is_on_common_lattice(view, InstanceId{handle.slot}).yes());
     REQUIRE(move(view, handle, {}) == QueryStatus::ok);
-    CHECK(reach_of(made.scene) == 1 << 23);
+    CHECK(is_on_common_lattice(view, InstanceId{handle.slot}).yes());
     CHECK(MadeScene(made.scene.bytes(), meshes).scene);
+    std::vector<std::byte> bytes = snapshot_of(made.scene);
+    bytes[offsetof(detail::BlockHead, common_region)] = std::byte{1};
+    CHECK_FALSE(MadeScene(bytes, meshes).scene);
+}
+
+TEST_CASE("scene: tiles that a view had to round are not on its common lattice") {
+    // The mesh lies so far from its own origin that float32 has every fourth step there, and nearer every other one.
+    constexpr float way = 0x1p17f, step = 0x1p-8f;
+    Mesh away = make_tile();
+    for (Vec3& position : away.positions) position.x += way;
+    const std::vector<OpenedBlob> opened = opened_blobs({away}, {.resolution = Resolution::step(tile_step_exponent)});
+    const std::vector<Blob> meshes = {opened[0].blob};
+    MadeScene made(2, tile_step_exponent, meshes);
+    MovingScene view = seen_from(made.scene, {2000.0, 0.0, 0.0});
+    const MovingScene elsewhere = seen_from(made.scene, {2100.0, 0.0, 0.0});
+    const InstanceHandle rounded = *insert(view, {.transform = {{}, {2 * step - way, 0.0f, 0.0f}}});
+    const InstanceHandle exact = *insert(view, {.transform = {{}, {4 * step - way, 0.0f, 0.0f}}});
+    for (const InstanceHandle& handle : {rounded, exact}) {
+        CAPTURE(handle.slot);
+        CHECK(is_on_common_lattice(view, InstanceId{handle.slot}).yes());
+        CHECK(is_on_common_lattice(elsewhere, InstanceId{handle.slot}).yes() == (handle == exact));
+        for (std::uint64_t i = 0; i < scaled(200); ++i) {
+            const float along = 0.25f + 0.0625f * static_cast<float>(i % 56);
+            checked(compare_rays(elsewhere, {{along - 100.0f, 9.0f, 3.3f}, {1e-6f, -1.0f, 0.01f}}));
+        }
+    }
+}
+
+TEST_CASE("scene: a view adds nothing to coordinates along axes that it shares with where instances were placed") {
+    CubeWorld world(-8);
+    const InstanceHandle handle = *insert(world.scene, {.transform = {{}, {-0.0f, 1e-40f, 5.0f}}});
+    const Vec3 seen = instance_at(seen_from(world.scene, {0.0, 0.0, 100.0}), handle)->transform.translation;
+    CHECK(std::signbit(seen.x));
+    CHECK(seen.y == 1e-40f);
+    CHECK(seen.z == -95.0f);
+}
+
+TEST_CASE("scene: an instance farther from a view than the world is large is refused") {
+    CubeWorld world(0);
+    MovingScene view = seen_from(world.scene, {most * 128.0, 0.0, 0.0});
+    const float far = std::ldexp(1.0f, 30);
+    CHECK(insert(view, {.transform = {{}, {-far - 4096.0f, 0.0f, 0.0f}}}).status == QueryStatus::out_of_range);
+    CHECK(insert(view, {.transform = {{}, {-far + 4096.0f, 0.0f, 0.0f}}}));
+    CHECK(insert(world.scene, {.transform = {{}, {-4224.0f, 0.0f, 0.0f}}}));
 }
 
 TEST_CASE("scene: pairs do not depend on views: neither on the one in use nor on those that placed the instances") {

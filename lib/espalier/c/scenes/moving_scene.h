@@ -100,8 +100,8 @@ espalier_vec3d espalier_moving_scene_origin(const espalier_moving_scene* scene);
  *
  * The region is a cube around the origin of the view, which reaches 2^17 steps to each side. It doubles until it holds
  * such an instance that is inserted or moved beyond, up to 2^23 steps, and never shrinks. An instance beyond that
- * rounds rays for itself. In a scene with instances that were inserted or moved through another origin than 0, and in a
- * view from another one, the cube reaches 2^23 steps. */
+ * rounds rays for itself. In a view from another origin than 0, and in a scene with instances that were inserted or
+ * moved through one, there is always a region, whose cube reaches 2^23 steps. */
 espalier_lattice_result espalier_moving_scene_common_lattice(const espalier_moving_scene* scene);
 /* Returns whether a batch has moved instances since the last refit: queries are then refused with
  * ESPALIER_QUERY_NOT_REFITTED. */
@@ -121,7 +121,8 @@ const espalier_scene* espalier_moving_scene_tiles(const espalier_moving_scene* s
  * An instance that is inserted or moved through a view keeps its place exactly, and views from elsewhere round its
  * translation once to float32: so a world of 100 km has millimetres near each view. What counts from the origin: shapes
  * and answers of queries, transforms that are inserted, moved and returned, boxes, the common lattice, and a baked
- * scene in pairs with this one. Handles, the bounds of the world and pairs do not depend on it. */
+ * scene in pairs with this one. Handles, the bounds of the world and pairs do not depend on it. A view places nothing
+ * farther than 2^30 - 128 steps from its origin (ESPALIER_QUERY_OUT_OF_RANGE). */
 bool espalier_moving_scene_seen_from(const espalier_moving_scene* scene, espalier_vec3d place,
                                      espalier_moving_scene* view);
 
