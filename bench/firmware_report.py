@@ -42,20 +42,16 @@ STACKS = {"open": "`open`", **FIVE, "collides": "two touch", "minimum_distance":
 
 
 def needed(row):
-    if "image" in row:
-        return ("core", "profile", "code_bytes", "compiler", "qemu")
-    if "blob_size" in row:
-        return ("core", "profile", "mesh")
-    return ("core", "profile", "mesh", "query", "calls", "instructions", "instructions_max", "blob_bytes", "blob_bytes_max",
-            "stack", "writes_elsewhere")
+    return ("core", "profile", "compiler", "qemu", *(["queries"] if "mesh" in row else ["code_bytes"]))
 
 
 class Rows:
     def __init__(self, rows):
-        self.code = {(r["core"], r["profile"], r["image"]): r["code_bytes"] for r in rows if "image" in r}
-        self.blobs = {(r["profile"], r["mesh"]): r["blob_size"] for r in rows if "blob_size" in r}
-        self.queries = {(r["core"], r["profile"], r["mesh"], r["query"]): r for r in rows if "query" in r}
-        self.tools = sorted({(r["compiler"], r["qemu"]) for r in rows if "compiler" in r})
+        self.code = {(r["core"], r["profile"], image): size for r in rows for image, size in r.get("code_bytes", {}).items()}
+        self.blobs = {(r["profile"], mesh): size for r in rows for mesh, size in r.get("blob_size", {}).items()}
+        self.queries = {(r["core"], r["profile"], r["mesh"], query): {**r, "query": query, **counts}
+                        for r in rows for query, counts in r.get("queries", {}).items()}
+        self.tools = sorted({(r["compiler"], r["qemu"]) for r in rows})
         if not self.code or not self.queries or len(self.tools) != 1:
             fail("the rows are not those of a whole run with one compiler and one QEMU")
 

@@ -3,7 +3,7 @@
 #     rows.sh check ROWS     holds them to budgets.txt, of each mesh that was asked every line of it. Exit status: 0 within,
 #                            1 something takes more, or was not measured
 #     rows.sh budgets ROWS   a new budgets.txt, which allows a fiftieth more than what was found
-#     rows.sh json ROWS      a JSON object for each row, for bench/results
+#     rows.sh json ROWS      for bench/results a JSON object for each core and profile, and one for each mesh on it
 #     rows.sh lines          prints budgets.txt, a line for each size
 set -euo pipefail
 
@@ -122,15 +122,27 @@ print_json() {
     local qemu
     qemu=$(qemu-system-arm --version | sed -nE '1s/.*version ([0-9.]+).*/\1/p')
     awk -v tools="\"compiler\":\"$compiler\",\"qemu\":\"$qemu\"" '
-        { start = "{\"core\":\"" $1 "\",\"profile\":\"" $2 "\"," }
+        function add(row, field, value) {
+            if (!(row in names)) rows[++count] = row
+            if (!((row, field) in fields)) names[row] = names[row] " " field
+            fields[row, field] = fields[row, field] (fields[row, field] == "" ? "" : ",") value
+        }
+        { of_core = "\"core\":\"" $1 "\",\"profile\":\"" $2 "\"" }
         $3 == "code" && seen[$1, $2, $4]++ { next }
-        $3 == "code" { print start "\"image\":\"" $4 "\",\"code_bytes\":" $5 "," tools "}"; next }
-        $3 == "blob" { print start "\"mesh\":\"" $4 "\",\"blob_size\":" $5 "," tools "}"; next }
+        $3 == "code" { add(of_core, "code_bytes", "\"" $4 "\":" $5); next }
+        $3 == "blob" { add(of_core, "blob_size", "\"" $4 "\":" $5); next }
         {
-            printf "%s\"mesh\":\"%s\",\"query\":\"%s\",\"calls\":%d,", start, $3, $4, $5
-            printf "\"instructions\":%.0f,\"instructions_max\":%.0f,", $6, $7
-            printf "\"blob_bytes\":%.0f,\"blob_bytes_max\":%.0f,", $8, $9
-            printf "\"stack\":%d,\"writes_elsewhere\":%d,%s}\n", $10, $11, tools
+            add(of_core ",\"mesh\":\"" $3 "\"", "queries", sprintf( \
+                "\"%s\":{\"calls\":%d,\"instructions\":%.0f,\"instructions_max\":%.0f,\"blob_bytes\":%.0f,\"blob_bytes_max\":%.0f," \
+                "\"stack\":%d,\"writes_elsewhere\":%d}", $4, $5, $6, $7, $8, $9, $10, $11))
+        }
+        END {
+            for (i = 1; i <= count; ++i) {
+                printf "{%s", rows[i]
+                of_row = split(names[rows[i]], name, " ")
+                for (k = 1; k <= of_row; ++k) printf ",\"%s\":{%s}", name[k], fields[rows[i], name[k]]
+                print "," tools "}"
+            }
         }' "$rows"
 }
 
