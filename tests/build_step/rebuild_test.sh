@@ -110,7 +110,7 @@ sed -i 's/^v 1 0 0/v nan 0 0/' "$project/assets/level.obj"
 for _ in 1 2; do
     must_not build "$build" --target game
     verbs_are "bake"
-    log_has "level.obj, mesh 0" "triangle 0"
+    log_has "level.obj', line 4" "triangle 0 of mesh 0"
 done
 same "$blob" before.espl
 holds before.espl

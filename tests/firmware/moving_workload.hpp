@@ -15,7 +15,7 @@ namespace espalier::firmware {
 
 inline constexpr std::uint32_t mover_count = 64;
 /// least_moving_scene_bytes(mover_count) bytes are needed.
-inline constexpr std::size_t mover_block_bytes = 8188;
+inline constexpr std::size_t mover_block_bytes = 8956;
 
 /// Where the movers are: functions of their number and the step, in whole numbers.
 class MoverPlaces {

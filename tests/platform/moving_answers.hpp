@@ -235,7 +235,7 @@ private:
 /// Runs calls on a moving scene of one mesh that fits into the memory of a microcontroller.
 inline Answers ask_moving(const Blob& mesh, std::uint32_t calls) {
     constexpr std::uint32_t capacity = 24;
-    alignas(32) std::byte memory[3'328] = {};
+    alignas(32) std::byte memory[3'616] = {};
     const std::uint64_t bytes = least_moving_scene_bytes(capacity);
     Answers answers;
     Fingerprint blocks;
