@@ -118,12 +118,13 @@ public:
         btSphereShape ball(0.5f);
         btCollisionObject body;
         body.setCollisionShape(&ball);
+        const btScalar gap = -0.125f;
+        body.setWorldTransform(btTransform(btQuaternion::getIdentity(), point_ + leaning_ * (ball.getRadius() + gap)));
         const btCollisionObjectWrapper ball_wrap(nullptr, &ball, &body, body.getWorldTransform(), -1, -1);
         const btCollisionObjectWrapper mesh_wrap(nullptr, ground_.getCollisionShape(), &ground_,
                                                  ground_.getWorldTransform(), -1, -1);
         const btCollisionObjectWrapper triangle_wrap(&mesh_wrap, shape_.get(), &ground_, ground_.getWorldTransform(), 0,
                                                      static_cast<int>(triangle_.index));
-        const btScalar gap = -0.125f;
         btManifoldPoint contact;
         contact.m_distance1 = gap;
         contact.m_normalWorldOnB = mesh_is_first ? -leaning_ : leaning_;
