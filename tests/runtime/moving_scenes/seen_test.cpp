@@ -286,7 +286,7 @@ TEST_CASE("scene: a small query meets an instance whose translation a far view h
     CHECK(found > scaled(2'000));
 }
 
-TEST_CASE("scene: rays at the borders of tiles pass between none anywhere in a world of 8,000 km") {
+TEST_CASE("scene: rays at the borders of tiles pass between none anywhere in a world of 8000 km") {
     constexpr int side = 4;
     const std::vector<OpenedBlob> opened = opened_tile();
     const std::vector<Blob> meshes = {opened[0].blob};
@@ -397,7 +397,7 @@ TEST_CASE("scene: an instance farther from a view than the world is large is ref
     CHECK(insert(world.scene, {.transform = {{}, {-4224.0f, 0.0f, 0.0f}}}));
 }
 
-TEST_CASE("scene: pairs do not depend on views: neither on the one in use nor on those that placed the instances") {
+TEST_CASE("scene: pairs depend neither on the view in use nor on those that placed the instances") {
     Random random(55);
     std::size_t found = 0;
     for (std::uint64_t round = 0; round < scaled(200); ++round) {
