@@ -82,7 +82,7 @@ claim "what this build cannot read or write is refused by name, with the remedy"
 write_box_collada "" 1 Y_UP >box.dae
 refuses 5 "'box.dae' cannot be imported" bake box.dae -o refused.espl --json
 err_has "has no assimp. Convert it"
-cp box.dae box.3mf
+printf 'PK\3\4' >box.3mf  # as a zip archive begins
 refuses 5 "has no expat and zlib" bake box.3mf -o refused.espl
 refuses 5 "has no libpng" render box.espl -o refused.png --size 8x8
 for extension in KHR_draco_mesh_compression EXT_meshopt_compression; do
