@@ -106,19 +106,6 @@ def blanked(text):
         r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{[^}\n]*\})?;[ ]*$"))
 
 
-def matching(text, at):
-    """Where the bracket at `at` is closed."""
-    depth = 0
-    for i in range(at, len(text)):
-        if text[i] in "([{":
-            depth += 1
-        elif text[i] in ")]}":
-            depth -= 1
-            if depth == 0:
-                return i
-    raise ValueError("a bracket is not closed")
-
-
 def last_semicolon(text):
     """Behind the last one outside of brackets; 0 where there is none."""
     depth, found = 0, 0
@@ -132,19 +119,19 @@ def last_semicolon(text):
 STOPS = re.compile(r"&& |\|\| |&&\n|\|\|\n|[;,?]| : |[^=!<>]= |return ")
 
 
-def term_right(text, at):
-    depth, i = 0, at
-    while i < len(text):
+def end_of_term(text, at, stops):
+    """Where the bracket around `at` is closed, or the first place outside of further brackets at which stops(place) is true."""
+    depth = 0
+    for i in range(at, len(text)):
         if text[i] in "([{":
             depth += 1
         elif text[i] in ")]}":
             if depth == 0:
-                break
+                return i
             depth -= 1
-        elif depth == 0 and STOPS.match(text, i) and text[i] != "=":
-            break
-        i += 1
-    return i
+        elif depth == 0 and stops(i):
+            return i
+    return len(text)
 
 
 def term_left(text, at):
@@ -209,12 +196,12 @@ class Source:
         for match in re.finditer(r"(?<=[\w)\]}]) (&&|\|\|)(?=[ \n])", code):
             op = match.group(1)
             for start, end in ((term_left(code, match.start()), match.start()),
-                               (match.end(), term_right(code, match.end()))):
+                               (match.end(), end_of_term(code, match.end(), lambda i: STOPS.match(code, i) and code[i] != "="))):
                 if (start, end) not in seen:
                     seen.add((start, end))
                     self.wrap(start, end, *FALSE_BY[op], f"without '{' '.join(self.text[start:end].split())}'")
         for match in re.finditer(r"\bif \(", code):
-            end = matching(code, match.end() - 1)
+            end = end_of_term(code, match.end(), lambda i: False)
             start = match.end()
             condition = code[start:end]
             if initialised := last_semicolon(condition):
@@ -227,8 +214,8 @@ class Source:
             if self.is_no_answer(match.start(1)):
                 continue
             by = "everything" if op == "&=" else "nothing"
-            self.wrap(match.end(), term_right_to_end(code, match.end()), f"::mutation::{by}<%d>(", ")",
-                      f"{op} {by}")
+            end = end_of_term(code, match.end(), lambda i: code[i] in ",;")
+            self.wrap(match.end(), end, f"::mutation::{by}<%d>(", ")", f"{op} {by}")
         for match in re.finditer(r"std::(min|max)(?=\()", code):
             other = "most" if match.group(1) == "max" else "least"
             number = self.add(match.start(), "other of min and max")
@@ -269,22 +256,6 @@ class Source:
             out.append(self.text[i:i + 1])
             i += 1
         return "".join(out)
-
-
-def term_right_to_end(text, at):
-    """To the end of a right side of an assignment."""
-    depth, i = 0, at
-    while text[i] != ";" or depth != 0:
-        if text[i] in "([{":
-            depth += 1
-        elif text[i] in ")]}":
-            if depth == 0:
-                break
-            depth -= 1
-        elif text[i] == "," and depth == 0:
-            break
-        i += 1
-    return i
 
 
 def filled_at_start(text):
