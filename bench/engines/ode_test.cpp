@@ -1,9 +1,7 @@
 // Lets bodies come to rest in ODE, by the adapter.
 #include <doctest/doctest.h>
 
-#include <engines/ode_geom.hpp>
-
-#include "../ode.hpp"
+#include "ode_world.hpp"
 #include "resting.hpp"
 
 using namespace espalier;
@@ -12,41 +10,11 @@ namespace {
 
 constexpr dReal correction = 0.2;  ///< of a depth in each step
 
-struct World {
-    dWorldID world = dWorldCreate();
-    dSpaceID space = dHashSpaceCreate(nullptr);
-    dJointGroupID contacts = dJointGroupCreate(0);
-
-    World() {
-        dWorldSetGravity(world, 0, 0, -9.81);
-        dWorldSetERP(world, correction);
-    }
-    ~World() {
-        dJointGroupDestroy(contacts);
-        dSpaceDestroy(space);
-        dWorldDestroy(world);
-    }
-    World(const World&) = delete;
-    World& operator=(const World&) = delete;
-};
-
-void join(void* data, dGeomID a, dGeomID b) {
-    if (dGeomGetBody(a) == dGeomGetBody(b)) return;  // two tiles of the floor
-    auto& world = *static_cast<World*>(data);
-    dContact contacts[8] = {};
-    const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof(dContact));
-    for (int i = 0; i < count; ++i) {
-        contacts[i].surface.mode = dContactApprox1;
-        contacts[i].surface.mu = 0.6;
-        dJointAttach(dJointCreateContact(world.world, world.contacts, &contacts[i]), dGeomGetBody(a), dGeomGetBody(b));
-    }
-}
-
 float energy_gained(const bench::RestingFloor& floor, const bench::RestingBody& given) {
     using Kind = bench::RestingBody::Kind;
-    bench::start_ode();
-    World world;
-    for (const Blob& blob : floor.blobs) create_espalier_geom(world.space, blob);
+    bench::OdeWorld world(0.6);
+    dWorldSetERP(world.world(), correction);
+    for (const Blob& blob : floor.blobs) create_espalier_geom(world.space(), blob);
     constexpr auto low = static_cast<dReal>(bench::RestingBody::low);
     const auto& half = bench::RestingBody::half;
     const dReal sides[3] = {2 * static_cast<dReal>(half[0]), 2 * static_cast<dReal>(half[1]),
@@ -54,18 +22,16 @@ float energy_gained(const bench::RestingFloor& floor, const bench::RestingBody& 
     dMass mass;
     dGeomID geom = nullptr;
     if (given.kind == Kind::sphere) {
-        geom = dCreateSphere(world.space, low);
+        geom = dCreateSphere(world.space(), low);
         dMassSetSphereTotal(&mass, 1, low);
     } else if (given.kind == Kind::capsule) {
-        geom = dCreateCapsule(world.space, low, 0.6);
+        geom = dCreateCapsule(world.space(), low, 0.6);
         dMassSetCapsuleTotal(&mass, 1, 3, low, 0.6);
     } else {
-        geom = dCreateBox(world.space, sides[0], sides[1], sides[2]);
+        geom = dCreateBox(world.space(), sides[0], sides[1], sides[2]);
         dMassSetBoxTotal(&mass, 1, sides[0], sides[1], sides[2]);
     }
-    const dBodyID body = dBodyCreate(world.world);
-    dBodySetMass(body, &mass);
-    dGeomSetBody(geom, body);
+    const dBodyID body = world.add_body(geom, mass, given.middle);
     dQuaternion slope, turn, upright, both, rotation;
     dQFromAxisAndAngle(slope, 0, -1, 0, static_cast<dReal>(given.angle));
     dQFromAxisAndAngle(turn, 0, 0, 1, static_cast<dReal>(given.turn));
@@ -74,8 +40,6 @@ float energy_gained(const bench::RestingFloor& floor, const bench::RestingBody& 
     dQMultiply0(both, slope, turn);
     dQMultiply0(rotation, both, upright);
     dBodySetQuaternion(body, rotation);
-    dBodySetPosition(body, static_cast<dReal>(given.middle.x), static_cast<dReal>(given.middle.y),
-                     static_cast<dReal>(given.middle.z));
     const auto energy = [&] {
         const dReal *v = dBodyGetLinearVel(body), *w = dBodyGetAngularVel(body);
         dVector3 spin;
@@ -87,9 +51,7 @@ float energy_gained(const bench::RestingFloor& floor, const bench::RestingBody& 
     const dReal before = energy();
     dReal most = before;
     for (int step = 0; step < 60; ++step) {
-        dSpaceCollide(world.space, &world, &join);
-        dWorldStep(world.world, dReal(1) / 60);
-        dJointGroupEmpty(world.contacts);
+        world.step(dWorldStep, dReal(1) / 60);
         most = std::max(most, energy());
     }
     return static_cast<float>(most - before);
