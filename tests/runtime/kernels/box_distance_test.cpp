@@ -106,23 +106,13 @@ TEST_CASE("kernel: the squared distance of box and triangle is within 6 ulp and 
 }
 
 TEST_CASE("kernel: a box within a radius of a triangle is decided exactly") {
-    std::uint64_t decided = 0;
-    Random random(2);
-    std::uint64_t exactly = 0;
-    const std::uint64_t count = scaled(150);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    check_within_radius("box and triangle within a radius", scaled(150), [](Random& random, auto check) {
         const Case c = some_case(random);
         const auto triangle = tests::lattice_triangle(c.triangle);
         const SegmentDistance distance = detail::distance_to_box(c.box, triangle);
-        const Rational squared = exact_square(c);
-        CAPTURE(i);
-        exactly += check_radii(distance.squared, squared, [&](float radius) {
-            ++decided;
-            return detail::is_within_radius_of_box(c.box, triangle, distance, radius);
-        });
-    }
-    CHECK(exactly > count / 100);
-    MESSAGE(decisions_made("box and triangle within a radius", decided));
+        check(distance.squared, exact_square(c),
+              [&](float radius) { return detail::is_within_radius_of_box(c.box, triangle, distance, radius); });
+    });
 }
 
 }  // namespace

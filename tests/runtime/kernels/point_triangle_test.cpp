@@ -148,25 +148,16 @@ TEST_CASE("kernel: the distance of a point from a triangle without area is that 
 }
 
 TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
-    std::uint64_t decided = 0;
-    Random random(2);
-    std::uint64_t touching = 0;
-    const std::uint64_t count = scaled(10'000);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    check_within_radius("point and triangle within a radius", scaled(10'000), [](Random& random, auto check) {
         Case c;
         const unsigned flat_bits = 1 + random.below(24);
         const bool is_flat = random.below(4) == 0;
         if (is_flat) c.triangle = tests::flat_triangle(random, flat_bits);
-        if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) continue;
+        if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) return;
         const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
-        const Rational squared = exact_square(distance, c.point.fraction_bits);
-        touching += check_radii(distance.squared, squared, [&](float radius) {
-            ++decided;
-            return detail::is_within_radius(c.point, distance, radius);
-        });
-    }
-    CHECK(touching > count / 100);
-    MESSAGE(decisions_made("point and triangle within a radius", decided));
+        check(distance.squared, exact_square(distance, c.point.fraction_bits),
+              [&](float radius) { return detail::is_within_radius(c.point, distance, radius); });
+    });
 }
 
 }  // namespace

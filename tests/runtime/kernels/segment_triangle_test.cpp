@@ -144,23 +144,13 @@ TEST_CASE("kernel: the squared distance of segment and triangle is within 6 ulp 
 }
 
 TEST_CASE("kernel: a segment within a radius of a triangle is decided exactly") {
-    std::uint64_t decided = 0;
-    Random random(2);
-    std::uint64_t exactly = 0;
-    const std::uint64_t count = scaled(2'000);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    check_within_radius("segment and triangle within a radius", scaled(2'000), [](Random& random, auto check) {
         const Case c = some_case(random);
         const auto triangle = tests::lattice_triangle(c.triangle);
         const SegmentDistance distance = detail::distance_to(c.segment, triangle);
-        const Rational squared = exact_square(c);
-        CAPTURE(i);
-        exactly += check_radii(distance.squared, squared, [&](float radius) {
-            ++decided;
-            return detail::is_within_radius(c.segment, triangle, distance, radius);
-        });
-    }
-    CHECK(exactly > count / 100);
-    MESSAGE(decisions_made("segment and triangle within a radius", decided));
+        check(distance.squared, exact_square(c),
+              [&](float radius) { return detail::is_within_radius(c.segment, triangle, distance, radius); });
+    });
 }
 
 TEST_CASE("kernel: segments out of range and NaN and infinity are refused") {

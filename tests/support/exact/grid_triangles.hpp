@@ -144,4 +144,23 @@ std::uint64_t check_radii(float rounded, const Rational& squared, IsWithin is_wi
     return exactly;
 }
 
+/// Checks the radii of `count` random cases of a kernel. `draw(random, check)` makes one, or nothing, and calls `check`
+/// as check_radii is called.
+template <class Draw>
+void check_within_radius(const char* kernel, std::uint64_t count, Draw draw) {
+    Random random(2);
+    std::uint64_t decided = 0, exactly = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        CAPTURE(i);
+        draw(random, [&](float rounded, const Rational& squared, auto is_within) {
+            exactly += check_radii(rounded, squared, [&](float radius) {
+                ++decided;
+                return is_within(radius);
+            });
+        });
+    }
+    CHECK(exactly > count / 100);
+    MESSAGE(decisions_made(kernel, decided));
+}
+
 }  // namespace espalier::tests
