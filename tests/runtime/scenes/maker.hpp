@@ -15,9 +15,6 @@ struct OpenedScene {
                 const std::vector<OpenedScene>& tiles = {});
     OpenedScene(OpenedScene&&) = default;
     OpenedScene& operator=(OpenedScene&&) = default;
-    OpenedScene(const OpenedScene&) = delete;
-    OpenedScene& operator=(const OpenedScene&) = delete;
-    ~OpenedScene() = default;
 
     std::vector<std::byte> bytes;
     std::vector<Blob> meshes;

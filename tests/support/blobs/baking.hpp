@@ -22,9 +22,6 @@ struct OpenedBlob {
     OpenedBlob(const Mesh& mesh, const BakeOptions& options = {}) : OpenedBlob(bake_or_throw(mesh, options)) {}
     OpenedBlob(OpenedBlob&&) = default;  // the vector's storage, which the view points into, moves along
     OpenedBlob& operator=(OpenedBlob&&) = default;
-    OpenedBlob(const OpenedBlob&) = delete;
-    OpenedBlob& operator=(const OpenedBlob&) = delete;
-    ~OpenedBlob() = default;
 
     std::vector<std::byte> bytes;
     Blob blob;
