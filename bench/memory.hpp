@@ -17,10 +17,7 @@ public:
     /// Throws std::bad_alloc.
     explicit Memory(std::size_t size, Pages pages = Pages::small);
     ~Memory();
-    Memory(const Memory&) = delete;
-    Memory& operator=(const Memory&) = delete;
     Memory(Memory&& other) noexcept;
-    Memory& operator=(Memory&&) = delete;
     [[nodiscard]] std::byte* data() const { return data_; }
 
 private:

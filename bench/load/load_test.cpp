@@ -1,5 +1,4 @@
 // What is decoded is the mesh that was encoded, and all ways answer rays alike.
-#include <tuple>
 
 #include <doctest/doctest.h>
 
