@@ -12,6 +12,7 @@ LIMIT = ["--import-seconds", "5"]  # of the processor; without care each takes m
 TRIANGLE = mesh([(0, 0, 0), (2, 0, 0), (2, 2, 0)], [(0, 1, 2)])
 VERTICES = ["element vertex 3", *(f"property float {axis}" for axis in "xyz")]
 FACES = ["element face 1", "property list uchar int vertex_index"]
+CORNERS = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
 
 
 def object_of_two(count):
@@ -75,56 +76,44 @@ def libraries(count):
     return SQUARE + "".join(f"mtllib {'./' * (i % 200)}{'.//' * (i // 200)}library.mtl\n" for i in range(count)) + "f 1 2 3\n"
 
 
-def gltf(nodes, primitives=None):
-    triangle = "AAAAAAAAAAAAAAAAAAAAQAAAAAAAAAAAAAAAQAAAAEAAAAAA"
-    return json.dumps({"asset": {"version": "2.0"}, "nodes": nodes, "meshes": [{"primitives": primitives or [{"attributes": {"POSITION": 0}}]}],
-                       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
-                       "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "data:;base64," + triangle}]})
-
-
-def shared(nodes, primitive, accessors, parts, uses, **more):
-    """A mesh of so many equal primitives, whose accessors have the parts of one buffer as their views."""
+def gltf(nodes, primitives=({"attributes": {"POSITION": 0}},), accessors=(CORNERS,), parts=(struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0),), **more):
+    """A mesh of some primitives, whose accessors have the parts of one buffer as their views."""
     views = [{"buffer": 0, "byteOffset": sum(map(len, parts[:i])), "byteLength": len(part)} for i, part in enumerate(parts)]
     data = b"".join(parts)
-    return json.dumps({"asset": {"version": "2.0"}, "nodes": nodes, "meshes": [{"primitives": [primitive] * uses}], "accessors": accessors, "bufferViews": views,
+    return json.dumps({"asset": {"version": "2.0"}, "nodes": nodes, "meshes": [{"primitives": primitives}], "accessors": accessors, "bufferViews": views,
                        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}], **more})
 
 
 def joints(count):
     """Each node has a skin of as many joints as there are nodes."""
-    corners = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0)
-    return shared([{"mesh": 0, "skin": 0}] * count, {"attributes": {"POSITION": 0}}, [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
-                  [corners], 1, skins=[{"joints": [0] * count}])
+    return gltf([{"mesh": 0, "skin": 0}] * count, skins=[{"joints": [0] * count}])
 
 
 def morphs(count):
     """Each node places a mesh of as many morph targets as there are nodes."""
-    corners = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0)
-    document = json.loads(shared([{"mesh": 0}] * count, {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}] * count},
-                                 [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}], [corners], 1))
-    document["meshes"][0]["weights"] = [0.5] * count
-    return json.dumps(document)
+    primitive = {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}] * count}
+    return gltf([{"mesh": 0}] * count, meshes=[{"primitives": [primitive], "weights": [0.5] * count}])
+
+
+def replaced(vertices, places, values, corners, count):
+    """So many triangles of vertices that are at 0 but for those at some places, which have values."""
+    positions = {"componentType": 5126, "count": vertices, "type": "VEC3", "sparse": {
+        "count": len(places), "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 1}}}
+    return gltf([{"mesh": 0}], [{"attributes": {"POSITION": 0}, "indices": 1}] * count,
+                [positions, {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"}],
+                [struct.pack(f"<{len(places)}I", *places), values, struct.pack("<3I", *corners)])
 
 
 def sparse(count):
     """Each primitive reads an accessor of which half a million elements are replaced."""
-    replaced = 500000
-    places = struct.pack(f"<{replaced}I", *range(replaced))
-    values = struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0) + bytes(12 * replaced - 36)
-    positions = {"componentType": 5126, "count": replaced, "type": "VEC3", "sparse": {
-        "count": replaced, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 1}}}
-    return shared([{"mesh": 0}], {"attributes": {"POSITION": 0}, "indices": 1},
-                  [positions, {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"}], [places, values, struct.pack("<3I", 0, 1, 2)], count)
+    every = 500000
+    return replaced(every, range(every), struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0) + bytes(12 * every - 36), (0, 1, 2), count)
 
 
 def apart(count):
     """Each primitive is a triangle of the first and the last of a million vertices."""
     last = 1000000
-    positions = {"componentType": 5126, "count": last + 1, "type": "VEC3", "sparse": {
-        "count": 2, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 1}}}
-    return shared([{"mesh": 0}], {"attributes": {"POSITION": 0}, "indices": 1},
-                  [positions, {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"}],
-                  [struct.pack("<2I", 1, last), struct.pack("<6f", 2, 0, 0, 2, 2, 0), struct.pack("<3I", 0, 1, last)], count)
+    return replaced(last + 1, (1, last), struct.pack("<6f", 2, 0, 0, 2, 2, 0), (0, 1, last), count)
 
 
 def wide(count):
