@@ -29,12 +29,13 @@ def start(sources, out):
 
 
 def workers(process):
-    """Returns the processes that Dask started below one, the workers."""
+    """Returns the processes that Dask started below one, the workers. Each has a child while it reads a file."""
     found, level = [], [process.pid]
     while level:
         level = [int(word) for pid in level for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children")
                  for word in task.read_text().split()]
         found += [pid for pid in level if b"spawn_main" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()]
+        level = [pid for pid in level if pid not in found]
     return found
 
 
