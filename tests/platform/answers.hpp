@@ -278,6 +278,8 @@ inline void read_all(const Blob& blob, Answers& answers) {
                             std::uint32_t{blob.depth()}, std::uint32_t{detail::data_of(blob).bits},
                             std::bit_cast<float>(static_cast<std::uint32_t>(blob.lattice().step_exponent + 127) << 23),
                             blob.max_error(), blob.bounds().min, blob.bounds().max, blob.is_closed());
+    if ((detail::data_of(blob).features & format::feature::source_origin) != 0)
+        answers.fingerprint.add(blob.source_origin());
     (void)for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
         add_triangle(answers.fingerprint, blob, triangle);
         answers.fingerprint.add(corners.a, corners.b, corners.c);

@@ -27,6 +27,13 @@ public:
         add(vector.y);
         add(vector.z);
     }
+    constexpr void add(const Vec3d& vector) {
+        for (const double number : {vector.x, vector.y, vector.z}) {
+            const auto bits = std::bit_cast<std::uint64_t>(number);
+            add(static_cast<std::uint32_t>(bits));
+            add(static_cast<std::uint32_t>(bits >> 32));
+        }
+    }
     /// Statuses enter by the numbers that they had when golden.txt was recorded; those of found and not found are one.
     constexpr void add(QueryStatus status) {
         add(std::uint32_t{status == QueryStatus::invalid_argument ? 1u
