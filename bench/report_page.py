@@ -14,7 +14,10 @@ def fail(message):
 
 
 def read_objects(files, program, needed):
-    """The objects of all files, one a line. Each must have the fields that needed(object) names."""
+    """The objects of all files, one a line, or several with `rows` and what they have in common.
+
+    Each must have the fields that needed(object) names.
+    """
     rows = []
     for file in files:
         try:
@@ -23,12 +26,14 @@ def read_objects(files, program, needed):
             fail(f"{file}: {error.strerror}")
         for number, line in enumerate(lines, 1):
             try:
-                rows.append(json.loads(line))
+                common = json.loads(line)
             except ValueError as error:
                 fail(f"{file}, line {number}: no JSON object ({error}); rows come from {program}")
-            missing = [field for field in needed(rows[-1]) if field not in rows[-1]]
-            if missing:
-                fail(f"{file}, line {number}: no field {', '.join(missing)}; measure again with this version")
+            for row in common.pop("rows", [{}]):
+                rows.append({**common, **row})
+                missing = [field for field in needed(rows[-1]) if field not in rows[-1]]
+                if missing:
+                    fail(f"{file}, line {number}: no field {', '.join(missing)}; measure again with this version")
     if not rows:
         fail("no rows to report")
     return rows
