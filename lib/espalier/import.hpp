@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -135,10 +136,16 @@ struct ImportedFile {
     std::vector<std::string> opened;  ///< the file itself and what it refers to that was there: .mtl, .bin
     std::string format;
     std::uint32_t meshes = 0;
-    std::vector<std::string> mesh_names;  ///< in the order of their numbers; empty where the file has none
+    /// In the order of their numbers; empty where the file has none. These and the next two are UTF-8: U+FFFD stands
+    /// for each byte of the file that is no part of it. All else is as the file has it, control characters too.
+    std::vector<std::string> mesh_names;
+    /// The names of the nodes that lead to each mesh, joined by '/': "Walls/Door_02". Nodes without a name are left
+    /// out, and of more than 1,000 bytes all but the last. Empty for formats without nodes, and once all have 256 MiB.
+    std::vector<std::string> mesh_paths;
     std::uint64_t triangles = 0;
-    std::uint64_t materials = 0;
-    std::uint64_t points_and_lines = 0;  ///< skipped: they have no surface
+    std::uint64_t materials = 0;              ///< how many numbers of materials the file has
+    std::vector<std::string> material_names;  ///< by the number less those of the files before; empty without one
+    std::uint64_t points_and_lines = 0;       ///< skipped: they have no surface
     double metres_per_unit = 1.0;
     std::string unit_origin;                 ///< what states it: "--unit", "FBX unit scale factor 1", "not stated"
     std::optional<Axis> stated_up;           ///< stated by the file and not carried out by its importer
@@ -155,6 +162,13 @@ struct [[nodiscard]] ImportResult {
 
     /// Returns what bake() takes. The result must outlive it.
     [[nodiscard]] std::vector<MeshView> views() const;
+
+    /// Return what the file calls a material, by the number that blobs store, and the mesh of a triangle's source: its
+    /// name, or the names of the nodes that lead to it. Empty where the file has none, or nothing has the number. Valid
+    /// as long as `files`. O(files).
+    [[nodiscard]] std::string_view material_name(std::uint32_t material) const;
+    [[nodiscard]] std::string_view mesh_name(const OriginalTriangle& source) const;
+    [[nodiscard]] std::string_view mesh_path(const OriginalTriangle& source) const;
 
     explicit operator bool() const noexcept { return status == ImportStatus::ok; }
 };

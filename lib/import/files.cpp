@@ -171,6 +171,31 @@ void import_or_refuse(ImportResult& imported, const std::function<void()>& impor
 
 namespace espalier {
 
+namespace {
+
+std::string_view name_at(const std::vector<std::string>& names, std::uint64_t number) {
+    return number < names.size() ? std::string_view(names[number]) : std::string_view();
+}
+
+}  // namespace
+
+std::string_view ImportResult::material_name(std::uint32_t material) const {
+    std::uint64_t number = material;
+    for (const ImportedFile& file : files) {
+        if (number < file.materials) return name_at(file.material_names, number);
+        number -= file.materials;
+    }
+    return {};
+}
+
+std::string_view ImportResult::mesh_name(const OriginalTriangle& source) const {
+    return source.file < files.size() ? name_at(files[source.file].mesh_names, source.mesh) : std::string_view();
+}
+
+std::string_view ImportResult::mesh_path(const OriginalTriangle& source) const {
+    return source.file < files.size() ? name_at(files[source.file].mesh_paths, source.mesh) : std::string_view();
+}
+
 std::vector<MeshView> ImportResult::views() const {
     std::vector<MeshView> result;
     result.reserve(meshes.size());

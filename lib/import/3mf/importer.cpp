@@ -210,7 +210,7 @@ void import_3mf(const std::string& path, const ImportOptions& options, ImportRes
     file.opened.push_back(path);
     file.format = "3MF";
     ThreeMfPackage package = read_3mf_package(options, file);
-    file.materials = package.materials;
+    set_materials(file, package.materials);
     file.metres_per_unit = options.metres_per_unit.value_or(package.metres_per_unit);
     file.unit_origin = options.metres_per_unit ? "--unit"
                        : package.unit.empty()  ? "3MF, whose default is the millimetre"

@@ -85,7 +85,7 @@ private:
                 if (name == "basematerials") return begin_base_materials(element);
                 return name == "object" ? begin_object(element) : Place::elsewhere;
             case Place::base_materials:
-                if (name == "base") add_base_material();
+                if (name == "base") add_base_material(element);
                 return Place::elsewhere;
             case Place::object:
                 if (name == "mesh") return Place::mesh;
@@ -137,13 +137,13 @@ private:
 
     Place begin_base_materials(const XmlElement& element) {
         material_groups_.emplace(number(element, "id"), base_materials_.size());
-        base_materials_.push_back({package_.materials, 0});
+        base_materials_.push_back({package_.materials.size(), 0});
         return Place::base_materials;
     }
 
-    void add_base_material() {
+    void add_base_material(const XmlElement& element) {
         ++base_materials_.back().count;
-        ++package_.materials;
+        package_.materials.emplace_back(element.attribute("name").value_or(""));
     }
 
     Place begin_object(const XmlElement& element) {

@@ -47,7 +47,7 @@ struct ThreeMfPackage {
     std::vector<ThreeMfUse> items;                                         ///< of the build
     std::string unit;                                                      ///< empty: none is stated
     double metres_per_unit = 0.001;
-    std::uint64_t materials = 1;  ///< those of base materials, from 1 on, and 0
+    std::vector<std::string> materials = {""};  ///< the names of base materials, from 1 on, and of 0, which is none
 
     /// Returns the number of a model, which may not be read yet.
     std::size_t model_number(std::string_view reference);

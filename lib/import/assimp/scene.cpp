@@ -1,6 +1,7 @@
 #include <import/assimp/steps.hpp>
 
 #include <assimp/commonMetaData.h>
+#include <assimp/material.h>
 #include <assimp/mesh.h>
 #include <assimp/metadata.h>
 #include <assimp/scene.h>
@@ -12,6 +13,7 @@
 
 #include <import/base/error.hpp>
 #include <import/base/mesh_collector.hpp>
+#include <import/base/node_paths.hpp>
 #include <import/base/text_file.hpp>
 
 namespace espalier::importer {
@@ -42,7 +44,7 @@ public:
             aiString format;
             if (scene_.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format)) file_.format = printable(format.C_Str());
         }
-        file_.materials = std::max(1u, scene_.mNumMaterials);
+        set_materials(file_, material_names());
         find_unit();
         find_stated_up();
         if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, meshes_.asset_placement());
@@ -57,26 +59,35 @@ private:
     struct PlacedNode {
         const aiNode* node;
         Placement parent;
+        std::uint32_t parent_path;
     };
+
+    [[nodiscard]] std::vector<std::string> material_names() const {
+        std::vector<std::string> names(std::max(1u, scene_.mNumMaterials));
+        for (unsigned i = 0; scene_.mMaterials != nullptr && i < scene_.mNumMaterials; ++i)
+            if (scene_.mMaterials[i] != nullptr) names[i] = scene_.mMaterials[i]->GetName().C_Str();
+        return names;
+    }
 
     /// In depth-first order with an own stack: how deep a file nests is not ours to choose.
     void walk(const aiNode& root, const Placement& asset) {
-        std::vector<PlacedNode> waiting{{&root, asset}};
+        std::vector<PlacedNode> waiting{{&root, asset, NodePaths::no_node}};
         while (!waiting.empty()) {
             const PlacedNode placed = waiting.back();
             waiting.pop_back();
             const aiNode& node = *placed.node;
             const Placement placement = combine(placed.parent, placement_of(node.mTransformation));
+            const std::uint32_t path = paths_.add(placed.parent_path, node.mName.C_Str());
             for (unsigned i = 0; node.mMeshes != nullptr && i < node.mNumMeshes; ++i) {
                 if (node.mMeshes[i] >= scene_.mNumMeshes || scene_.mMeshes[node.mMeshes[i]] == nullptr) {
                     throw_file_error(ImportStatus::invalid_input, file_.path, ", node '", printable(node.mName.C_Str()),
                                      "': names mesh ", node.mMeshes[i], " of ", scene_.mNumMeshes,
                                      ". The file is broken; export it again.");
                 }
-                add_mesh(node.mMeshes[i], placement);
+                add_mesh(node.mMeshes[i], placement, paths_.path_of(path));
             }
             for (unsigned i = node.mChildren == nullptr ? 0 : node.mNumChildren; i-- > 0;) {
-                if (node.mChildren[i] != nullptr) waiting.push_back({node.mChildren[i], placement});
+                if (node.mChildren[i] != nullptr) waiting.push_back({node.mChildren[i], placement, path});
             }
         }
     }
@@ -92,25 +103,25 @@ private:
         std::uint64_t faces_without_corners;
     };
 
-    void add_mesh(unsigned number, const Placement& placement) {
+    void add_mesh(unsigned number, const Placement& placement, const std::string& path) {
         const aiMesh& source = *scene_.mMeshes[number];
         const auto found = imported_.find(number);
         if (found != imported_.end()) {
             const ImportedOnce& once = found->second;
-            meshes_.add_place(once.mesh, meshes_.begin(source.mName.C_Str(), 0), placement);
+            meshes_.add_place(once.mesh, meshes_.begin(source.mName.C_Str(), 0, path), placement);
             file_.points_and_lines += once.points_and_lines;
             faces_without_corners_ += once.faces_without_corners;
             return;
         }
         const std::uint64_t lines_before = file_.points_and_lines;
         const std::uint64_t empty_before = faces_without_corners_;
-        const std::uint32_t mesh = add_new_mesh(source, placement);
+        const std::uint32_t mesh = add_new_mesh(source, placement, path);
         if (!meshes_.keeps_places()) return;
         imported_[number] = {mesh, file_.points_and_lines - lines_before, faces_without_corners_ - empty_before};
     }
 
-    std::uint32_t add_new_mesh(const aiMesh& source, const Placement& placement) {
-        ImportedMesh mesh = meshes_.begin(source.mName.C_Str(), source.mNumFaces);
+    std::uint32_t add_new_mesh(const aiMesh& source, const Placement& placement, const std::string& path) {
+        ImportedMesh mesh = meshes_.begin(source.mName.C_Str(), source.mNumFaces, path);
         const Placement applied = meshes_.applied(placement);
         if (source.mVertices != nullptr) {
             mesh.positions.reserve(source.mNumVertices);
@@ -209,6 +220,7 @@ private:
     const ImportOptions& options_;
     ImportedFile& file_;
     MeshCollector meshes_;
+    NodePaths paths_;
     std::uint64_t faces_without_corners_ = 0;
     std::map<unsigned, ImportedOnce> imported_;  ///< by the scene's number; empty unless places are kept
 };

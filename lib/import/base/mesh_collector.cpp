@@ -6,6 +6,7 @@
 #include <espalier/format.hpp>
 
 #include <import/base/error.hpp>
+#include <import/base/text_file.hpp>
 
 namespace espalier::importer {
 
@@ -15,7 +16,8 @@ namespace {
 constexpr std::uint64_t most_places = format::scene::max_instances - 1;
 /// Of one file. Each becomes a mesh with a name, a number and vertices of its own.
 constexpr std::uint64_t most_copies = std::uint64_t{1} << 20;
-/// Of the meshes of one file. A name that a file has once may be that of all its meshes.
+/// Of the meshes of one file, and of the paths of their nodes. A name that a file has once may be that of all its
+/// meshes.
 constexpr std::uint64_t most_name_bytes = std::uint64_t{1} << 28;
 
 ImportedFile new_record(const std::string& path, const char* format, const ImportOptions& options) {
@@ -38,6 +40,12 @@ std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVe
         }
     }
     return static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
+}
+
+void set_materials(ImportedFile& file, const std::vector<std::string>& names) {
+    file.materials = names.size();
+    file.material_names.clear();
+    for (const std::string& name : names) file.material_names.push_back(utf8_name(name));
 }
 
 MeshCollector::MeshCollector(const ImportOptions& options, ImportedFile& file, ImportResult& imported)
@@ -71,7 +79,8 @@ void MeshCollector::require_places(std::uint64_t places, std::string_view words)
                 " times, the most that a scene can hold. Bake them in parts.");
 }
 
-ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles) {
+ImportedMesh MeshCollector::begin(std::string_view given, std::uint64_t triangles, std::string_view path) {
+    const std::string name = utf8_name(given);
     ImportedMesh mesh;
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
@@ -81,7 +90,9 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
                          ": with it the names of the file's meshes have more than ", most_name_bytes,
                          " bytes, as many meshes repeat a long one. Shorten it.");
     }
-    file_.mesh_names.emplace_back(name);
+    path_bytes_ += path.size();
+    file_.mesh_paths.emplace_back(path_bytes_ > most_name_bytes ? std::string_view() : path);
+    file_.mesh_names.push_back(name);
     mesh.name = words_for_mesh(file_, mesh.mesh, name);
     require_room(triangles, mesh.name);
     return mesh;
@@ -153,7 +164,7 @@ void UnitlessFile::warn(const char* kind, const std::string& message) {
 }
 
 void UnitlessFile::finish() {
-    record_.materials = std::max<std::uint64_t>(1, record_.materials);
+    if (record_.materials == 0) set_materials(record_, {""});
     imported_.files.push_back(std::move(record_));
 }
 

@@ -15,6 +15,9 @@ namespace espalier::importer {
 /// Returns how many of a mesh's vertices no triangle names: a file of triangles has them as points.
 std::uint64_t unused_vertices(std::size_t vertices, const std::vector<TriangleVertices>& triangles);
 
+/// Gives the file materials of these names, in the order of their numbers.
+void set_materials(ImportedFile& file, const std::vector<std::string>& names);
+
 /// Appends the meshes of one file to those of the files before it.
 class MeshCollector {
 public:
@@ -33,9 +36,10 @@ public:
     /// anything is allocated, since a small file can place one mesh a million times. `words` name their origin. Where
     /// places are kept, a mesh counts once.
     void require_room(std::uint64_t triangles, std::string_view words) const;
-    /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty.
-    /// Throws ImportError (unsupported) without room for `triangles`, or for names that many meshes repeat.
-    [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
+    /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty, and
+    /// so is the path of its node. Throws ImportError (unsupported) without room for `triangles`, or for names that
+    /// many meshes repeat.
+    [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles, std::string_view path = {});
     /// Throws ImportError (unsupported) when `copies` exceed what a file may have where places are not kept: those of
     /// meshes at all their places but the first. A few lines can make millions.
     void require_copies(std::uint64_t copies, std::string_view words) const;
@@ -56,6 +60,7 @@ private:
     std::uint64_t first_material_ = 0;
     std::uint64_t triangles_ = 0;   ///< of the meshes so far, each counted once
     std::uint64_t name_bytes_ = 0;  ///< of the file's meshes so far
+    std::uint64_t path_bytes_ = 0;  ///< those of the paths
 };
 
 /// The record and the meshes of one file. The unit is the options', else a metre.

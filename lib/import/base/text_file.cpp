@@ -59,6 +59,21 @@ std::string from_utf16(std::string_view bytes) {
     return text;
 }
 
+/// Returns how many bytes the first character of a text has, or 0 when it is none of UTF-8.
+std::size_t first_character_bytes(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text[0]);
+    if (first < 0x80) return 1;
+    const std::size_t count = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4 || text.size() < count) return 0;
+    for (std::size_t i = 1; i < count; ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
+    // Longer than needed, half a surrogate pair, or beyond U+10FFFF.
+    const auto second = static_cast<unsigned char>(text[1]);
+    const bool is_none = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                         (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+    return is_none ? 0 : count;
+}
+
 /// std::from_chars reads no sign +.
 std::string_view without_plus(std::string_view word) {
     return word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+' ? word.substr(1) : word;
@@ -124,6 +139,20 @@ std::string utf8_text(std::string bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) return bytes.substr(3);
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return from_utf16(bytes);
     return bytes;
+}
+
+std::string utf8_name(std::string_view bytes) {
+    std::string name;
+    std::size_t begin = 0, end = 0;  // of what is UTF-8 and not yet in the name
+    while (end < bytes.size()) {
+        const std::size_t count = first_character_bytes(bytes.substr(end));
+        end += count;
+        if (count > 0) continue;
+        name.append(bytes.substr(begin, end - begin));
+        append_utf8(name, 0xFFFD);
+        begin = ++end;
+    }
+    return name.append(bytes.substr(begin));
 }
 
 void refuse_line(const std::string& path, std::uint64_t line, const std::string& problem) {

@@ -39,6 +39,10 @@ std::vector<std::byte> read_byte_list(const std::string& path);
 /// Returns the text without its byte order mark; UTF-16 with such a mark becomes UTF-8.
 std::string utf8_text(std::string bytes);
 
+/// Returns a name out of a file with U+FFFD in the place of each byte that is no part of UTF-8. All else stays, control
+/// characters too.
+std::string utf8_name(std::string_view bytes);
+
 /// Throws ImportError (invalid_input): "'x.obj', line 12: PROBLEM".
 [[noreturn]] void refuse_line(const std::string& path, std::uint64_t line, const std::string& problem);
 

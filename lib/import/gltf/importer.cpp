@@ -51,7 +51,9 @@ public:
           root_(data_.root()),
           meshes_(options, file, imported) {
         require_known_gltf_extensions(root_);
-        file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
+        std::vector<std::string> materials = root_.names_in("materials");
+        materials.emplace_back();  // of primitives without a material
+        set_materials(file_, materials);
         file_.metres_per_unit = options.metres_per_unit.value_or(1.0);
         if (container.trailing_bytes > 0) {
             add_warning(file_, "trailing_bytes",
@@ -77,6 +79,11 @@ public:
     }
 
 private:
+    struct Names {
+        const std::string& mesh;
+        const std::string& path;  ///< of the node
+    };
+
     /// All that the accessors claim, before the first of it is read.
     void require_room() {
         std::uint64_t triangles = 0;
@@ -131,12 +138,13 @@ private:
             node.refuse("it is skinned and instanced, which glTF leaves open. Export it without one of these.");
         }
         const Placement placement = combine(asset_, nodes_.global[number]);
+        const std::string path = nodes_.paths.path_of(nodes_.path[number]);
         std::vector<GltfPrimitive>& primitives = primitives_of(*mesh_number, mesh);
         for (const Placement& instance : gltf_instances(node, data_)) {
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 std::string name = mesh.text_of("name");
                 if (primitives.size() > 1 && !name.empty()) name += text("-", i);
-                add_mesh(node, mesh, primitives[i], name, combine(placement, instance), joints);
+                add_mesh(node, mesh, primitives[i], {name, path}, combine(placement, instance), joints);
             }
         }
         if (--uses_left_[*mesh_number] == 0) primitives_.erase(*mesh_number);
@@ -169,9 +177,9 @@ private:
         return result;
     }
 
-    void add_mesh(const GltfObject& node, const GltfObject& owner, GltfPrimitive& primitive, const std::string& name,
+    void add_mesh(const GltfObject& node, const GltfObject& owner, GltfPrimitive& primitive, const Names& names,
                   const Placement& placement, const std::vector<Placement>* joints) {
-        ImportedMesh mesh = meshes_.begin(name, primitive.imported ? 0 : primitive.triangles.size());
+        ImportedMesh mesh = meshes_.begin(names.mesh, primitive.imported ? 0 : primitive.triangles.size(), names.path);
         file_.points_and_lines += primitive.points_and_lines;
         if (primitive.left_over_corners > 0) left_over_.add(mesh);
         if (!primitive.has_positions) without_positions_.add(mesh);

@@ -176,12 +176,16 @@ GltfNodes read_gltf_nodes(const GltfObject& root) {
     const std::vector<std::size_t> parents = parents_of(root, count);
     GltfNodes nodes;
     nodes.global.resize(count);
+    nodes.path.resize(count);
     std::vector<bool> is_placed(count, false);
     for (std::size_t top = 0; top < count; ++top) {
         if (parents[top] != no_parent) continue;
         visit_below(root, top, count, [&](std::size_t number) {
-            const Placement local = local_placement(gltf_node(root, number));
+            const GltfObject node = gltf_node(root, number);
+            const Placement local = local_placement(node);
             const std::size_t parent = parents[number];
+            nodes.path[number] =
+                nodes.paths.add(parent == no_parent ? NodePaths::no_node : nodes.path[parent], node.text_of("name"));
             nodes.global[number] = parent == no_parent ? local : combine(nodes.global[parent], local);
             is_placed[number] = true;
         });

@@ -11,13 +11,16 @@
 #include <espalier/types.hpp>
 
 #include <import/base/importers.hpp>
+#include <import/base/node_paths.hpp>
 #include <import/base/placement.hpp>
 #include <import/gltf/data/accessors.hpp>
 
 namespace espalier::importer {
 
 struct GltfNodes {
-    std::vector<Placement> global;      ///< of every node, from its own space to its scene's
+    std::vector<Placement> global;  ///< of every node, from its own space to its scene's
+    NodePaths paths;
+    std::vector<std::uint32_t> path;    ///< of every node its number in `paths`
     std::vector<std::size_t> in_scene;  ///< of the default scene, in depth-first order
     std::vector<std::size_t> left_out;  ///< those with a mesh that it has not, ascending
 };

@@ -29,6 +29,12 @@ std::uint32_t ObjMaterials::number_of(std::string_view name) {
     return number;
 }
 
+std::vector<std::string> ObjMaterials::names() const {
+    std::vector<std::string> result(count());
+    for (const auto& [name, number] : numbers_) result[number] = name;
+    return result;
+}
+
 void ObjMaterials::read_library(const std::string& path) {
     const std::string library = utf8_text(read_bytes(path));
     Lines lines(library);

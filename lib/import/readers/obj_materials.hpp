@@ -25,6 +25,8 @@ public:
     void read_libraries(const std::string& mesh_path, std::string_view names, std::vector<std::string>& opened);
     std::uint32_t number_of(std::string_view name);
     [[nodiscard]] std::uint64_t count() const { return numbers_.size() + 1; }
+    /// Returns all names in the order of the numbers.
+    [[nodiscard]] std::vector<std::string> names() const;
     [[nodiscard]] const std::optional<MissingLibrary>& first_missing() const { return first_missing_; }
 
 private:

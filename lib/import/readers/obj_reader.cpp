@@ -71,7 +71,7 @@ public:
             add_meshes();
         }
         warn();
-        file_.record().materials = materials_.count();
+        set_materials(file_.record(), materials_.names());
         file_.finish();
     }
 

@@ -126,8 +126,9 @@ void transfer(Fields& fields, ImportedMesh& mesh) {
 
 template <class Fields>
 void transfer(Fields& fields, ImportedFile& file) {
-    fields(file.path, file.opened, file.format, file.meshes, file.mesh_names, file.triangles, file.materials,
-           file.points_and_lines, file.metres_per_unit, file.unit_origin, file.stated_up, file.warnings);
+    fields(file.path, file.opened, file.format, file.meshes, file.mesh_names, file.mesh_paths, file.triangles,
+           file.materials, file.material_names, file.points_and_lines, file.metres_per_unit, file.unit_origin,
+           file.stated_up, file.warnings);
 }
 
 template <class Fields>

@@ -173,6 +173,16 @@ std::size_t GltfObject::index_in(const char* key, std::size_t element, std::size
     return *value;
 }
 
+std::vector<std::string> GltfObject::names_in(const char* key) const {
+    std::vector<std::string> names(size_of(key));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const nlohmann::json& element = list(key)[i];
+        if (element.is_object() && element.contains("name") && element["name"].is_string())
+            names[i] = element["name"].get<std::string>();
+    }
+    return names;
+}
+
 double GltfObject::number_in(const char* key, std::size_t element) const {
     const nlohmann::json& value = list(key)[element];
     if (!value.is_number()) fail_at(key, "has an element that is no number");

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -74,6 +75,8 @@ public:
     [[nodiscard]] std::size_t index_in(const char* key, std::size_t element, std::size_t count) const;
     [[nodiscard]] double number_in(const char* key, std::size_t element) const;
     [[nodiscard]] std::string text_in(const char* key, std::size_t element) const;
+    /// Returns the member "name" of each element, empty where it has none or is no object.
+    [[nodiscard]] std::vector<std::string> names_in(const char* key) const;
 
     /// Throws ImportError: the words, `problem`, and what to do about a broken file.
     [[noreturn]] void fail(std::string_view problem) const;
