@@ -19,6 +19,7 @@ from generated.obj import obj
 from generated.off import off
 from generated.packed import packed
 from generated.ply import ply
+from generated.source_names import source_names
 from generated.stl import stl
 from generated.three_mf import three_mf
 
@@ -29,7 +30,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with tempfile.TemporaryDirectory() as folder:
         claims = Claims(sys.argv[1], folder)
-        for family in (obj, off, ply, stl, three_mf, digits, names, assimp, packed, messages, hostile):
+        for family in (obj, off, ply, stl, three_mf, digits, names, source_names, assimp, packed, messages, hostile):
             family(claims)
         if claims.failures:
             print(f"{claims.failures} claims failed")

@@ -28,18 +28,59 @@ std::vector<NamedVolume> volumes_of(const BakeReport& report) {
     return stored;
 }
 
-/// Returns the numbers and names of a file's first meshes, "0 floor, 1 walls"; empty if the file names none of them.
-std::string numbered_names(const ImportedFile& file) {
+/// Prints the numbers and names of a file's first meshes or materials, "0 floor, 1 walls", if it names any.
+void say_names(const Console& console, const char* what, const std::vector<std::string>& names,
+               std::uint64_t first_number = 0) {
     constexpr std::size_t most = 16;
-    if (std::all_of(file.mesh_names.begin(), file.mesh_names.end(), [](const auto& name) { return name.empty(); }))
-        return {};
-    std::string result;
-    for (std::size_t mesh = 0; mesh < std::min(file.mesh_names.size(), most); ++mesh) {
-        result += text(mesh == 0 ? "" : ", ", mesh);
-        if (const std::string& name = file.mesh_names[mesh]; !name.empty()) result += text(' ', printable(name));
+    if (std::all_of(names.begin(), names.end(), [](const auto& name) { return name.empty(); })) return;
+    std::string listed;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+        listed += text(i == 0 ? "" : ", ", first_number + i);
+        if (!names[i].empty()) listed += text(' ', printable(names[i]));
     }
-    if (file.mesh_names.size() > most) result += ", ...; --json lists all of them";
-    return result;
+    console.say("  ", what, ": ", listed, names.size() > most ? ", ...; --json lists all of them" : "");
+}
+
+/// How many triangles each mesh and each material has, at all places.
+struct SourceCounts {
+    std::vector<std::vector<std::uint64_t>> of_meshes;  ///< by file and number
+    std::vector<std::uint64_t> of_materials;            ///< by number
+};
+
+SourceCounts counts_of(const ImportResult& imported) {
+    SourceCounts counts;
+    std::uint64_t materials = 0;
+    for (const ImportedFile& file : imported.files) {
+        counts.of_meshes.emplace_back(file.meshes);
+        materials += file.materials;
+    }
+    counts.of_materials.resize(materials);
+    std::vector<std::uint64_t> places(imported.meshes.size(), imported.places.empty() ? 1 : 0);
+    for (const ImportedPlace& place : imported.places) {
+        counts.of_meshes[place.file][place.number] = imported.meshes[place.mesh].triangles.size();
+        ++places[place.mesh];
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const ImportedMesh& mesh = imported.meshes[i];
+        if (imported.places.empty()) counts.of_meshes[mesh.file][mesh.mesh] = mesh.triangles.size();
+        for (const std::uint32_t material : mesh.materials)
+            if (material < materials) counts.of_materials[material] += places[i];  // that of a broken file is none
+    }
+    return counts;
+}
+
+/// In the order of their numbers, which go on from file to file.
+Json materials_json(const ImportResult& imported, const SourceCounts& counts) {
+    Json materials = Json::array();
+    std::size_t number = 0;
+    for (std::size_t file = 0; file < imported.files.size(); ++file) {
+        for (const std::string& name : imported.files[file].material_names) {
+            materials.push_back(
+                {{"number", number}, {"file", file}, {"name", name}, {"triangles", counts.of_materials[number]}});
+            ++number;
+        }
+    }
+    return materials;
 }
 
 double bytes_per_baked_triangle(const BakeReport& report) {
@@ -55,12 +96,15 @@ constexpr const char* names_of_kinds[] = {"step_below_float_spacing", "lost_clos
 }  // namespace
 
 void say_import(const Console& console, const BakeArguments& arguments, const ImportResult& imported) {
+    std::uint64_t first_material = 0;
     for (const ImportedFile& file : imported.files) {
         console.say(printable(file.path), ": ", counted(file.triangles, "triangle"), " in ",
                     counted(file.meshes, "mesh"), file.format.empty() ? "" : text(", ", file.format));
         console.say("  unit: 1 = ", file.metres_per_unit, " m (", file.unit_origin, ")",
                     arguments.source.scale == 1.0 ? "" : text(", then scaled by ", arguments.source.scale));
-        if (const std::string names = numbered_names(file); !names.empty()) console.say("  meshes: ", names);
+        say_names(console, "meshes", file.mesh_names);
+        if (arguments.materials) say_names(console, "materials", file.material_names, first_material);
+        first_material += file.materials;
         if (file.points_and_lines > 0) {
             console.say("  skipped ", file.points_and_lines, " points and lines: no surface");
         }
@@ -116,18 +160,25 @@ void say_report(const Console& console, const BakeReport& report) {
 Json input_json(const BakeArguments& arguments, const ImportResult& imported) {
     Json document = json_document();
     document["output"] = arguments.output;
+    const SourceCounts counts = counts_of(imported);
     Json inputs = Json::array();
-    for (const ImportedFile& file : imported.files) {
+    for (std::size_t i = 0; i < imported.files.size(); ++i) {
+        const ImportedFile& file = imported.files[i];
+        Json mesh_triangles = Json::array();
+        for (const std::uint64_t count : counts.of_meshes[i]) mesh_triangles.push_back(count);
         inputs.push_back({{"file", file.path},
                           {"format", file.format},
                           {"meshes", file.meshes},
                           {"mesh_names", file.mesh_names},
+                          {"mesh_paths", file.mesh_paths},
+                          {"mesh_triangles", std::move(mesh_triangles)},
                           {"triangles", file.triangles},
                           {"points_and_lines", file.points_and_lines},
                           {"metres_per_unit", file.metres_per_unit},
                           {"unit_origin", file.unit_origin}});
     }
     document["inputs"] = std::move(inputs);
+    if (arguments.materials) document["materials"] = materials_json(imported, counts);
     document["scale"] = arguments.source.scale;
     document["up"] = arguments.source.up ? Json(axis_name(*arguments.source.up)) : Json(nullptr);
     return document;
