@@ -43,28 +43,24 @@ void say_names(const Console& console, const char* what, const std::vector<std::
 
 /// How many triangles each mesh and each material has, at all places.
 struct SourceCounts {
-    std::vector<std::vector<std::uint64_t>> of_meshes;  ///< by file and number
-    std::vector<std::uint64_t> of_materials;            ///< by number
+    std::vector<Json> of_meshes;              ///< a list for each file, in the order of their numbers
+    std::vector<std::uint64_t> of_materials;  ///< by number
 };
 
 SourceCounts counts_of(const ImportResult& imported) {
-    SourceCounts counts;
-    std::uint64_t materials = 0;
-    for (const ImportedFile& file : imported.files) {
-        counts.of_meshes.emplace_back(file.meshes);
-        materials += file.materials;
-    }
-    counts.of_materials.resize(materials);
+    SourceCounts counts{std::vector<Json>(imported.files.size(), Json::array()), {}};
+    for (const ImportedFile& file : imported.files)
+        counts.of_materials.resize(counts.of_materials.size() + file.materials);
     std::vector<std::uint64_t> places(imported.meshes.size(), imported.places.empty() ? 1 : 0);
     for (const ImportedPlace& place : imported.places) {
-        counts.of_meshes[place.file][place.number] = imported.meshes[place.mesh].triangles.size();
+        counts.of_meshes[place.file].push_back(imported.meshes[place.mesh].triangles.size());
         ++places[place.mesh];
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ImportedMesh& mesh = imported.meshes[i];
-        if (imported.places.empty()) counts.of_meshes[mesh.file][mesh.mesh] = mesh.triangles.size();
-        for (const std::uint32_t material : mesh.materials)
-            if (material < materials) counts.of_materials[material] += places[i];  // that of a broken file is none
+        if (imported.places.empty()) counts.of_meshes[mesh.file].push_back(mesh.triangles.size());
+        for (const std::uint32_t material : mesh.materials)  // a broken file may state one that it does not have
+            if (material < counts.of_materials.size()) counts.of_materials[material] += places[i];
     }
     return counts;
 }
@@ -72,14 +68,12 @@ SourceCounts counts_of(const ImportResult& imported) {
 /// In the order of their numbers, which go on from file to file.
 Json materials_json(const ImportResult& imported, const SourceCounts& counts) {
     Json materials = Json::array();
-    std::size_t number = 0;
-    for (std::size_t file = 0; file < imported.files.size(); ++file) {
+    for (std::size_t file = 0; file < imported.files.size(); ++file)
         for (const std::string& name : imported.files[file].material_names) {
+            const std::size_t number = materials.elements().size();
             materials.push_back(
                 {{"number", number}, {"file", file}, {"name", name}, {"triangles", counts.of_materials[number]}});
-            ++number;
         }
-    }
     return materials;
 }
 
@@ -162,16 +156,13 @@ Json input_json(const BakeArguments& arguments, const ImportResult& imported) {
     document["output"] = arguments.output;
     const SourceCounts counts = counts_of(imported);
     Json inputs = Json::array();
-    for (std::size_t i = 0; i < imported.files.size(); ++i) {
-        const ImportedFile& file = imported.files[i];
-        Json mesh_triangles = Json::array();
-        for (const std::uint64_t count : counts.of_meshes[i]) mesh_triangles.push_back(count);
+    for (const ImportedFile& file : imported.files) {
         inputs.push_back({{"file", file.path},
                           {"format", file.format},
                           {"meshes", file.meshes},
                           {"mesh_names", file.mesh_names},
                           {"mesh_paths", file.mesh_paths},
-                          {"mesh_triangles", std::move(mesh_triangles)},
+                          {"mesh_triangles", counts.of_meshes[inputs.elements().size()]},
                           {"triangles", file.triangles},
                           {"points_and_lines", file.points_and_lines},
                           {"metres_per_unit", file.metres_per_unit},

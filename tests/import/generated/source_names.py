@@ -7,13 +7,11 @@ from .assimp import AC
 from .claims import SQUARE
 from .off import off_box
 from .stl import stl_text
-from .three_mf import model, package, thing
+from .three_mf import mesh, model, package, thing
 
 CORNERS = base64.b64encode(struct.pack("<9f", 0, 0, 0, 2, 0, 0, 2, 2, 0)).decode()
 LONG = "\u00e4" * 300  # 600 bytes each, and one for the slash: 199 characters of the first one are left
-FACES = '<mesh><vertices>{}</vertices><triangles>{}</triangles></mesh>'.format(
-    "".join(f'<vertex x="{x}" y="{y}" z="0"/>' for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))),
-    '<triangle v1="0" v2="1" v3="2" pid="9" p1="1"/><triangle v1="0" v2="2" v3="3"/>')
+FACES = mesh(((0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)), ((0, 1, 2), (0, 2, 3))).replace('v3="2"', 'v3="2" pid="9" p1="1"')
 GROUPS = "o {}\nusemtl {}\nf 1 2 3\no other\nf 1 3 4\nf 1 2 4\n"
 
 
@@ -32,14 +30,13 @@ def gltf():
 def source_names(claims):
     claims.write("materials.mtl", "newmtl unused\nnewmtl concrete\n")
     doors = ["Walls/Door_02"] * 2 + ["Walls/Door_03"] * 2 + ["..." + "\u00e4" * 199 + "/" + LONG]
-    long, wrong = "n" * (1 << 20), b"\xc3\xa4 caf\xe9 \xed\xa0\x80 \xf5 \x01"
-    right = "\u00e4 caf\ufffd \ufffd\ufffd\ufffd \ufffd \1"
+    long, wrong, right = "n" * (1 << 20), b"\xc3\xa4 caf\xe9 \xed\xa0\x80 \xf5 \x01", "\u00e4 caf\ufffd \ufffd\ufffd\ufffd \ufffd \1"
     base = '<basematerials id="9"><base name="oak"/><base name="&#228;&lt;"/></basematerials>'
     for name, content, meshes, paths, materials in (
             ("o.obj", SQUARE + "f 1 2 3\nmtllib materials.mtl\n" + GROUPS.format("a\ng b", "concrete"), [("", 1), ("a/b", 1), ("other", 2)], None,
              [("", 1), ("unused", 0), ("concrete", 3)]),
-            ("long.obj", SQUARE + GROUPS.format(long, long), [(long, 1), ("other", 2)], None, [("", 0), (long, 3)]),
-            ("wrong.obj", SQUARE.encode() + GROUPS.encode().replace(b"{}", wrong), [(right, 1), ("other", 2)], None, [("", 0), (right, 3)]),
+            ("wrong.obj", SQUARE.encode() + GROUPS.encode().replace(b"{}", wrong, 1).replace(b"{}", long.encode()), [(right, 1), ("other", 2)], None,
+             [("", 0), (long, 3)]),
             ("a.stl", stl_text(name="wall") + stl_text(name="wall") + stl_text(name=""), [("wall", 12), ("wall", 12), ("", 12)], None, [("", 36)]),
             ("a.off", off_box(), [("", 12)], None, [("", 12)]),
             ("a.3mf", package(model(base + thing(1, FACES, 'name="Chair&#10;1"'), '<item objectid="1"/><item objectid="1"/>')),
@@ -48,14 +45,14 @@ def source_names(claims):
             ("a.ac", AC.format(2).replace("world\n", 'world\nname "Walls"\n').replace('""', '"caf\xe9"').replace("poly\n", 'poly\nname "Door"\n'), [("", 2)], ["Walls/Door"], [("caf\ufffd", 2)])):
         claims.write(name, content)
         for options in ([], ["--instances", "all"]):
-            code, document, stderr = claims.run(name, "--materials", "--allow-empty", "--max-dropped", "100", *options)
+            _, document, stderr = claims.run(name, "--materials", "--allow-empty", "--max-dropped", "100", *options)
             file = document.get("inputs", [{}])[0]
-            for found, expected in (
-                    (list(zip(file.get("mesh_names", []), file.get("mesh_triangles", []))), meshes), (file.get("mesh_paths"), paths or [""] * len(meshes)),
-                    (document.get("materials"), [{"number": i, "file": 0, "name": n, "triangles": t} for i, (n, t) in enumerate(materials)])):
-                claims.check(f"source names: the report has those of {name}, {options}", found == expected, f"{found} {stderr}"[:2000])
-    code, document, stderr = claims.run("a.off", claims.write("b.gltf", gltf()), "--materials")
-    claims.check("source names: the numbers of materials go on from file to file",
-                 [(material["number"], material["file"]) for material in document["materials"]] == [(0, 0)] + [(i, 1) for i in range(1, 5)], stderr)
-    claims.check("source names: they are printed with their numbers", "materials: 1 glass, 2 a?b, 3, 4" in stderr, stderr)
+            found = [list(zip(file.get("mesh_names", []), file.get("mesh_triangles", []))), file.get("mesh_paths"), document.get("materials")]
+            claims.check(f"source names: the report has those of {name}, {options}", found == [
+                meshes, paths or [""] * len(meshes), [{"number": i, "file": 0, "name": n, "triangles": t} for i, (n, t) in enumerate(materials)]],
+                f"{found} {stderr}"[:2000])
+    _, document, stderr = claims.run("a.off", claims.write("b.gltf", gltf()), "--materials")
+    numbers = [(material["number"], material["file"]) for material in document["materials"]]
+    claims.check("source names: numbers of materials go on from file to file, and are printed",
+                 numbers == [(0, 0), (1, 1), (2, 1), (3, 1), (4, 1)] and "materials: 1 glass, 2 a?b, 3, 4" in stderr, stderr)
     claims.check("source names: materials that are not stored are not listed", "materials" not in claims.run("a.off")[1], "materials")
