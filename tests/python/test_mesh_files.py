@@ -5,6 +5,7 @@ import os
 import pathlib
 import pickle
 import subprocess
+import sys
 import threading
 import warnings
 
@@ -19,6 +20,7 @@ pytest.importorskip("espalier._import", reason="this build reads no mesh files (
 MODELS = pathlib.Path("/usr/share/assimp/models")
 FOLDERS = sorted({path.parent.relative_to(MODELS).as_posix() for path in MODELS.rglob("*") if path.is_file()})
 LIMIT = 2_000_000  # bytes: larger files take seconds each
+CASES = pathlib.Path(os.environ.get("ESPALIER_CASES", pathlib.Path(__file__).resolve().parents[3] / "shared" / "cases"))
 
 
 @pytest.fixture(scope="session")
@@ -138,6 +140,39 @@ def test_what_a_file_states_is_there(tmp_path):
     with pytest.warns(espalier.MeshFileWarning, match="missing_vertex.obj") as caught:
         espalier.read_mesh(tmp_path / "missing_vertex.obj")
     assert caught[0].message.kind == "missing_vertex" and caught[0].filename == __file__
+
+
+def test_names_are_those_of_the_report(command, tmp_path):
+    path, wrong, right, long = tmp_path / "names.obj", b"\xc3\xa4 caf\xe9 \xed\xa0\x80 \x01", "\u00e4 caf\ufffd \ufffd\ufffd\ufffd \1", "n" * (1 << 20)
+    path.write_bytes(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\no %b\nusemtl %b\nf 1 2 4\no %b\nf 1 3 4\n" % (wrong, wrong, long.encode()))
+    blob = espalier.bake_file(path, materials=True, original_ids=True)
+    assert blob.names == espalier.read_mesh(path).names == (["", right], ["", right, long], [""] * 3)
+    found = zip(blob.original_triangles([0, 1, 2])["mesh"], blob.materials([0, 1, 2]))
+    assert {(blob.names.meshes[mesh], blob.names.materials[material]) for mesh, material in found} == {("", ""), (right, right), (long, right)}
+    report = json.loads(subprocess.check_output([command, "bake", path, "-o", tmp_path / "x", "--json", "-q", "--materials"]))
+    assert (report["inputs"][0]["mesh_names"], [material["name"] for material in report["materials"]]) == (blob.names.meshes, blob.names.materials)
+    path.write_bytes(b"v 0 0 \xff\n")
+    raises(espalier.MeshFileError, "'\ufffd' is not a number", espalier.read_mesh, path)
+
+
+@pytest.mark.skipif(not CASES.is_dir(), reason=f"there is no folder {CASES}")
+def test_cases_of_bug_reports_are_right(command, tmp_path):
+    (tmp_path / "3mf").mkdir()
+    subprocess.run([sys.executable, CASES / "make_3mf.py"], cwd=tmp_path, check=True)
+    baked = {path.name: same_outcome(command, path, tmp_path, ["--flat-angle", "5", "--tolerance", "1mm"], flat_angle=5.0, tolerance=0.001)
+             for path in [*CASES.iterdir(), *(tmp_path / "3mf").iterdir()] if path.suffix in (".obj", ".ply", ".stl", ".3mf")}
+    assert baked.keys() > {"floor.obj", "ridge.obj", "rel_type_first.3mf"} and "line 8" in baked["quads.stl"][1]
+    opened = {name: espalier.open_blob(outcome) for name, outcome in baked.items() if isinstance(outcome, bytes)}
+    assert len(opened) == len(baked) - 1 and baked["thumbnail.3mf"] == baked["png_without_rel.3mf"] == baked["plain.3mf"]
+    a, b, c = np.moveaxis(opened["l_shape.obj"].triangles().astype(float), 1, 0)
+    assert abs(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2 - 5) < 0.01 and opened["strips.ply"].triangle_count == 4
+    downwards = lambda name, *start: bool(opened[name].occluded(np.array([start]), np.array([[0, 0, -1.0]])).yes[0])
+    assert downwards("l_shape.obj", 0.5, 0.5, 5) and not downwards("l_shape.obj", 2, 2, 5)
+    assert downwards("utm_house.obj", 496752.258074, 5556620, 130) and not downwards("utm_house.obj", 496752.658074, 5556620, 130)
+    assert [mesh.positions[mesh.triangles].tolist() for mesh in espalier.read_mesh(CASES / "bom.obj").meshes] == [[[[0, 0, 0], [0, 0, 1], [0, 1, 1]]]]
+    sizes = [espalier.read_mesh(tmp_path / "3mf" / name).meshes[0].positions / unit for name, unit in (("plain_inch.3mf", 25.4), ("plain.3mf", 1.0))]
+    np.testing.assert_allclose(*sizes, rtol=1e-14)
+    raises(espalier.BakeError, "dropped", espalier.bake_meshes, espalier.read_mesh(CASES / "screw.obj").meshes, tolerance=0.002)
 
 
 def test_errors_have_a_status_and_a_place(tmp_path):

@@ -21,7 +21,7 @@ from .blob import Blob, Refitted, join_borders, open_blob, read_remap, verify
 from .bounds import Slabs
 from .edges import reduce_contacts
 from .errors import BakeError, MeshFileError, OpenError
-from .mesh_files import Mesh, MeshFile, MeshFileWarning, read_mesh
+from .mesh_files import Mesh, MeshFile, MeshFileWarning, SourceNames, read_mesh
 from .moving_scenes import MovingScene, Pairs, open_moving_scene
 from .pictures import pinhole, png_of, write_png
 from .results import (

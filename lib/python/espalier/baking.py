@@ -162,10 +162,13 @@ _READER_OPTIONS = ("format", "unit", "scale", "up", "materials", "memory", "seco
 def bake_file(path: Path, **options: Any) -> Blob:
     """Bakes all meshes of a file, as `espalier bake` does, with the options of bake() and of read_mesh().
 
-    materials: stores the numbers of materials. Raises MeshFileError and BakeError, and warns with MeshFileWarning and
-    BakeWarning.
+    materials: stores the numbers of materials. `blob.names` has the names of materials and meshes by their numbers.
+    Raises MeshFileError and BakeError, and warns with MeshFileWarning and BakeWarning.
     """
     of_reader = {name: options.pop(name) for name in _READER_OPTIONS if name in options}
     of_reader["keep_vertices"] = bool(options.get("deformable", False))
     of_reader["require_vertices"] = not options.get("drop_bad_triangles", False)
-    return _bake(read_files([path], 3, **of_reader)[0].meshes, 3, **options)
+    file = read_files([path], 3, **of_reader)[0]
+    blob = _bake(file.meshes, 3, **options)
+    blob.names = file.names
+    return blob

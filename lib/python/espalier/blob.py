@@ -13,6 +13,7 @@ from .bounds import StoredBounds
 from .edges import EdgeQueries
 from .errors import BakeError, OpenError
 from .integers import triangle_numbers
+from .mesh_files import SourceNames
 from .pictures import Pictures
 from .transforms import Origin, in_source
 from .points import ShapeQueries
@@ -41,11 +42,13 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
     Pickling writes the bytes.
     """
 
-    __slots__ = ("report", "remap", "_origin")
+    __slots__ = ("report", "remap", "names", "_origin")
     report: Optional[dict[str, Any]]
     """The figures of the bake; None for a blob that was opened."""
     remap: Optional[NDArray[Any]]
     """The source of each triangle, an array of REMAP; None for a blob that was opened."""
+    names: Optional[SourceNames]
+    """What the file calls materials and meshes; None unless bake_file() returned the blob."""
     _origin: Origin
 
     def __init__(self, core: _core.Blob, report: Optional[dict[str, Any]] = None,
@@ -53,6 +56,7 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
         super().__init__(core)
         self.report = report
         self.remap = remap
+        self.names = None
         self._origin = self.origin if any(self._facts["origin"]) else None
 
     @property
@@ -167,7 +171,9 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
             moved = _core.refit(self._core, np.ascontiguousarray(local, np.float32))
         if isinstance(moved[0], int):
             raise ValueError(_refusal_of_refit(Status(moved[0]), moved[1], moved[2], array))
-        return Refitted(Blob(moved[0], None, self.remap), moved[1])
+        refitted = Blob(moved[0], None, self.remap)
+        refitted.names = self.names
+        return Refitted(refitted, moved[1])
 
     def __reduce__(self) -> Any:
         return open_blob, (bytes(self),)

@@ -46,6 +46,20 @@ class MeshFileWarning(UserWarning):
         self.mesh = mesh
 
 
+class SourceNames(NamedTuple):
+    """What a file calls its materials and meshes, by the numbers that a blob stores. Empty where it has no name.
+
+    Bytes of the file that are no UTF-8 are U+FFFD; all else is as the file has it, control characters too.
+    """
+
+    materials: list[str]
+    """by the numbers of blob.materials() and Mesh.materials"""
+    meshes: list[str]
+    """by the field `mesh` of ORIGINAL_TRIANGLE and Mesh.mesh"""
+    paths: list[str]
+    """by the same numbers: the names of the nodes that lead to the mesh, as "Walls/Door_02"; empty for formats without nodes"""
+
+
 class MeshFile(NamedTuple):
     """The meshes of a file, and what the file states."""
 
@@ -61,6 +75,7 @@ class MeshFile(NamedTuple):
     unit_origin: str
     """what states the unit"""
     warnings: list[MeshFileWarning]
+    names: SourceNames
 
 
 def read_mesh(path: Path, **options: Any) -> MeshFile:
@@ -124,7 +139,8 @@ def read_files(paths: Sequence[Path], stack_level: int, *, format: str = "", uni
             warnings.warn(warning, stacklevel=stack_level)
         of_file = [Mesh(*mesh) for mesh in meshes if mesh[4] == number]
         results.append(MeshFile(of_file, file["path"], file["opened"], file["format"], file["mesh_names"],
-                                file["metres_per_unit"], file["unit_origin"], found))
+                                file["metres_per_unit"], file["unit_origin"], found,
+                                SourceNames(file["material_names"], file["mesh_names"], file["mesh_paths"])))
     if status != 0:
         kind, message, name, mesh, triangle = reason
         raise MeshFileError(message, _STATUSES[status], kind, (name, mesh, triangle))

@@ -26,6 +26,13 @@ py::array array_of(Elements& elements, py::ssize_t columns, const py::capsule& o
     return py::array_t<Number>(std::vector<py::ssize_t>{rows, columns}, first, owner);
 }
 
+/// Returns the text with U+FFFD in the place of bytes that are no UTF-8, which words and names out of a file may have.
+py::str text_of(const std::string& bytes) {
+    PyObject* const text = PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace");
+    if (text == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(text);
+}
+
 /// Returns (positions, triangles, materials or None, name, file, mesh).
 py::tuple mesh_of(ImportedMesh&& imported, bool has_materials) {
     auto* const mesh = new ImportedMesh(std::move(imported));
@@ -33,13 +40,14 @@ py::tuple mesh_of(ImportedMesh&& imported, bool has_materials) {
     py::object materials = py::none();
     if (has_materials) materials = array_of<std::uint32_t>(mesh->materials, 1, owner);
     return py::make_tuple(array_of<double>(mesh->positions, 3, owner),
-                          array_of<std::uint32_t>(mesh->triangles, 3, owner), materials, mesh->name, mesh->file,
-                          mesh->mesh);
+                          array_of<std::uint32_t>(mesh->triangles, 3, owner), materials, text_of(mesh->name),
+                          mesh->file, mesh->mesh);
 }
 
 /// Returns (kind, message, file, mesh, triangle).
 py::tuple tuple_of(const ImportDiagnostic& diagnostic) {
-    return py::make_tuple(diagnostic.kind, diagnostic.message, diagnostic.file, diagnostic.mesh, diagnostic.triangle);
+    return py::make_tuple(diagnostic.kind, text_of(diagnostic.message), diagnostic.file, diagnostic.mesh,
+                          diagnostic.triangle);
 }
 
 py::dict file_of(const ImportedFile& imported) {
@@ -48,6 +56,8 @@ py::dict file_of(const ImportedFile& imported) {
     file["opened"] = imported.opened;
     file["format"] = imported.format;
     file["mesh_names"] = imported.mesh_names;
+    file["mesh_paths"] = imported.mesh_paths;
+    file["material_names"] = imported.material_names;
     file["triangles"] = imported.triangles;
     file["materials"] = imported.materials;
     file["points_and_lines"] = imported.points_and_lines;
