@@ -16,17 +16,23 @@ struct Body {
     int kind;  ///< sphere, capsule, crate, hull
     Transform place;
     float inertia;
+    Vec3 half = {0.25f, 0.3f, 0.25f};  ///< of the crate
     Vec3 speed = {}, spin = {};
+    struct Pushed {
+        Vec3 point;
+        std::array<float, 3> by;
+    };
+    std::vector<Pushed> pushed = {};
 
     [[nodiscard]] Vec3 at(Vec3 own) const { return plus(place.translation, direction_to_world(place, own), 1.0f); }
     [[nodiscard]] Filled contacts(const Blob& blob, std::span<Contact> room) const {
         if (kind == 0) return find_contacts(blob, Sphere{place.translation, 0.25f}, margin, room);
         if (kind == 1)
             return find_contacts(blob, Capsule{at({0.3f, 0.0f, 0.0f}), at({-0.3f, 0.0f, 0.0f}), 0.25f}, margin, room);
-        const auto half = [this](Vec3 axis) { return direction_to_world(place, axis); };
-        const Vec3 halves[] = {half({0.25f, 0, 0}), half({0, 0.3f, 0}), half({0, 0, 0.25f})};
-        if (kind == 2)
-            return find_contacts(blob, OrientedBox{place.translation, {halves[0], halves[1], halves[2]}}, margin, room);
+        const auto along = [this](Vec3 axis) { return direction_to_world(place, axis); };
+        const OrientedBox crate = {place.translation,
+                                   {along({half.x, 0, 0}), along({0, half.y, 0}), along({0, 0, half.z})}};
+        if (kind == 2) return find_contacts(blob, crate, margin, room);
         std::array<Vec3, 12> corners;  // a prism of six sides
         for (unsigned i = 0; i < 12; ++i) {
             const float angle = static_cast<float>(i % 6) * 1.0471976f;
@@ -34,37 +40,49 @@ struct Body {
         }
         return find_contacts(blob, ConvexHull{corners}, margin, room);
     }
-    [[nodiscard]] float energy() const {
-        return 0.5f * dot(speed, speed) + 0.5f * inertia * dot(spin, spin) + gravity * place.translation.z;
-    }
+    [[nodiscard]] float moving() const { return 0.5f * dot(speed, speed) + 0.5f * inertia * dot(spin, spin); }
+    [[nodiscard]] float energy() const { return moving() + gravity * place.translation.z; }
     /// As the recipe "A ball that rolls and a box that rests". Returns whether all normals are those of a floor with
     /// this normal.
     bool step(const Blob& blob, Vec3 up) {
-        std::array<Contact, 64> room;
+        std::array<Contact, 512> room;
         const Filled found = this->contacts(blob, room);
         bool are_up = true;
         for (const Contact& contact : found.in(room)) are_up = are_up && dot(contact.normal, up) > 0.999f;
         const auto contacts = found.in(room).first(reduce_contacts(found.in(room)));
         const Vec3 middle = place.translation;
         speed.z -= gravity * time_step;
-        float pushes[max_reduced_contacts][3] = {};
-        for (int round = 0; round < 20; ++round) {
+        std::vector<Pushed> now_pushed;
+        for (const Contact& contact : contacts) {
+            now_pushed.push_back({contact.point, {}});
+            float nearest = std::numeric_limits<float>::max();
+            for (const Pushed& last : pushed) {
+                const Vec3 apart = plus(last.point, contact.point, -1);
+                if (dot(apart, apart) >= nearest) continue;
+                nearest = dot(apart, apart);
+                now_pushed.back().by = last.by;
+            }
+        }
+        pushed = now_pushed;
+        for (int round = 0; round <= 20; ++round) {
             for (std::size_t i = 0; i < contacts.size(); ++i) {
                 const Vec3 normal = contacts[i].normal, arm = plus(contacts[i].point, middle, -1);
                 const auto push = [&](Vec3 way, float wanted, float least, float most, float& sum) {
                     const Vec3 lever = cross(arm, way);
-                    const float now = dot(speed, way) + dot(spin, lever), before = sum;
-                    sum = std::clamp(before + (wanted - now) / (1 + dot(lever, lever) / inertia), least, most);
+                    const float now = dot(speed, way) + dot(spin, lever), before = round == 0 ? 0 : sum;
+                    if (round != 0)
+                        sum = std::clamp(before + (wanted - now) / (1 + dot(lever, lever) / inertia), least, most);
                     speed = plus(speed, way, sum - before);
                     spin = plus(spin, lever, (sum - before) / inertia);
                 };
+                auto& [along, aside, over] = pushed[i].by;
                 const float gap = contacts[i].distance, out = std::max(-gap - slop, 0.0f) / 5;
-                push(normal, (gap > 0 ? -gap : out) / time_step, 0, std::numeric_limits<float>::max(), pushes[i][0]);
+                push(normal, (gap > 0 ? -gap : out) / time_step, 0, std::numeric_limits<float>::max(), along);
                 const Vec3 any = std::abs(normal.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, flat = cross(normal, any);
                 const Vec3 across = plus({}, flat, 1 / std::sqrt(dot(flat, flat)));
-                const float most = friction * pushes[i][0];
-                push(across, 0, -most, most, pushes[i][1]);
-                push(cross(normal, across), 0, -most, most, pushes[i][2]);
+                const float most = friction * along;
+                push(across, 0, -most, most, aside);
+                push(cross(normal, across), 0, -most, most, over);
             }
         }
         const Vec3 turn = plus({}, spin, -0.5f * time_step);
@@ -74,14 +92,14 @@ struct Body {
     }
 };
 
-/// A floor of square cells that rises along x, in triangles of unequal sizes.
-Mesh make_floor(double slope) {
+/// A floor of side * side cells about the origin, each of this size.
+template <typename Height>
+Mesh make_floor(std::uint32_t side, double width, double depth, Height height) {
     Mesh mesh;
-    constexpr std::uint32_t side = 9;
     for (std::uint32_t j = 0; j <= side; ++j) {
         for (std::uint32_t i = 0; i <= side; ++i) {
-            const double x = 1.1 * i - 4.95, y = 0.9 * j - 4.05;
-            mesh.positions.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(slope * x)});
+            const double x = width * (i - 0.5 * side), y = depth * (j - 0.5 * side);
+            mesh.positions.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(height(x, y))});
         }
     }
     for (std::uint32_t j = 0; j < side; ++j) {
@@ -98,7 +116,8 @@ TEST_CASE("contact: no body on a level or sloped floor gains speed by the solver
     constexpr const char* names[] = {"sphere", "capsule", "crate", "hull"};
     for (const double degrees : {0.0, 5.0, 20.0}) {
         const double slope = std::tan(degrees * 3.14159265358979 / 180.0);
-        const OpenedBlob floor(make_floor(slope), {.flat_angle = 5.0});
+        const OpenedBlob floor(make_floor(9, 1.1, 0.9, [&](double x, double) { return slope * x; }),
+                               {.flat_angle = 5.0});
         const float angle = static_cast<float>(degrees * 3.14159265358979 / 180.0);
         const Vec3 up = {-std::sin(angle), 0.0f, std::cos(angle)};
         for (int kind = 0; kind < 4; ++kind) {
@@ -118,7 +137,7 @@ TEST_CASE("contact: no body on a level or sloped floor gains speed by the solver
                     {-0.5f * lean, std::sin(0.5f * (angle + tip)), 0, std::cos(0.5f * (angle + tip))},
                     {},
                     1};  // to_local() turns forwards
-                Body body = {kind, {}, 0.4f * 0.25f * 0.25f, {}, {}};
+                Body body = {kind, {}, 0.4f * 0.25f * 0.25f};
                 body.place.rotation = to_local(back, about).rotation;
                 // Every other one stands with a side a little before a seam.
                 const float x = i % 2 == 0 ? 0.55f + 0.25f + margin * random.unit() : 2.0f * random.signed_unit();
