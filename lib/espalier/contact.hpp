@@ -71,10 +71,11 @@ inline constexpr std::size_t max_reduced_contacts = 4;
 
 /// Moves the contacts that support a body best to the front of the array and returns how many they are, at most
 /// max_reduced_contacts. A contact supports by its normal, and by the lever of that force about the middle of all
-/// points. The first kept has the longest lever, each other one is the farthest from the hull of those before; contacts
-/// that support alike count once. If a contact is deeper than all of these by more than a 256th of how far the points
-/// reach from their middle along an axis, for the side of a cube a 512th of its edge, it replaces the one that is most
-/// like it. The deepest comes first. Cost: O(contacts).
+/// points. Contacts that touch, those of a distance of 0 or less, come first, or the nearest where none does; the
+/// others fill the places that are left. The first kept has the longest lever, each other one is the farthest from the
+/// hull of those before; contacts that support alike count once. If a contact is deeper than all of these by more than
+/// a 256th of how far the points reach from their middle along an axis, for the side of a cube a 512th of its edge, it
+/// replaces the one that is most like it. The deepest comes first. Cost: O(contacts).
 std::size_t reduce_contacts(std::span<Contact> contacts) noexcept;
 
 /// The bend of the surface at an edge, seen from the front of its triangles. Decided exactly on the baked triangles.

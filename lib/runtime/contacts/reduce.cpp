@@ -101,18 +101,26 @@ std::size_t reduce_contacts(std::span<Contact> contacts) noexcept {
     const Supports supports(contacts);
     // Less than this is the same support: a hundredth of the largest lever, or half a degree.
     constexpr float alike = 1e-4f;
+    // Those that touch come first, since they alone carry the body. With others in their place it sinks, those of the
+    // next step are others again, and it rocks.
+    float farthest = detail::maximum(contacts[deepest_of(contacts)].distance, 0.0f);
     std::size_t kept = 0;
     while (kept < contacts.size() && kept < max_reduced_contacts) {
         float most = kept == 0 ? -1.0f : alike;
         std::size_t best = contacts.size();
         for (std::size_t i = kept; i < contacts.size(); ++i) {
+            if (contacts[i].distance > farthest) continue;
             const float distance = squared_distance(supports, contacts.first(kept), contacts[i]);
             if (distance > most) {
                 most = distance;
                 best = i;
             }
         }
-        if (best == contacts.size()) break;
+        if (best == contacts.size()) {
+            if (farthest == infinity) break;
+            farthest = infinity;
+            continue;
+        }
         swap_places(contacts[kept++], contacts[best]);
     }
     if (kept == 0) kept = 1;  // no lever is a number
