@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "judge.hpp"
 #include "opening.hpp"

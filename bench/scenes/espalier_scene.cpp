@@ -1,6 +1,8 @@
 #include "../memory.hpp"
 #include "scenes.hpp"
 
+#include <espalier/scenes/bake.hpp>
+
 namespace espalier::bench {
 namespace {
 

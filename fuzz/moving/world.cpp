@@ -1,7 +1,7 @@
 #include "world.hpp"
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "judge.hpp"
 #include "support/base/random.hpp"

@@ -70,6 +70,8 @@ if(TARGET espalier_baker)
   install_pkg_config(baker espalier-baker)
   install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/bake.hpp
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier COMPONENT baker)
+  install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/scenes/bake.hpp
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier/scenes COMPONENT baker)
   install(FILES ${PROJECT_SOURCE_DIR}/lib/espalier/c/bake.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/espalier/c COMPONENT baker)
 endif()

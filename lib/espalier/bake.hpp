@@ -1,5 +1,5 @@
-// Baking: turns triangle meshes into one blob, and joins blobs and the places of their instances in one scene. This is
-// offline code: it allocates, uses threads and may throw std::bad_alloc.
+// Baking: turns triangle meshes into one blob. This is offline code: it allocates, uses threads and may throw
+// std::bad_alloc. scenes/bake.hpp joins blobs in a scene.
 //
 // Thread safety: no call keeps state; any number of threads may call them at once.
 #pragma once
@@ -19,8 +19,7 @@
 
 namespace espalier {
 
-struct Instance;  // scene.hpp
-struct Lattice;   // blob.hpp
+struct Lattice;  // blob.hpp
 
 /// The vertices of a triangle, as indices into MeshView::positions.
 using TriangleVertices = std::array<std::uint32_t, 3>;
@@ -329,7 +328,7 @@ struct [[nodiscard]] JoinReport {
 /// Takes about 200 bytes of memory per triangle.
 JoinReport join_borders(std::span<const JoinedBlob> blobs);
 
-/// The outcome of verify or verify_scene. Converts to true if the blob or scene is sound.
+/// The outcome of verify(), and of verify_scene() in scenes/bake.hpp. Converts to true if the bytes are sound.
 struct [[nodiscard]] VerifyReport {
     bool sound = false;
     std::string message;  ///< the first thing that is wrong, and where; empty if sound
@@ -349,48 +348,6 @@ struct [[nodiscard]] VerifyReport {
 ///
 /// Takes about 60 bytes of memory per triangle.
 VerifyReport verify(std::span<const std::byte> bytes);
-
-/// The figures of a scene that was baked.
-struct SceneReport {
-    std::uint32_t meshes = 0;  ///< distinct ones that instances use
-    std::uint32_t tiles = 0;   ///< distinct ones that instances use
-    std::uint32_t meshes_in_tiles = 0;
-    std::uint32_t instances = 0;
-    std::uint64_t triangles = 0;          ///< of all instances, those in tiles included
-    std::uint64_t mesh_bytes = 0;         ///< of all meshes that are not in tiles
-    std::uint64_t tile_bytes = 0;         ///< of all tiles
-    std::uint64_t bytes = 0;              ///< of the scene
-    std::uint32_t nodes = 0;              ///< of the tree over the instances
-    unsigned depth = 0;                   ///< of that tree
-    float max_error = 0.0f;               ///< the largest of any instance, in world units
-    std::uint32_t on_common_lattice = 0;  ///< instances for which rays are rounded once (BakedScene::common_lattice)
-};
-
-/// The scene, or the reason why there is none. Converts to true if there is a scene.
-struct [[nodiscard]] SceneBakeResult {
-    std::vector<std::byte> bytes;  ///< empty unless status is ok
-    SceneReport report;            ///< all zero unless status is ok
-    BakeStatus status = BakeStatus::internal;
-    std::string message;  ///< what is wrong, where, and what to do; empty if status is ok
-
-    explicit operator bool() const noexcept { return status == BakeStatus::ok; }
-};
-
-/// Joins blobs and instances in one scene. Instance::mesh is an index into `blobs`; Instance::source is not read: it
-/// becomes the index in `instances`. Blobs with equal bytes become one mesh, and blobs without instances are left out.
-/// Scenes among the blobs become tiles.
-///
-/// Refuses with invalid_mesh: bytes that are no sound blob, a tile with tiles, an instance of a blob that does not
-/// exist, a transform that to_local() does not apply. Refuses with too_large: more than 2^24 instances, more than
-/// 2^32 - 1 bytes, places and errors that float32 cannot hold. No instances give a valid, empty scene. The bytes depend
-/// on the arguments alone.
-SceneBakeResult bake_scene(std::span<const std::span<const std::byte>> blobs, std::span<const Instance> instances);
-
-/// Tests whether a scene is what its header states. Any bytes, any alignment.
-///
-/// A sound scene opens. Each mesh passes verify() and each tile verify_scene(). Every box of the tree contains the
-/// instances below it, and the region their lattices. max_error and the common lattice are true.
-VerifyReport verify_scene(std::span<const std::byte> bytes);
 
 }  // namespace espalier
 

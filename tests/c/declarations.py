@@ -128,10 +128,10 @@ def cpp_functions():
 
 
 def baker_functions():
-    """Returns the functions of bake.hpp outside of classes."""
-    header = LIBRARY / "bake.hpp"
-    code = without(plain(header.read_text()), r"namespace detail \{")
-    yield from functions_in(without(code, r"\b(?:class|struct) (?:\[\[\w+\]\] )?(?:\w+ )?\{"), "", header, {})
+    """Returns the functions of the baker's headers outside of classes."""
+    for header in (LIBRARY / "bake.hpp", LIBRARY / "scenes/bake.hpp"):
+        code = without(plain(header.read_text()), r"namespace detail \{")
+        yield from functions_in(without(code, r"\b(?:class|struct) (?:\[\[\w+\]\] )?(?:\w+ )?\{"), "", header, {})
 
 
 def classes(code):

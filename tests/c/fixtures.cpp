@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <espalier/bake.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "support/base/profiles.hpp"
 #include "support/base/random.hpp"

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "refit_workload.hpp"
 #include "support/base/random.hpp"

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 
 namespace {
 

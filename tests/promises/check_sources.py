@@ -139,7 +139,7 @@ TESTS = {
     "runtime/contacts": f"{SUPPORT} support/exact oracle",
     "runtime/transforms": f"{SUPPORT} oracle",
     "runtime/pairs": f"{SUPPORT} support/exact",
-    "runtime/scenes": f"{SUPPORT} platform",
+    "runtime/scenes": f"{SUPPORT} platform oracle",
     "runtime/moving_scenes": f"{SUPPORT} runtime/scenes oracle",
     "runtime/deformation": f"{SUPPORT} runtime/moving_scenes runtime/pairs",
     "runtime/batches": SUPPORT,
@@ -216,18 +216,18 @@ def check_layers(top, rows, others, *, has_root=True):
 
 
 def includes():
-    offline = [ROOT / "lib/espalier/bake.hpp", ROOT / "lib/espalier/import.hpp"]
+    offline = [ROOT / "lib/espalier" / name for name in ("bake.hpp", "import.hpp", "scenes/bake.hpp")]
     public = [file for file in files("lib/espalier", "*.hpp", "format/*.hpp", "scenes/*.hpp", "batches/*.hpp")
               if file not in offline]
     check("a public header of the runtime includes public headers and freestanding ones only", public,
-          rf"<espalier/((base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/(bake|import)\.hpp>")
+          rf"<espalier/((base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/((scenes/)?bake|import)\.hpp>")
     check("a public header of the baker or the importers includes public and standard headers only", offline,
           rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|{STANDARD}")
     check("a header for C includes headers for C and freestanding ones only", files("lib/espalier", "**/*.h"),
           r"<espalier/c/((scenes|batches)/)?[a-z_]+\.h>|<std(bool|def|int)\.h>")
     runtime = sources("lib/runtime")
     check("the runtime includes public headers, its own and freestanding ones only", runtime,
-          r"<espalier/[a-ac-z_][a-z_]*\.hpp>|<espalier/(blob|bounds|(base|scenes|batches)/[a-z_]+)\.hpp>"
+          r"<espalier/[a-ac-z_][a-z_]*\.hpp>|<espalier/(blob|bounds|(base|batches)/[a-z_]+|scenes/[a-ac-z_][a-z_]*)\.hpp>"
           rf"|<espalier/espalier\.h>|<runtime/[a-z_0-9/]+\.(hpp|inl)>|{PLAIN}|{MACHINE}")
     check_layers("lib/runtime", RUNTIME, rf"<espalier/((base|scenes|batches)/)?[a-z_]+\.h(pp)?>|{PLAIN}|{MACHINE}",
                  has_root=False)

@@ -281,17 +281,42 @@ def test_tiles_are_joined_where_their_sources_are():
     raises(espalier.BakeError, "blob 1 does not lie", espalier.join_borders, apart)
 
 
-def test_scenes_place_what_counts_from_the_origin(far):
-    base = np.round(PLACE)
-    place = espalier.transform(translation=far.origin - base)
-    moving = espalier.MovingScene([far], 4, -12)
-    moving.insert(place)
-    scene = espalier.bake_scene([far], place)
-    for each in (scene, moving):
-        found = each.closest_point(PLACE - base + [0, 0, 3])
-        assert found.dtype == espalier.SCENE_CLOSEST_POINT
-        assert np.abs(found["point"] - (PLACE - base + [0, 0, 2])).max() < NEAR
+def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        scene = espalier.bake_scene([far, near], espalier.transform(translation=[[0, 0, 0], PLACE + [8, 0, 0]]), [0, 1])
+    assert np.abs(scene.origin - PLACE).max() < 32 and scene.max_error < NEAR
+    scene.save(tmp_path / "scene.espl")
+    for each in (scene, espalier.open_scene(tmp_path / "scene.espl"), pickle.loads(pickle.dumps(scene))):
+        np.testing.assert_array_equal(each.origin, scene.origin)
+        found = each.closest_point(PLACE + [[0, 0, 3], [8, 0, 3]])
+        assert found["instance"].tolist() == [0, 1]
+        close(found["point"], PLACE + [[0, 0, 2], [8, 0, 2]])
+    low, high = scene.bounds - PLACE  # around boxes, which are larger
+    assert scene.bounds.dtype == np.float64 and (low < -1.99).all() and (high > [9.99, 1.99, 1.99]).all() and high.max() < 16
+    assert np.abs(scene.raycast(PLACE + [8, 0, 9], [0, 0, -1])["t"] - 7) < NEAR
+    ball = espalier.Sphere(PLACE + [8, 0, 2.24], 0.25)
+    assert scene.overlaps(ball) and set(scene.overlapping_triangles(ball)[0]["instance"]) == {1}
+    assert set(scene.candidates(espalier.Box(PLACE + 7, PLACE + 9))[0]["instance"]) == {1}
+    close(scene.sweep(espalier.Sphere(PLACE + [8, 0, 5], 0.25), [0, 0, -5])["point"], PLACE + [8, 0, 2])
+    close(scene.contacts(ball).items["point"], PLACE + [8, 0, 2])
+    close(scene.instances()["transform"][:, 4:7], [far.origin, PLACE + [8, 0, 0]])
     same(scene.mesh(0).closest_point(PLACE + [0, 0, 3]), far.closest_point(PLACE + [0, 0, 3]))
+    assert scene.render(width=8, height=6).min() < 255
+    again = espalier.bake_scene([scene], espalier.transform())  # as a tile
+    close(again.closest_point(PLACE + [8, 0, 3])["point"], PLACE + [8, 0, 2])
+    moving = espalier.MovingScene([far], 4, -6, tiles=[scene]).seen_from(PLACE)
+    moving.insert(espalier.transform(translation=scene.origin), 1)
+    close(moving.closest_point(PLACE + [8, 0, 3])["point"], PLACE + [8, 0, 2])
+    by_hand = espalier.bake_scene([far], espalier.transform(), origin=PLACE)
+    assert tuple(by_hand.origin) == tuple(PLACE)
+    with pytest.warns(espalier.BakeWarning, match="instance 0 lies where float32 is coarser"):
+        espalier.bake_scene([far], espalier.transform(), origin=None)
+    raises(ValueError, "origin must be", espalier.bake_scene, [far], espalier.transform(), origin="near")
+    raises(espalier.BakeError, "origin", espalier.bake_scene, [far], espalier.transform(), origin=[0, np.nan, 0])
+    plain = espalier.bake_scene([near], espalier.transform())
+    assert not plain.origin.any() and plain.bounds.dtype == np.float32
+    assert plain.closest_point(points).dtype == espalier.SCENE_CLOSEST_POINT
 
 
 def test_other_numbers_than_float64(far):

@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "support/base/hostile_values.hpp"
 #include "support/base/profiles.hpp"

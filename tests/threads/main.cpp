@@ -7,9 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 #include <espalier/scenes/pairs.hpp>
 
 #include "../platform/answers.hpp"

@@ -208,12 +208,17 @@ awk '/^v/ { $2 += 20 } { print }' CONVFMT=%.4f OFMT=%.4f house.obj >gone.obj
 refuses 3 "vertex 0 is at 500143.45" refit soft.espl gone.obj -o refused.espl
 absent refused.espl
 
-claim "a scene keeps no origin, and refuses one"
-refuses 1 "--origin is for one blob" bake house.obj neighbour.obj -o refused.esps --instances all --origin 500000,5400000,0
-absent refused.esps
-run 0 bake house.obj neighbour.obj -o houses.esps --instances all
+claim "a scene keeps an origin, and its queries take places of the source"
 run 0 bake house.obj neighbour.obj -o houses.esps --instances all --origin none
-# shellcheck disable=SC2046
-finds '.hit' query houses.esps ray $(at 5 4 100) 0 0 -1
+for origin in auto 500000,5400000,0; do
+    finds '.source_origin and .total_error < 0.001' bake house.obj neighbour.obj -o houses.esps --instances all --tolerance 1mm --origin "$origin"
+    finds '.source_origin' info houses.esps
+    # shellcheck disable=SC2046
+    run 0 query houses.esps ray $(at 5 4 100) 0 0 -1 --json
+    near .point 5 4 7
+    run 0 verify houses.esps --deep --source house.obj --source neighbour.obj
+done
+finds '.warnings[] | select(.kind == "step_below_float_spacing") | .message | contains("instance 0")' \
+    bake house.obj neighbour.obj -o houses.esps --instances all --tolerance 1mm --origin 0,0,5000
 
 finish

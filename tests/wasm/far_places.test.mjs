@@ -193,15 +193,32 @@ test('tiles are joined where their sources are', async () => {
     await rejects(library.joinBorders([tiles[0], await ground(0, 0.0001)]), BakeError, /blob 1 does not lie/);
 });
 
-test('scenes place what counts from the origin', async () => {
-    const base = PLACE.map(Math.round), translation = [...far.origin].map((x, i) => x - base[i]);
-    const moving = library.createMovingScene([far], 4, { stepExponent: -12 });
-    moving.insert({ translation });
-    for (const scene of [await library.bakeScene([far], { translation }), moving]) {
-        const { point } = scene.closestPoint(PLACE.map((x, i) => x - base[i] + (i === 2 ? 3 : 0)));
-        assert.ok(point instanceof Float32Array);
-        point.forEach((x, i) => near(x, PLACE[i] - base[i] + (i === 2 ? 2 : 0)));
+test('scenes place the source and have an origin', async () => {
+    const at = (...local) => local.map((x, i) => PLACE[i % 3] + x), cube = await bake([0, 0, 0]);
+    const scene = await library.bakeScene([far, cube], { mesh: [0, 1], translation: [0, 0, 0, ...at(8, 0, 0)] });
+    assert.deepStrictEqual(scene.report.warnings, []);
+    for (const each of [scene, library.openScene(scene.bytes())]) {
+        assert.deepStrictEqual(each.origin, scene.origin);
+        each.origin.forEach((x, i) => assert.ok(Math.abs(x - PLACE[i]) < 32));
+        const found = each.closestPoint(at(0, 0, 3, 8, 0, 3)), expected = at(0, 0, 2, 8, 0, 2);
+        assert.deepStrictEqual([...found.instance], [0, 1]);
+        assert.ok(found.point instanceof Float64Array);
+        found.point.forEach((x, i) => near(x, expected[i]));
+        const bounds = at(-2, -2, -2, 10, 2, 2);  // around boxes, which are larger
+        each.bounds.forEach((x, i) => assert.ok(i < 3 ? x < bounds[i] + NEAR && x > bounds[i] - 8 : x > bounds[i] - NEAR && x < bounds[i] + 8));
+        near(each.raycast(at(8, 0, 9), [0, 0, -1]).t[0], 7);
+        const corner = at(8, 0, 0);
+        [...each.instances().translation].slice(3).forEach((x, i) => near(x, corner[i]));
     }
+    const tile = library.createMovingScene([far], 4, { stepExponent: -6, tiles: [scene] }).seenFrom(PLACE);
+    tile.insert({ mesh: 1, translation: scene.origin });
+    tile.closestPoint(at(8, 0, 3)).point.forEach((x, i) => near(x, at(8, 0, 2)[i]));
+    const without = await library.bakeScene([far], {}, { origin: null });
+    assert.match(without.report.warnings[0], /instance 0 lies where float32 is coarser/);
+    assert.deepStrictEqual([...(await library.bakeScene([far], {}, { origin: PLACE })).origin], [...PLACE]);
+    assert.strictEqual(library.openScene(without.bytes()).report, null);
+    await rejects(library.bakeScene([far], {}, { origin: 'near' }), RangeError, /origin must be/);
+    await rejects(library.bakeScene([far], {}, { origin: [0, NaN, 0] }), BakeError, /origin/);
 });
 
 const WORLD = [99876.5, -42123.25, 12];  // as far as float32 has steps of 8 mm

@@ -161,13 +161,11 @@ void refuse_options_of_rigid_blobs(const BakeArguments& arguments) {
 
 void refuse_options_of_blobs(const BakeArguments& arguments) {
     if (arguments.instancing == Instancing::off) return;
-    const std::pair<const char*, bool> given[] = {
-        {"--remap", !arguments.remap.empty()},
-        {"--reorder", !arguments.reorder.empty()},
-        {"--max-bytes", arguments.max_bytes.has_value()},
-        {"--fastest-under", arguments.fastest_under.has_value()},
-        {"--max-error", arguments.max_error.has_value()},
-        {"--origin", arguments.origin != "auto" && arguments.origin != "none"}};
+    const std::pair<const char*, bool> given[] = {{"--remap", !arguments.remap.empty()},
+                                                  {"--reorder", !arguments.reorder.empty()},
+                                                  {"--max-bytes", arguments.max_bytes.has_value()},
+                                                  {"--fastest-under", arguments.fastest_under.has_value()},
+                                                  {"--max-error", arguments.max_error.has_value()}};
     for (const auto& [option, is_given] : given) {
         if (!is_given) continue;
         throw_error(ExitCode::usage, option, " is for one blob, and --instances makes a scene of several. ",
@@ -179,9 +177,8 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     BakeOptions options;
     options.resolution = resolution(arguments);
     options.origin = parse_origin(arguments.origin);
-    // A scene keeps no origin, and the poses of a deformable blob count from one that their user states.
-    const bool has_no_choice = arguments.deformable || arguments.instancing != Instancing::off;
-    if (!options.origin && has_no_choice) options.origin = Vec3d{};
+    // The poses of a deformable blob count from one that their user states.
+    if (!options.origin && arguments.deformable) options.origin = Vec3d{};
     if (arguments.profile) options.profile = *arguments.profile;
     if (arguments.deformable) {
         options.profile = Profile::fast;

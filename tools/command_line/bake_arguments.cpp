@@ -134,10 +134,10 @@ void add_bake(Verb verb, BakeArguments& arguments) {
     add_tree(verb, arguments);
     add_source(verb, arguments.source);
     verb.option("--origin", arguments.origin, "auto|none|X,Y,Z",
-                "What is subtracted from all coordinates, in float64, before they are rounded: 0 0 0 of the blob. The "
-                "blob keeps it, and query takes places of the source. auto chooses one near the middle where float32 "
-                "would move a coordinate by more than a quarter of a step, as with coordinates of maps; none with "
-                "--deformable and --instances")
+                "What is subtracted from all coordinates, in float64, before they are rounded: 0 0 0 of the blob or "
+                "scene, which keeps it, and query takes places of the source. auto chooses one near the middle where "
+                "float32 would move a coordinate by more than a quarter of a step, as with coordinates of maps; none "
+                "with --deformable")
         .with_default();
     add_sections(verb, arguments);
     verb.flag("--drop-bad-triangles", arguments.drop_bad_triangles,

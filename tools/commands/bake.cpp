@@ -139,12 +139,13 @@ ExitCode run_bake(const BakeArguments& arguments, std::vector<Warning>& warnings
     BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
-    const ImportResult imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+    ImportResult imported = import_with_progress(arguments.inputs, source, arguments.quiet);
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
     Poses poses = import_poses(arguments, source, imported, options.origin.value_or(Vec3d{}));
     if (options.deformation) options.deformation->poses = std::move(poses.positions);
+    if (arguments.instancing != Instancing::off) options.origin = move_to_origin(imported, options);
     const Baking baking{arguments, policy, console, imported, poses.files, options};
     return arguments.instancing == Instancing::off ? bake_blob(baking, warnings) : bake_scene(baking, warnings);
 }

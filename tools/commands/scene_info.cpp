@@ -16,6 +16,7 @@
 #include "layout/tree_quality.hpp"
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"
+#include "report/source_point.hpp"
 #include "scenes/plan.hpp"
 
 namespace espalier::tools {
@@ -127,6 +128,7 @@ void print_scene_json(const InfoArguments& arguments, std::span<const std::byte>
     document["sections"] = std::move(sections);
     document["step"] = json_number(lattice_step_of(scene));
     document["max_error"] = json_number(scene.max_error());
+    if (scene.source_origin() != Vec3d{}) document["source_origin"] = json_point(scene.source_origin());
     document["bounds"] = json_box(scene.bounds().min, scene.bounds().max);
     if (const auto common = scene.common_lattice()) {
         document["common_lattice"] = {{"step", json_number(std::ldexp(1.0f, common->step_exponent))},
@@ -215,6 +217,10 @@ void print_scene_table(const InfoArguments& arguments, std::span<const std::byte
     print_line("meshes", scene.meshes().size());
     if (!scene.tiles().empty()) print_line("tiles", scene.tiles().size());
     print_line("triangles", figures.triangles, " of all instances");
+    if (scene.source_origin() != Vec3d{}) {
+        print_line("source origin", words_for_origin(scene.source_origin()),
+                   " of the source is 0 0 0 of the scene, from which all coordinates here count");
+    }
     print_line("bounds", shortest(scene.bounds().min), " to ", shortest(scene.bounds().max));
     print_line("max error", shortest(scene.max_error()));
     print_line("tree", counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 #include <espalier/import.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include <import/base/numbers.hpp>
 

@@ -201,10 +201,8 @@ void list_k_dop(Bytes bytes, ByteListing& listing) {
 }
 
 void list_source_origin(Bytes bytes, ByteListing& listing) {
-    for (const char axis : {'x', 'y', 'z'}) {
-        const std::uint64_t low = read_u32(bytes, listing.at()), high = read_u32(bytes, listing.at() + 4);
-        listing.field(8, text(axis, " of the source where the blob has 0: ", std::bit_cast<double>(high << 32 | low)));
-    }
+    for (const char axis : {'x', 'y', 'z'})
+        listing.field(8, text(axis, " of the source where the blob has 0: ", read_f64(bytes, listing.at())));
 }
 
 void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing) {

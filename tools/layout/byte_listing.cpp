@@ -34,6 +34,9 @@ std::string value_of_field(Bytes bytes, const HeaderField& field) {
     if (field.kind == Kind::signed_integer)
         return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
     std::string values;
+    for (std::size_t at = field.at; field.kind == Kind::real64 && at < field.at + field.bytes; at += 8)
+        values += text(' ', read_f64(bytes, at));
+    if (!values.empty()) return values;
     for (std::size_t at = field.at; at < field.at + field.bytes; at += 4) {
         values +=
             field.kind == Kind::real

@@ -65,7 +65,7 @@ struct HeaderField {
     std::size_t bytes;
     const char* name;
     /// One number of up to 4 bytes, or several of 4.
-    enum class Kind : std::uint8_t { integer, signed_integer, real, hexadecimal, text, zero } kind;
+    enum class Kind : std::uint8_t { integer, signed_integer, real, real64, hexadecimal, text, zero } kind;
 };
 
 /// Lists the header at the beginning of the bytes, as far as there are bytes: a refused blob may end within it.

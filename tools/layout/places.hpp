@@ -26,6 +26,9 @@ std::uint32_t read_bits(Bytes bytes, std::size_t bit, unsigned width);
 inline std::uint32_t read_u8(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 8); }
 inline std::uint32_t read_u16(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 16); }
 inline std::uint32_t read_u32(Bytes bytes, std::size_t at) { return read_bits(bytes, 8 * at, 32); }
+inline double read_f64(Bytes bytes, std::size_t at) {
+    return std::bit_cast<double>(std::uint64_t{read_u32(bytes, at + 4)} << 32 | read_u32(bytes, at));
+}
 inline float read_f32(Bytes bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
 
 struct Section {

@@ -30,8 +30,8 @@ constexpr HeaderField scene_header_fields[] = {
     {format::scene::common_step_exponent_at, 2, "common lattice: step exponent", HeaderField::Kind::signed_integer},
     {format::scene::common_step_exponent_at + 2, 2, "reserved", HeaderField::Kind::zero},
     {format::scene::tile_mesh_count_at, 4, "meshes in tiles", HeaderField::Kind::integer},
-    {format::scene::zeros_at, format::scene::header_bytes - format::scene::zeros_at, "reserved",
-     HeaderField::Kind::zero},
+    {format::scene::zeros_at, 4, "reserved", HeaderField::Kind::zero},
+    {format::scene::source_origin_at, 24, "source origin", HeaderField::Kind::real64},
 };
 
 std::string floats_text(Bytes bytes, std::size_t at, unsigned count) {

@@ -78,7 +78,7 @@ QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : a
     read_words(*words);
     if (!arguments.mask.empty()) mask_ = mask_argument(arguments.mask);
     open_asset(kind);
-    if (scene() == nullptr) origin_ = blob().source_origin();
+    origin_ = scene() == nullptr ? blob().source_origin() : scene()->source_origin();
     if (origin_ != Vec3d{}) read_words(*words);
 }
 

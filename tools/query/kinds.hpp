@@ -52,7 +52,7 @@ public:
     /// Returns the mask for queries of a scene.
     [[nodiscard]] std::uint32_t mask() const { return mask_; }
     [[nodiscard]] const QueryArguments& options() const { return arguments_; }
-    /// Returns what the bake subtracted from places of the source; 0 0 0 for a scene, which keeps none.
+    /// Returns what the bake subtracted from places of the source.
     [[nodiscard]] const Vec3d& origin() const { return origin_; }
     /// Returns places of the answer in the coordinates of the source, as those of the question are.
     [[nodiscard]] SourcePoint in_source(Vec3 point) const { return {point, origin_}; }

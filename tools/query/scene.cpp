@@ -56,7 +56,9 @@ Answer instance_answer(QueryCall& call) {
     Record& record = answer.record.instance(*call.scene(), id);
     record.add("rotation", text(shortest(x), ' ', shortest(y), ' ', shortest(z), ' ', shortest(w)));
     record.add_silently("rotation", Json::array({json_number(x), json_number(y), json_number(z), json_number(w)}));
-    record.add("translation", instance.transform.translation).add("scale", instance.transform.scale);
+    if (id.in_tile == no_instance.in_tile) record.add("translation", call.in_source(instance.transform.translation));
+    else record.add("translation", instance.transform.translation);  // in the space of the tile
+    record.add("scale", instance.transform.scale);
     record.add_count("mask", instance.mask).add_count("user", instance.user).add_count("source", instance.source);
     return answer;
 }

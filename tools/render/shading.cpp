@@ -46,7 +46,7 @@ constexpr float margin = 1.12f;
 float radians(double degrees) { return static_cast<float>(degrees * std::numbers::pi / 180.0); }
 
 /// From axes in which +Y is up to axes in which `up` is.
-Vec3 turned(Vec3 a, Axis up) {
+Vec3 turned_up(Vec3 a, Axis up) {
     if (up == Axis::z) return {a.x, -a.z, a.y};
     if (up == Axis::x) return {a.y, -a.x, a.z};
     return a;
@@ -116,7 +116,7 @@ View view_from(Axis up, double azimuth, double elevation) {
     const float above = radians(elevation);
     const Vec3 towards{std::sin(around) * std::cos(above), std::sin(above), std::cos(around) * std::cos(above)};
     const Vec3 right{std::cos(around), 0.0f, -std::sin(around)};
-    return {turned(right, up), turned(cross(towards, right), up), turned(towards, up)};
+    return {turned_up(right, up), turned_up(cross(towards, right), up), turned_up(towards, up)};
 }
 
 Camera::Camera(const Subject& subject, const View& view, unsigned width, unsigned height)

@@ -1,6 +1,7 @@
 #include "baking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
 
+#include <baker/base/origin_choice.hpp>
 #include <import/base/placement.hpp>
 
 #include "bake/baking.hpp"
@@ -35,7 +37,6 @@ Resolution resolution_of(const Variant& variant, const Resolution& resolution) {
     return Resolution::tolerance(least * (1.0 - 0x1p-22));  // the error in world units is rounded up to float32
 }
 
-/// Bakes one mesh after the other and collects their instances.
 bool has_equal_corners(const ImportedMesh& mesh, const TriangleVertices& triangle) {
     const auto are_equal = [&mesh](std::uint32_t a, std::uint32_t b) {
         return a == b || mesh.positions[a] == mesh.positions[b];
@@ -58,16 +59,25 @@ std::uint64_t count_equal_corners(const ImportResult& imported) {
     return sum;
 }
 
+BakeOptions with_origin(BakeOptions options, const std::optional<Vec3d>& origin) {
+    options.origin = origin;
+    return options;
+}
+
+/// Bakes one mesh after the other and collects their instances.
 class SceneBaker {
 public:
     SceneBaker(const ImportResult& imported, Instancing instancing, const BakeOptions& options)
         : imported_(imported),
           instancing_(instancing),
-          options_(options),
+          options_(with_origin(options, Vec3d{})),
+          origin_(options.origin.value_or(Vec3d{})),
           plan_(plan_scene(imported, instancing, largest_placing_error(options.resolution))) {
         std::uint32_t meshes = 0;
         for (const ImportedFile& file : imported.files)
             first_user_.push_back(std::exchange(meshes, meshes + file.meshes));
+        if (origin_ == Vec3d{}) return;
+        for (Variant& variant : plan_.meshes) count_from_middle(variant);
     }
 
     SceneBake bake() {
@@ -110,6 +120,29 @@ private:
     [[nodiscard]] const ImportedPlace& place_of(const Variant& variant) const {
         return imported_.places[variant.uses.front().place];
     }
+    /// Lets a mesh that lies far from its own origin count from its middle, which its instances then place.
+    void count_from_middle(Variant& variant) const {
+        ImportResult mesh;
+        mesh.meshes.push_back(placed_mesh(imported_, place_of(variant), variant.placement));
+        const Vec3d middle = origin_of(mesh, with_origin(options_, std::nullopt));
+        if (middle == Vec3d{}) return;
+        std::vector<VariantUse> uses = variant.uses;
+        for (VariantUse& use : uses) {
+            const espalier::Transform& transform = use.fitted.transform;
+            const Vec3d to = use.fitted.offset + double(transform.scale) * turned(transform.rotation, middle);
+            const FittedTransform moved = fit_translation({to.x, to.y, to.z});
+            use.fitted.error +=
+                moved.error + 0x1p-50 * (length_of(use.fitted.offset) + double(transform.scale) * length_of(middle));
+            use.fitted.offset = moved.offset;
+            use.fitted.transform.translation = moved.transform.translation;
+            if (!(use.fitted.error <= largest_placing_error(options_.resolution))) return;
+        }
+        variant.uses = std::move(uses);
+        variant.placement.offset[0] -= middle.x;
+        variant.placement.offset[1] -= middle.y;
+        variant.placement.offset[2] -= middle.z;
+    }
+
     [[nodiscard]] bool is_empty(std::uint32_t mesh) const { return scene_.meshes[mesh].baked.tree.triangles == 0; }
 
     BakeResult bake_views(std::span<const MeshView> views, const Resolution& resolution) {
@@ -166,9 +199,7 @@ private:
         for (const std::uint32_t place : plan_.merged)
             merged.meshes.push_back(placed_mesh(imported_, imported_.places[place], imported_.places[place].placement));
         // Where float32 is too coarse for them they count from a translation, which it holds.
-        BakeOptions choosing = options_;
-        choosing.origin.reset();
-        const Vec3 origin = importer::to_float32(origin_of(merged, choosing));
+        const Vec3 origin = importer::to_float32(origin_of(merged, with_origin(options_, std::nullopt)));
         for (ImportedMesh& each : merged.meshes)
             for (Vec3d& position : each.positions) position = position - importer::to_float64(origin);
         const std::uint32_t mesh =
@@ -180,6 +211,7 @@ private:
         instance.mesh = mesh;
         instance.user = no_user;
         instances_.push_back(instance);
+        translations_.push_back(importer::to_float64(origin) + origin_);
         scene_.places.emplace_back();
     }
 
@@ -198,18 +230,23 @@ private:
         instance.mesh = mesh;
         instance.user = first_user_[place.file] + place.number;
         instances_.push_back(instance);
+        translations_.push_back(use.fitted.offset + origin_);
         scene_.places.emplace_back(use.place);
         note_error(scene_.meshes[mesh].baked.lattice.max_error * double(use.fitted.transform.scale), use.fitted.error);
     }
 
     void note_error(double of_mesh, double of_placing) {
+        of_placing += 0x1p-52 * length_of(origin_);  // sums with it are rounded to float64
         scene_.placing_error = std::max(scene_.placing_error, of_placing);
         scene_.max_error = std::max(scene_.max_error, of_mesh + of_placing);
     }
 
     SceneBake joined() {
         const std::vector<std::span<const std::byte>> blobs(blobs_.begin(), blobs_.end());
-        SceneBakeResult result = bake_scene(blobs, instances_);
+        SceneBakeOptions placed;
+        placed.origin = origin_;
+        if (origin_ != Vec3d{}) placed.translations = translations_;
+        SceneBakeResult result = bake_scene(blobs, instances_, placed);
         if (!result) {
             const bool is_ours = result.status == BakeStatus::internal || result.status == BakeStatus::invalid_mesh;
             throw_error(is_ours ? ExitCode::internal : ExitCode::unsupported,
@@ -218,6 +255,7 @@ private:
         scene_.bytes = std::move(result.bytes);
         scene_.report = result.report;
         scene_.total = total_.report();
+        std::ranges::copy(result.report.warnings, std::back_inserter(scene_.total.warnings));
         Findings& findings = scene_.total.findings;
         findings.equal_corners = std::min(findings.zero_area.count, count_equal_corners(imported_));
         return std::move(scene_);
@@ -225,17 +263,48 @@ private:
 
     const ImportResult& imported_;
     Instancing instancing_;
-    const BakeOptions& options_;
+    BakeOptions options_;  // of the meshes, which have no origin of their own
+    Vec3d origin_;
     ScenePlan plan_;
     SceneBake scene_;
     ReportTotal total_;
     std::vector<std::uint32_t> first_user_;  ///< of each file
     std::vector<std::vector<std::byte>> blobs_;
     std::vector<Instance> instances_;
+    std::vector<Vec3d> translations_;  // in the source
     std::size_t done_ = 0;
 };
 
 }  // namespace
+
+Vec3d move_to_origin(ImportResult& imported, const BakeOptions& options) {
+    Vec3d origin = options.origin.value_or(Vec3d{});
+    if (!options.origin) {
+        bool is_needed = false;
+        PointBox all;
+        for (const ImportedPlace& place : imported.places) {
+            const PointBox box = box_at(imported.meshes[place.mesh], place.placement);
+            if (imported.meshes[place.mesh].triangles.empty() || box.low[0] > box.high[0]) continue;
+            ImportResult corners;
+            ImportedMesh& mesh = corners.meshes.emplace_back();
+            mesh.positions = {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+            mesh.triangles = {{0, 1, 0}};
+            is_needed = is_needed || origin_of(corners, options) != Vec3d{};
+            for (const Vec3d& corner : mesh.positions) all.add(corner);
+        }
+        const double side = std::max({all.high[0] - all.low[0], all.high[1] - all.low[1], all.high[2] - all.low[2]});
+        if (is_needed && side <= double(std::numeric_limits<float>::max()))  // else no origin helps
+            origin = baker::origin_near_middle({all.low[0], all.low[1], all.low[2]},
+                                               {all.high[0], all.high[1], all.high[2]}, side);
+    }
+    if (origin == Vec3d{}) return origin;
+    for (ImportedPlace& place : imported.places) {
+        place.placement.offset[0] -= origin.x;
+        place.placement.offset[1] -= origin.y;
+        place.placement.offset[2] -= origin.z;
+    }
+    return origin;
+}
 
 SceneBake bake_scene_or_throw(const ImportResult& imported, Instancing instancing, const BakeOptions& options) {
     return SceneBaker(imported, instancing, options).bake();

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/import.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "base/exit_code.hpp"
 #include "base/verb_arguments.hpp"
@@ -39,8 +38,13 @@ struct SceneBake {
     double max_error = 0.0;      ///< the largest sum of that and of the error of the mesh, in world units
 };
 
-/// Bakes an import with ImportOptions::keep_places. A tolerance holds in world units, the error of placing included.
-/// Throws CommandError as bake_or_throw does, and (unsupported) beyond what a scene can hold.
+/// Moves the places of an import to the origin of its scene, which it returns: BakeOptions::origin, or one that is
+/// chosen where float32 is coarser than a quarter of a step of a mesh that needs float64. Near the middle then, else 0.
+Vec3d move_to_origin(ImportResult& imported, const BakeOptions& options);
+
+/// Bakes an import with ImportOptions::keep_places, whose places count from BakeOptions::origin. A tolerance holds in
+/// world units, the error of placing included. Throws CommandError as bake_or_throw does, and (unsupported) beyond what
+/// a scene can hold.
 SceneBake bake_scene_or_throw(const ImportResult& imported, Instancing instancing, const BakeOptions& options);
 
 /// Instance::user of the merged mesh. That of other instances is the number of the mesh at their place, counted through

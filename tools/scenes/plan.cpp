@@ -70,6 +70,7 @@ Variant standing_in_place(const ImportResult& imported, std::uint32_t place, dou
         const Vec3 middle = importer::to_float32(Vec3d{
             0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1]), 0.5 * (box.low[2] + box.high[2])});
         fitted.transform.translation = middle;
+        fitted.offset = importer::to_float64(middle);
         placement.offset[0] -= double(middle.x);
         placement.offset[1] -= double(middle.y);
         placement.offset[2] -= double(middle.z);

@@ -8,6 +8,7 @@
 
 #include "bake/policy.hpp"
 #include "layout/places.hpp"
+#include "report/source_point.hpp"
 
 namespace espalier::tools {
 
@@ -49,6 +50,10 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
                     counted(of_mesh.bytes, "byte"), ", ", of_mesh.lattice.bits, " bits, step ",
                     rounded(of_mesh.lattice.step), ", max error ", rounded(of_mesh.lattice.max_error));
     }
+    if (report.origin != Vec3d{}) {
+        console.say("origin: ", words_for_origin(report.origin),
+                    " of the source is 0 0 0 of the scene, from which its coordinates and the bounds count");
+    }
     const Box bounds = scene.bounds();
     console.say("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max), " (around boxes of instances)");
     console.say("max error: ", shortest(report.max_error),
@@ -71,6 +76,7 @@ Json scene_json(const BakeArguments& arguments, const ImportResult& imported, co
     document["triangles"] = report.triangles;
     document["findings"] = findings_json(baked.total);
     document["bounds"] = json_box(scene.bounds().min, scene.bounds().max);
+    if (report.origin != Vec3d{}) document["source_origin"] = json_point(report.origin);
     document["max_error"] = json_number(report.max_error);
     document["placing_error"] = baked.placing_error;
     document["total_error"] = baked.max_error;

@@ -160,6 +160,7 @@ FittedTransform fit_translation(const std::array<double, 3>& offset) {
     for (double& coordinate : kept)
         if (std::abs(coordinate) <= turning_noise * longest) coordinate = 0.0;
     fitted.transform.translation = in_floats(kept);
+    fitted.offset = {kept[0], kept[1], kept[2]};
     const Numbers moved = numbers_of(fitted.transform.translation);
     fitted.error = length({offset[0] - moved[0], offset[1] - moved[1], offset[2] - moved[2]});
     return fitted;

@@ -21,6 +21,7 @@ namespace espalier::tools {
 struct FittedTransform {
     Transform transform;
     double error = 0.0;
+    Vec3d offset = {};  ///< the translation before it was rounded
 };
 
 /// Returns the Transform of a placement, or nothing if there is none whose error is due to rounding alone: the

@@ -106,7 +106,7 @@ Measured measure(const Blob& blob, const Vec3d& place) {
 }
 
 Measured measure(const BakedScene& scene, const Vec3d& place) {
-    const Vec3 point = to_float32(place);
+    const Vec3 point = to_float32(place - scene.source_origin());
     const auto distance = double(closest_point(scene, point)->distance);
     return {distance, measuring_error_at(scene, point, distance)};
 }

@@ -48,7 +48,8 @@ public:
 
     [[nodiscard]] std::uint64_t size() const override { return has_source_.size(); }
 
-    Match match(const SourceCorners& corners) override {
+    Match match(const SourceCorners& in_source) override {
+        const SourceCorners corners = from_origin(in_source);
         const Vec3d middle = middle_of(corners);
         const Vec3 point = to_float32(middle);
         const double tolerance = corner_tolerance(scene_.max_error());
@@ -70,7 +71,8 @@ public:
     }
 
     /// On its lattice each corner may have moved by max error, towards the opposite edge.
-    [[nodiscard]] bool may_collapse(const SourceCorners& corners) const override {
+    [[nodiscard]] bool may_collapse(const SourceCorners& in_source) const override {
+        const SourceCorners corners = from_origin(in_source);
         const auto max_error = static_cast<double>(scene_.max_error());
         return height_of(corners) <= 2.0 * (max_error + measuring_error_at(scene_, to_float32(corners[0]), max_error));
     }
@@ -99,6 +101,11 @@ private:
         if (part < meshes) return visit(InstanceId{index});
         const std::uint32_t count = scene_.tiles()[part - meshes].instance_count();
         for (std::uint32_t in_tile = 0; in_tile < count; ++in_tile) visit(InstanceId{index, in_tile});
+    }
+
+    [[nodiscard]] SourceCorners from_origin(const SourceCorners& corners) const {
+        const Vec3d origin = scene_.source_origin();
+        return {corners[0] - origin, corners[1] - origin, corners[2] - origin};
     }
 
     /// Returns the number of the first triangle of an instance.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "town.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/bake.hpp>
 
 namespace flag {
 

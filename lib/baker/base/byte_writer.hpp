@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <espalier/types.hpp>
+
 namespace espalier::baker {
 
 inline void put_u8(std::vector<std::byte>& bytes, std::uint32_t value) {
@@ -33,6 +35,15 @@ inline void set_u24(std::byte* at, std::uint32_t value) {
 inline void set_u32(std::byte* at, std::uint32_t value) {
     set_u16(at, value & 0xFFFF);
     set_u16(at + 2, value >> 16);
+}
+
+inline void set_vec3d(std::byte* at, const Vec3d& place) {
+    for (const double coordinate : {place.x, place.y, place.z}) {
+        const auto bits = std::bit_cast<std::uint64_t>(coordinate);
+        set_u32(at, static_cast<std::uint32_t>(bits));
+        set_u32(at + 4, static_cast<std::uint32_t>(bits >> 32));
+        at += 8;
+    }
 }
 
 /// Zero bytes up to a multiple of `unit`, counted from the start of the buffer.

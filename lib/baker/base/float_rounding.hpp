@@ -23,6 +23,15 @@ namespace espalier::baker {
     return rounded != 0.0f ? std::max(rounded, std::numeric_limits<float>::min()) : rounded;
 }
 
+/// Whether float32 holds a position as it is.
+[[nodiscard]] inline bool fits_float32(const Vec3d& point) {
+    constexpr double beyond_float32 = 0x1.ffffffp127;  // from here on the nearest float32 is infinite
+    const auto fits = [](double coordinate) {
+        return std::abs(coordinate) < beyond_float32 && double(static_cast<float>(coordinate)) == coordinate;
+    };
+    return fits(point.x) && fits(point.y) && fits(point.z);
+}
+
 /// The greatest float32 that is at most a value.
 [[nodiscard]] inline float round_down_to_float(double value) {
     const auto rounded = static_cast<float>(value);

@@ -85,6 +85,7 @@ size_t espalier_size_of_baking(const char* name) {
     const std::string_view structure = name;
     if (structure == "mesh_view") return sizeof(espalier_mesh_view);
     if (structure == "bake_options") return sizeof(espalier_bake_options);
+    if (structure == "scene_bake_options") return sizeof(espalier_scene_bake_options);
     if (structure == "bake_result") return sizeof(espalier_bake_result);
     if (structure == "bake_report") return sizeof(espalier_bake_report);
     if (structure == "bake_finding") return sizeof(espalier_bake_finding);

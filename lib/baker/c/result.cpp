@@ -93,6 +93,17 @@ espalier_bake_finding in_c(const Finding& finding, Cutter& cutter) {
     return {finding.count, cutter.text(finding.first), in_c(finding.place)};
 }
 
+void put_warnings(const std::vector<BakeWarning>& given, Cutter& cutter, espalier_bake_report& report) {
+    report.warning_count = given.size();
+    auto* const warnings = cutter.array<espalier_bake_warning>(given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const char* const message = cutter.text(given[i].message);
+        const auto kind = static_cast<espalier_bake_warning_kind>(given[i].kind);
+        if (warnings != nullptr) new (warnings + i) espalier_bake_warning{message, kind};
+    }
+    report.warnings = given.empty() ? nullptr : warnings;
+}
+
 espalier_bake_report in_c(const BakeReport& report, Cutter& cutter) {
     espalier_bake_report in_c_terms = {};
     in_c_terms.source_triangles = report.source.triangles;
@@ -127,14 +138,7 @@ espalier_bake_report in_c(const BakeReport& report, Cutter& cutter) {
     in_c_terms.bytes = report.bytes;
     in_c_terms.seconds = report.seconds;
     in_c_terms.is_closed = report.closed ? 1 : 0;
-    in_c_terms.warning_count = report.warnings.size();
-    auto* const warnings = cutter.array<espalier_bake_warning>(report.warnings.size());
-    for (std::size_t i = 0; i < report.warnings.size(); ++i) {
-        const char* const message = cutter.text(report.warnings[i].message);
-        const auto kind = static_cast<espalier_bake_warning_kind>(report.warnings[i].kind);
-        if (warnings != nullptr) new (warnings + i) espalier_bake_warning{message, kind};
-    }
-    in_c_terms.warnings = report.warnings.empty() ? nullptr : warnings;
+    put_warnings(report.warnings, cutter, in_c_terms);
     return in_c_terms;
 }
 
@@ -160,6 +164,10 @@ void write_piece(const BakeResult& baked, bool with_remap, Cutter& cutter, Piece
 
 void write_piece(const SceneBakeResult& baked, Cutter& cutter, Piece& piece) {
     piece.report = empty_report();
+    piece.report.max_error = double(baked.report.max_error);
+    piece.report.origin = {baked.report.origin.x, baked.report.origin.y, baked.report.origin.z};
+    piece.report.bytes = baked.report.bytes;
+    put_warnings(baked.report.warnings, cutter, piece.report);
     piece.result.bytes = cutter.copy(std::span<const std::byte>(baked.bytes), blob_alignment);
     piece.result.byte_count = baked.bytes.size();
     piece.result.message = cutter.text(baked.message);

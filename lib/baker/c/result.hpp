@@ -1,8 +1,8 @@
 // Results for C: one piece of memory each.
 #pragma once
 
-#include <espalier/bake.hpp>
 #include <espalier/c/bake.h>
+#include <espalier/scenes/bake.hpp>
 
 #include <baker/c/failure.hpp>
 

@@ -6,18 +6,20 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include <baker/c/failure.hpp>
 #include <baker/c/result.hpp>
+#include <baker/c/structure.hpp>
 
 using namespace espalier;
 using namespace espalier::baker;
 
 static_assert(sizeof(Instance) == sizeof(espalier_instance) && std::is_trivially_copyable_v<Instance>);
+static_assert(sizeof(Vec3d) == sizeof(espalier_vec3d) && std::is_trivially_copyable_v<Vec3d>);
 
 namespace {
 
@@ -41,18 +43,32 @@ const espalier_bake_result* refuse_null(const Blob* blobs, std::size_t blob_coun
     return nullptr;
 }
 
+/// Copies an array of C, which may lie at any address.
+template <class Value>
+std::vector<Value> copy_of(const void* given, std::size_t count) {
+    std::vector<Value> values(count);
+    if (count != 0) std::memcpy(static_cast<void*>(values.data()), given, count * sizeof(Value));
+    return values;
+}
+
 /// May throw whatever bake_scene() throws.
 const espalier_bake_result* bake_from_c(const espalier_bytes* blobs, std::size_t blob_count,
-                                        const espalier_instance* given, std::size_t instance_count) {
+                                        const espalier_instance* given, std::size_t instance_count,
+                                        const espalier_scene_bake_options* given_options) {
     if (const auto* refused = refuse_null(blobs, blob_count)) return refused;
     if (given == nullptr && instance_count != 0) return refuse("instances", "instance_count", instance_count);
+    espalier_scene_bake_options read = {};
+    if (given_options != nullptr)
+        if (auto complaint = read_structure(given_options, sizeof read, "the structure of options", read))
+            return make_result(Failure{ESPALIER_BAKE_INVALID_ARGUMENT, std::move(*complaint)}, default_memory);
     std::vector<std::span<const std::byte>> bytes;
     for (const espalier_bytes& blob : std::span(blobs, blob_count))
         bytes.push_back(span_of(blob.bytes, blob.byte_count));
-    std::vector<Instance> instances(instance_count);
-    if (instance_count != 0)
-        std::memcpy(static_cast<void*>(instances.data()), given, instance_count * sizeof(Instance));
-    return make_result(bake_scene(bytes, instances), default_memory);
+    const auto instances = copy_of<Instance>(given, instance_count);
+    const auto translations = copy_of<Vec3d>(read.translations, read.translations == nullptr ? 0 : instance_count);
+    SceneBakeOptions options{translations, Vec3d{read.origin.x, read.origin.y, read.origin.z}};
+    if (read.chooses_origin != 0) options.origin.reset();
+    return make_result(bake_scene(bytes, instances, options), default_memory);
 }
 
 /// May throw whatever join_borders() throws.
@@ -81,10 +97,15 @@ const espalier_bake_result* checked(const void* bytes, std::size_t count,
 
 }  // namespace
 
+void espalier_init_scene_bake_options(espalier_scene_bake_options* options, size_t size) {
+    write_defaults(options, size, espalier_scene_bake_options());
+}
+
 const espalier_bake_result* espalier_bake_scene(const espalier_bytes* blobs, size_t blob_count,
-                                                const espalier_instance* instances, size_t instance_count) {
+                                                const espalier_instance* instances, size_t instance_count,
+                                                const espalier_scene_bake_options* options) {
     return without_exceptions(default_memory,
-                              [&] { return bake_from_c(blobs, blob_count, instances, instance_count); });
+                              [&] { return bake_from_c(blobs, blob_count, instances, instance_count, options); });
 }
 
 const espalier_bake_result* espalier_join_borders(const espalier_joined_blob* blobs, size_t blob_count,

@@ -97,11 +97,8 @@ void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const Wid
 }
 
 void put_source_origin(std::vector<std::byte>& blob, const Vec3d& origin) {
-    for (const double coordinate : {origin.x, origin.y, origin.z}) {
-        const auto bits = std::bit_cast<std::uint64_t>(coordinate);
-        put_u32(blob, static_cast<std::uint32_t>(bits));
-        put_u32(blob, static_cast<std::uint32_t>(bits >> 32));
-    }
+    blob.resize(blob.size() + format::source_origin::bytes);
+    set_vec3d(blob.data() + blob.size() - format::source_origin::bytes, origin);
 }
 
 void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <baker/base/float_rounding.hpp>
 #include <baker/base/number_text.hpp>
 #include <baker/input/check_deformation.hpp>
 #include <baker/input/positions.hpp>

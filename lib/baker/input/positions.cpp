@@ -19,13 +19,6 @@ Vec3d given_position(const MeshView& mesh, std::size_t number) {
     return mesh.float64_positions.empty() ? to_float64(mesh.positions[number]) : mesh.float64_positions[number];
 }
 
-bool fits_float32(const Vec3d& point) {
-    const auto fits = [](double coordinate) {
-        return std::abs(coordinate) < beyond_float32 && double(static_cast<float>(coordinate)) == coordinate;
-    };
-    return fits(point.x) && fits(point.y) && fits(point.z);
-}
-
 double PositionsFromOrigin::subtract(double given, double origin, double& error) const {
     const double difference = given - origin;
     if (!std::isfinite(difference)) return difference;

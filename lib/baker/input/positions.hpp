@@ -15,9 +15,6 @@ namespace espalier::baker {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-/// Whether float32 holds a position as it is.
-[[nodiscard]] bool fits_float32(const Vec3d& point);
-
 /// Positions less an origin.
 class PositionsFromOrigin {
 public:

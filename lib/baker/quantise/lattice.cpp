@@ -6,6 +6,7 @@
 
 #include <baker/base/float_rounding.hpp>
 #include <baker/base/number_text.hpp>
+#include <baker/base/origin_choice.hpp>
 #include <baker/input/positions.hpp>
 
 namespace espalier::baker {
@@ -54,12 +55,6 @@ Lattice lattice_at(const SourceBounds& bounds, int step_exponent, unsigned bits)
     return {{snapped(bounds.min.x), snapped(bounds.min.y), snapped(bounds.min.z)}, step_exponent, bits};
 }
 
-int exponent_of(double value) {
-    int exponent = 0;
-    std::frexp(value, &exponent);
-    return exponent;
-}
-
 /// Returns about the exponent of the step that a resolution gives.
 int step_exponent_of(const Resolution& resolution, double largest_side) {
     switch (resolution.kind()) {
@@ -71,11 +66,6 @@ int step_exponent_of(const Resolution& resolution, double largest_side) {
             break;
     }
     return step_exponent_for_tolerance(resolution.value());
-}
-
-/// Whether float32 moves a coordinate, by half its spacing, farther than a quarter of a step.
-bool is_too_coarse(double coordinate, int step_exponent) {
-    return exponent_of(coordinate) - std::numeric_limits<float>::digits - 1 > step_exponent - 2;
 }
 
 }  // namespace
@@ -102,14 +92,9 @@ Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options
     bounds.measure();
     const double side = bounds.largest_side;
     if (!is_rounded || !(side > 0.0) || !std::isfinite(side) ||
-        !is_too_coarse(bounds.largest_coordinate, step_exponent_of(options.resolution, side)))
+        !is_too_coarse(bounds.largest_coordinate, std::ldexp(1.0, step_exponent_of(options.resolution, side))))
         return {};
-    const double spacing = std::ldexp(1.0, exponent_of(side));
-    const auto near_middle = [&](double low, double high) {
-        return std::nearbyint((0.5 * low + 0.5 * high) / spacing) * spacing + 0.0;
-    };
-    return {near_middle(bounds.min.x, bounds.max.x), near_middle(bounds.min.y, bounds.max.y),
-            near_middle(bounds.min.z, bounds.max.z)};
+    return origin_near_middle(bounds.min, bounds.max, side);
 }
 
 float largest_snap_error(int step_exponent) {

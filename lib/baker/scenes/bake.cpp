@@ -1,5 +1,5 @@
 // Joins blobs and instances in a scene.
-#include <espalier/bake.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -10,15 +10,18 @@
 #include <string>
 
 #include <espalier/format.hpp>
-#include <espalier/scene.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 
 #include <baker/base/byte_writer.hpp>
 #include <baker/base/expected.hpp>
+#include <baker/base/float_rounding.hpp>
+#include <baker/base/number_text.hpp>
 #include <baker/scenes/common_lattice.hpp>
 #include <baker/scenes/instance_boxes.hpp>
 #include <baker/scenes/instance_tree.hpp>
 #include <baker/scenes/part.hpp>
+#include <baker/scenes/placing.hpp>
 
 namespace espalier {
 
@@ -37,10 +40,12 @@ struct Parts {
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
-bool is_valid(const Transform& transform) {
-    const Vec3 moved = to_local(transform, transform.translation);
-    return std::isfinite(moved.x) && std::isfinite(moved.y) && std::isfinite(moved.z);
+template <class Vector>
+bool is_finite(const Vector& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+
+bool is_valid(const Transform& transform) { return is_finite(to_local(transform, transform.translation)); }
 
 /// The numbers of parts, by the checksum of their bytes.
 using NumbersByChecksum = std::multimap<std::uint32_t, std::uint32_t>;
@@ -73,7 +78,8 @@ void put_meshes_first(Parts& found) {
         if (given != unused) given = number[given];
 }
 
-Expected<Parts> find_parts(std::span<const Bytes> blobs, std::span<const Instance> instances) {
+Expected<Parts> find_parts(std::span<const Bytes> blobs, std::span<const Instance> instances,
+                           const SceneBakeOptions& options) {
     Parts found;
     NumbersByChecksum numbers;
     found.number_of_given.assign(blobs.size(), unused);
@@ -84,7 +90,9 @@ Expected<Parts> find_parts(std::span<const Bytes> blobs, std::span<const Instanc
             return Refusal{BakeStatus::invalid_mesh, name + " is of mesh " + std::to_string(instance.mesh) + ", but " +
                                                          std::to_string(blobs.size()) +
                                                          " meshes were given; count meshes from 0"};
-        if (!is_valid(instance.transform))
+        Transform transform = instance.transform;
+        if (!options.translations.empty()) transform.translation = {};
+        if (!is_valid(transform) || (!options.translations.empty() && !is_finite(options.translations[i])))
             return Refusal{BakeStatus::invalid_mesh,
                            name +
                                " has a transform that cannot be applied: all numbers must be finite, the rotation "
@@ -120,11 +128,19 @@ void put_common_lattice(std::byte* header, const espalier::Lattice& region) {
     }
 }
 
+void put_source_origin(std::byte* header, const Vec3d& origin) {
+    using namespace format::scene;
+    if (origin == Vec3d{}) return;
+    set_u16(header + version_minor_at, version_minor_of_source_origin);
+    set_u32(header + features_at, detail::load_u32(header + features_at) | has_source_origin);
+    set_vec3d(header + source_origin_at, origin);
+}
+
 void put_header(std::byte* header, const SceneReport& report, const BoxLattice& lattice) {
     using namespace format::scene;
     set_u32(header + magic_at, magic);
     set_u16(header + version_major_at, version_major);
-    set_u16(header + version_minor_at, version_minor);
+    set_u16(header + version_minor_at, 0);  // the lowest that suffices
     set_u32(header + total_bytes_at, static_cast<std::uint32_t>(report.bytes));
     set_u8(header + depth_at, report.depth);
     set_u16(header + step_exponent_at, static_cast<std::uint32_t>(lattice.step_exponent) & 0xFFFF);
@@ -143,31 +159,91 @@ void put_header(std::byte* header, const SceneReport& report, const BoxLattice& 
 
 Refusal too_large(const std::string& what) { return {BakeStatus::too_large, what + "; split the scene into several"}; }
 
-Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Instance> instances) {
-    if (instances.size() > format::scene::max_instances)
-        return too_large("there are " + std::to_string(instances.size()) + " instances; a scene holds at most " +
+/// The instances as the scene has them.
+struct PlacedInstances {
+    std::vector<Instance> instances;
+    std::vector<double> moved;  ///< by rounding
+};
+
+/// Places instances in the scene; the report receives its origin and warnings.
+PlacedInstances place_instances(const Parts& found, std::span<const PartBoxes> boxes_of_parts,
+                                std::span<const Instance> given, const SceneBakeOptions& options, SceneReport& report) {
+    std::vector<ExactPlace> places;
+    std::vector<PlacedBox> boxes;
+    const bool is_elsewhere = options.origin.value_or(Vec3d{}) != Vec3d{};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        Transform transform = given[i].transform;
+        const std::uint32_t number = found.number_of_given[given[i].mesh];
+        const ScenePart& part = found.parts[number];
+        const Vec3d of_transform = to_float64(transform.translation);
+        const Vec3d translation = options.translations.empty() ? of_transform : options.translations[i];
+        const Vec3d& place = places.emplace_back(transform, translation, part.source_origin()).rounded();
+        transform.translation = {};
+        WorldBox box = boxes_of_parts[number].lattice_at(transform);
+        const double coordinates[3] = {place.x, place.y, place.z};
+        for (std::size_t k = 0; k < 3; ++k) {
+            box.lo[k] += coordinates[k];
+            box.hi[k] += coordinates[k];
+        }
+        boxes.push_back({box, part.finest_step() * double(transform.scale),
+                         part.source_origin() != Vec3d{} || !fits_float32(translation) || is_elsewhere});
+    }
+    report.origin = options.origin ? *options.origin : choose_scene_origin(boxes);
+    const auto far = find_too_far(boxes, report.origin);
+    if (far && options.origin && choose_scene_origin(boxes) != Vec3d{})
+        report.warnings.push_back({BakeWarning::Kind::step_below_float_spacing,
+                                   "instance " + std::to_string(*far) +
+                                       " lies where float32 is coarser than a quarter of its lattice step " +
+                                       short_number_text(boxes[*far].step) +
+                                       ": choose an origin near the instances, or let the baker choose one."});
+    PlacedInstances placed{{given.begin(), given.end()}, std::vector<double>(given.size())};
+    for (std::size_t i = 0; i < given.size(); ++i)
+        if (boxes[i].is_in_float64 || report.origin != Vec3d{} || !options.translations.empty())
+            placed.instances[i].transform.translation = places[i].seen_from(report.origin, placed.moved[i]);
+    return placed;
+}
+
+std::optional<Refusal> find_bad_option(std::size_t instances, const SceneBakeOptions& options) {
+    const std::size_t count = options.translations.size();
+    if (count != 0 && count != instances)
+        return Refusal{BakeStatus::invalid_options, std::to_string(count) + " translations are given for " +
+                                                        std::to_string(instances) +
+                                                        " instances; give one for each, or none"};
+    if (options.origin && !is_finite(*options.origin))
+        return Refusal{BakeStatus::invalid_options, "the origin has " + find_not_finite(*options.origin).value_or("") +
+                                                        "; choose finite numbers, or none"};
+    return std::nullopt;
+}
+
+Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Instance> given,
+                               const SceneBakeOptions& options) {
+    if (given.size() > format::scene::max_instances)
+        return too_large("there are " + std::to_string(given.size()) + " instances; a scene holds at most " +
                          std::to_string(format::scene::max_instances));
-    const Expected<Parts> found = find_parts(blobs, instances);
+    if (auto refusal = find_bad_option(given.size(), options)) return *refusal;
+    const Expected<Parts> found = find_parts(blobs, given, options);
     if (!found) return found.refusal();
     const std::vector<ScenePart>& parts = found->parts;
 
     SceneBakeResult result;
     SceneReport& report = result.report;
     std::vector<PartBoxes> boxes_of_parts(parts.begin(), parts.end());
+    const auto [instances, moved] = place_instances(*found, boxes_of_parts, given, options, report);
     std::vector<std::uint64_t> triangles_of_parts;
     triangles_of_parts.reserve(parts.size());
     for (const ScenePart& part : parts) triangles_of_parts.push_back(part.triangle_count());
     std::vector<WorldBox> boxes;
     std::vector<WorldBox> lattices;
     std::vector<std::optional<espalier::Lattice>> lattice_of_instance;
-    for (const Instance& instance : instances) {
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Instance& instance = instances[i];
         const std::uint32_t number = found->number_of_given[instance.mesh];
         const ScenePart& part = parts[number];
         boxes.push_back(boxes_of_parts[number].at(instance.transform));
         lattices.push_back(boxes_of_parts[number].lattice_at(instance.transform));
         lattice_of_instance.push_back(part.lattice());
         report.triangles += triangles_of_parts[number];
-        report.max_error = std::max(report.max_error, part.error_at(instance.transform));
+        report.max_error = std::max(report.max_error, part.error_at(instance.transform, moved[i]));
     }
     BoxLattice lattice;
     if (!fit_boxes(boxes, lattices, lattice) || !std::isfinite(report.max_error))
@@ -200,6 +276,7 @@ Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Ins
         put_common_lattice(bytes.data(), common->region);
         report.on_common_lattice = common->instances;
     }
+    put_source_origin(bytes.data(), report.origin);
     set_u32(bytes.data() + format::scene::checksum_at, detail::checksum_of_blob(bytes));
     result.bytes = std::move(bytes);
     result.status = BakeStatus::ok;
@@ -210,8 +287,9 @@ Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Ins
 
 }  // namespace baker
 
-SceneBakeResult bake_scene(std::span<const std::span<const std::byte>> blobs, std::span<const Instance> instances) {
-    baker::Expected<SceneBakeResult> result = baker::join(blobs, instances);
+SceneBakeResult bake_scene(std::span<const std::span<const std::byte>> blobs, std::span<const Instance> instances,
+                           const SceneBakeOptions& options) {
+    baker::Expected<SceneBakeResult> result = baker::join(blobs, instances, options);
     if (result) return std::move(*result);
     SceneBakeResult refused;
     refused.status = result.refusal().status;

@@ -1,8 +1,11 @@
 #include <baker/scenes/part.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-#include <espalier/bake.hpp>
+#include <espalier/scenes/bake.hpp>
 #include <espalier/format.hpp>
 #include <runtime/base/bits.hpp>
 
@@ -45,8 +48,23 @@ std::optional<espalier::Lattice> ScenePart::lattice() const {
     return common ? std::optional(*common) : std::nullopt;
 }
 
-float ScenePart::error_at(const Transform& transform) const {
-    return round_up_to_float(double(tree().max_error) * double(transform.scale));
+double ScenePart::finest_step() const {
+    const auto step_of = [](const Blob& mesh) {
+        return mesh.triangle_count() == 0 ? std::numeric_limits<double>::infinity()
+                                          : std::ldexp(1.0, mesh.lattice().step_exponent);
+    };
+    if (!is_tile()) return step_of(mesh_);
+    double finest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < tile_.instance_count(); ++i) {
+        const Instance instance = *instance_at(tile_, {i});
+        finest = std::min(finest, double(instance.transform.scale) * step_of(tile_.meshes()[instance.mesh]));
+    }
+    return finest;
+}
+
+float ScenePart::error_at(const Transform& transform, double moved) const {
+    const double of_part = double(tree().max_error) * double(transform.scale);  // exact
+    return round_up_to_float(moved == 0.0 ? of_part : (of_part + moved) * (1.0 + 0x1p-50));
 }
 
 std::optional<std::string> ScenePart::find_fault() const {

@@ -34,8 +34,13 @@ public:
     }
     /// Returns the lattice on which the corners lie, if there are any: in a tile the common lattice of instances.
     [[nodiscard]] std::optional<espalier::Lattice> lattice() const;
-    /// Returns a bound on the distance between the surface and its source at a place, in world units.
-    [[nodiscard]] float error_at(const Transform& transform) const;
+    /// Returns where the local origin lies in the source.
+    [[nodiscard]] Vec3d source_origin() const { return is_tile() ? tile_.source_origin() : mesh_.source_origin(); }
+    /// Returns the step of the lattice, in a tile the finest one of its instances; infinite without triangles.
+    [[nodiscard]] double finest_step() const;
+    /// Returns a bound on the distance between the surface and its source at a place that was moved by rounding, in
+    /// world units.
+    [[nodiscard]] float error_at(const Transform& transform, double moved) const;
     /// Returns what verify() or verify_scene() finds wrong.
     [[nodiscard]] std::optional<std::string> find_fault() const;
 

@@ -227,10 +227,25 @@ typedef struct espalier_bytes {
     size_t byte_count;
 } espalier_bytes;
 
-/* Joins blobs and instances in one scene, as bake_scene() of bake.hpp: `mesh` of an instance is an index into `blobs`,
- * and scenes among the blobs become tiles. The result has the bytes of the scene; its report is all zero. */
+/* The options of a scene: SceneBakeOptions of C++. */
+typedef struct espalier_scene_bake_options {
+    size_t size; /* of this structure */
+    const espalier_vec3d*
+        translations;       /* of each instance, in place of that of its transform; null: of the transforms */
+    espalier_vec3d origin;  /* is subtracted from each place; the scene keeps it: espalier_scene_source_origin() */
+    uint8_t chooses_origin; /* a flag: the baker chooses the origin, not `origin`, where float32 is too coarse */
+} espalier_scene_bake_options;
+
+/* Sets the defaults of C++. `size` is sizeof(espalier_scene_bake_options). */
+void espalier_init_scene_bake_options(espalier_scene_bake_options* options, size_t size);
+
+/* Joins blobs and instances in one scene, as bake_scene() of scenes/bake.hpp: `mesh` of an instance is an index into
+ * `blobs`, and scenes among the blobs become tiles. A transform places the source of a blob, also if that has an
+ * origin. Null options are the defaults. The result has the bytes of the scene; of its report only `max_error`,
+ * `origin`, `bytes` and the warnings count, the rest is zero. */
 const espalier_bake_result* espalier_bake_scene(const espalier_bytes* blobs, size_t blob_count,
-                                                const espalier_instance* instances, size_t instance_count);
+                                                const espalier_instance* instances, size_t instance_count,
+                                                const espalier_scene_bake_options* options);
 
 /* A blob that espalier_join_borders() changes, and how far it is moved in the world. */
 typedef struct espalier_joined_blob {
@@ -245,7 +260,7 @@ typedef struct espalier_joined_blob {
 const espalier_bake_result* espalier_join_borders(const espalier_joined_blob* blobs, size_t blob_count,
                                                   uint64_t* edges);
 
-/* Tests whether a blob or a scene is what its header states, as verify() and verify_scene() of bake.hpp. The status is
+/* Tests whether a blob or a scene is what its header states, as verify() and verify_scene() of C++. The status is
  * ok or ESPALIER_BAKE_NOT_SOUND with the first thing that is wrong; the result has no bytes. Memory: about 60 bytes per
  * triangle. */
 const espalier_bake_result* espalier_verify(const void* bytes, size_t byte_count);

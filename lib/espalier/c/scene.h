@@ -85,6 +85,9 @@ const espalier_scene* espalier_scene_tiles(const espalier_scene* scene, size_t* 
 uint32_t espalier_scene_size(const espalier_scene* scene);
 /* Returns the largest distance between the surface of any instance and its source, in world units. */
 float espalier_scene_max_error(const espalier_scene* scene);
+/* Returns where 0 0 0 of the scene lies in its source, which the baker subtracted from all places; of most scenes, and
+ * of a view of a moving one, 0 0 0. */
+espalier_vec3d espalier_scene_source_origin(const espalier_scene* scene);
 /* Returns a box around the boxes and the local origins of all instances. */
 espalier_box espalier_scene_bounds(const espalier_scene* scene);
 /* Returns the region that holds the instances which lie on one lattice. */

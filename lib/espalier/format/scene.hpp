@@ -13,7 +13,8 @@ namespace espalier::format::scene {
 
 inline constexpr std::uint32_t magic = 0x53505345u;  // "ESPS"
 inline constexpr std::uint16_t version_major = 1;
-inline constexpr std::uint16_t version_minor = 0;
+inline constexpr std::uint16_t version_minor = 1;
+inline constexpr std::uint16_t version_minor_of_source_origin = 1;
 inline constexpr unsigned bits = max_bits;             ///< of the scene's lattice
 inline constexpr std::uint32_t max_meshes = 1u << 24;  ///< and tiles
 inline constexpr std::uint32_t max_instances = 1u << 24;
@@ -27,6 +28,7 @@ inline constexpr std::size_t total_bytes_at = header::total_bytes_at;
 inline constexpr std::size_t checksum_at = header::checksum_at;
 inline constexpr std::size_t features_at = header::features_at;            // u32
 inline constexpr std::uint32_t has_common_lattice = 1;                     // of features; else common_* are 0
+inline constexpr std::uint32_t has_source_origin = 2;                      // of features; else the origin is 0
 inline constexpr std::size_t depth_at = 20;                                // u8; the byte behind it is zero
 inline constexpr std::size_t step_exponent_at = header::step_exponent_at;  // i16
 inline constexpr std::size_t mesh_count_at = 24;                           // u32
@@ -40,7 +42,8 @@ inline constexpr std::size_t common_origin_at = 68;                        // 3 
 inline constexpr std::size_t common_extent_at = 80;                        // 3 x u32, below 2^bits
 inline constexpr std::size_t common_step_exponent_at = 92;                 // i16; the two bytes behind it are zero
 inline constexpr std::size_t tile_mesh_count_at = 96;                      // u32, meshes of all tiles together
-inline constexpr std::size_t zeros_at = 100;                               // up to the end
+inline constexpr std::size_t zeros_at = 100;                               // up to the origin of the source
+inline constexpr std::size_t source_origin_at = 104;                       // 3 x f64, finite; up to the end
 inline constexpr std::size_t header_bytes = header::bytes;
 
 inline constexpr std::size_t part_size_bytes = 4;  // u32 for each mesh, then for each tile

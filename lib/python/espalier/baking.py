@@ -44,7 +44,7 @@ def _number(of: str, name: str, names: Sequence[str]) -> int:
     return names.index(name)
 
 
-def _origin_numbers(origin: Union[str, ArrayLike, None]) -> Optional[tuple[float, ...]]:
+def origin_numbers(origin: Union[str, ArrayLike, None]) -> Optional[tuple[float, ...]]:
     """Returns the numbers of an origin; None where the baker chooses them."""
     if isinstance(origin, str):
         if origin != "auto":
@@ -102,7 +102,7 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         "max_dropped": max_dropped, "allow_empty": bool(allow_empty), "strict": bool(strict),
         "flat_angle": flat_angle, "bounds": bool(bounds), "duplicate_budget": duplicate_budget,
         "byte_price": byte_price, "max_leaf_triangles": max_leaf_triangles, "threads": threads,
-        "origin": _origin_numbers(origin), "deformable": bool(deformable),
+        "origin": origin_numbers(origin), "deformable": bool(deformable),
     }
     arrays = []
     for number, each in enumerate(meshes):

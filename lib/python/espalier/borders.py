@@ -27,8 +27,7 @@ def border_warning(scene: Scene) -> Optional[str]:
     on_lattice = scene.is_on_common_lattice()
     if scene.instance_count < 2 or on_lattice.all():
         return None
-    instances = scene.instances()
-    # Instances place the coordinates of blobs, which count from their origins.
+    instances = scene._core.instances()  # which place what blobs count from their origins, from that of the scene
     borders = {int(mesh): _border_of(_core.all_triangles(scene._core.mesh(int(mesh))))
                for mesh in np.unique(instances["mesh"]) if mesh < scene.mesh_count}
     owners, middles = [], []

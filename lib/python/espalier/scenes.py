@@ -3,25 +3,44 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Optional, Sequence
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .baked import Baked, bytes_of
-from .baking import BakeWarning
+from .baking import BakeWarning, origin_numbers
 from .blob import Blob
 from .borders import border_warning
 from .errors import BakeError, OpenError
 from .filters import flag_array
 from .scene_queries import ALL, SceneQueries
+from .transforms import Origin, in_source
 
 
 class Scene(Baked, SceneQueries):
     """A baked scene, with the queries of SceneQueries. bake_scene() and open_scene() return one."""
 
-    __slots__ = ()
+    __slots__ = ("_origin",)
+    _origin: Origin
+
+    def __init__(self, core: _core.Scene) -> None:
+        super().__init__(core)
+        self._origin = self.origin if any(self._facts["origin"]) else None
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """(3,): what the bake subtracted from all places; (0, 0, 0) for most scenes, and kept in files.
+
+        Calls subtract it from places and add it, in float64: places are those of the source.
+        """
+        return np.array(self._facts["origin"], np.float64)
+
+    @property
+    def bounds(self) -> NDArray[Any]:
+        """(2, 3): the lower and the upper corner of a box around all instances; float64 if the scene has an `origin`."""
+        return np.array(self._facts["bounds"], np.float32 if self._origin is None else np.float64)
 
     @property
     def instance_count(self) -> int:
@@ -34,8 +53,8 @@ class Scene(Baked, SceneQueries):
         return int(self._facts["mesh_count"])
 
     def instances(self) -> NDArray[Any]:
-        """Returns all instances: an array of INSTANCE."""
-        return self._core.instances()
+        """Returns all instances: an array of INSTANCE. A transform places what a mesh or tile counts from its `origin`."""
+        return in_source(self._core.instances(), self._origin, ("transform",))
 
     def is_on_common_lattice(self) -> NDArray[np.bool_]:
         """Returns for each instance whether rays are rounded once for it and others, so that none passes between them."""
@@ -92,26 +111,27 @@ def instance_rows(places: ArrayLike, meshes: ArrayLike, masks: Optional[ArrayLik
 
 
 def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *, masks: Optional[ArrayLike] = None,
-               users: Optional[ArrayLike] = None) -> Scene:
+               users: Optional[ArrayLike] = None, origin: Union[str, ArrayLike, None] = "auto") -> Scene:
     """Joins blobs and instances in one scene.
 
     blobs: Blob objects, scenes, which become tiles, or objects with bytes.
     places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob. masks, users: (n,), 32 bits
     for queries and for the caller.
-    A transform moves what a blob counts from its `origin`: to place it where its source is, the translation is
-    blob.origin less a place near all instances, from which the scene's coordinates then count.
+    A transform places the source of a blob, also where the blob has an `origin`. Translations of float64 are rounded once.
+    origin: three numbers, which are subtracted from all places; None for none. "auto": chosen where float32 is coarser
+    than a quarter of the step of an instance that needs float64. The scene keeps it as `origin`.
 
     Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
-    tiles of a ground do, but are rounded apart.
+    tiles of a ground do, but are rounded apart, and of an origin from which float32 is too coarse.
     """
     rows, numbers = instance_rows(places, meshes, masks, users)
     cores = [blob._core if isinstance(blob, (Blob, Scene)) else blob for blob in blobs]
-    baked = _core.bake_scene(cores, rows, numbers)
-    if isinstance(baked, tuple):
+    translations = None if rows.dtype == np.float32 else rows[:, 4:7]
+    baked = _core.bake_scene(cores, rows, numbers, translations, origin_numbers(origin))
+    if isinstance(baked[0], int):
         raise BakeError(*baked)
-    if isinstance(baked, int):
-        raise OpenError(baked)
-    scene = Scene(baked)
-    if message := border_warning(scene):
+    scene = Scene(baked[0])
+    border = border_warning(scene)
+    for message in baked[1] + ([border] if border else []):
         warnings.warn(message, BakeWarning, stacklevel=2)
     return scene

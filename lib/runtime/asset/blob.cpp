@@ -1,10 +1,8 @@
 // The bounds of a blob, where it lies in the source, and the materials of its triangles.
-#include <array>
-#include <bit>
-
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/deformable_blob.hpp>
+#include <runtime/blob/source_origin.hpp>
 #include <runtime/lattice/to_world.hpp>
 
 namespace espalier {
@@ -20,11 +18,7 @@ Box Blob::bounds() const noexcept {
 
 Vec3d Blob::source_origin() const noexcept {
     if ((data_.features & format::feature::source_origin) == 0) return {};
-    const std::byte* const section = data_.bytes + data_.size - format::source_origin::bytes;  // the last one
-    std::array<std::uint64_t, 3> coordinates;
-    for (std::size_t k = 0; k < 3; ++k)
-        coordinates[k] = std::uint64_t{load_u32(section + 8 * k + 4)} << 32 | load_u32(section + 8 * k);
-    return std::bit_cast<Vec3d>(coordinates);
+    return load_source_origin(data_.bytes + data_.size - format::source_origin::bytes);  // the last section
 }
 
 std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept {

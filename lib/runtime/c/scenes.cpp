@@ -74,6 +74,7 @@ uint32_t espalier_scene_size(const espalier_scene* scene) { return cpp(scene).si
 float espalier_scene_max_error(const espalier_scene* scene) {
     return is_view(cpp(scene)) ? espalier::infinity : cpp(scene).max_error();
 }
+espalier_vec3d espalier_scene_source_origin(const espalier_scene* scene) { return c(cpp(scene).source_origin()); }
 espalier_box espalier_scene_bounds(const espalier_scene* scene) { return c(cpp(scene).bounds()); }
 
 espalier_lattice_result espalier_scene_common_lattice(const espalier_scene* scene) {

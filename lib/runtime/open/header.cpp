@@ -2,6 +2,7 @@
 // operation for the sake of cores that have none.
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/id_steps.hpp>
+#include <runtime/blob/source_origin.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
@@ -192,8 +193,7 @@ OpenStatus locate_sections(BlobData& blob, bool looks_at_padding) {
     }
     if ((features & format::feature::source_origin) != 0) {
         const std::byte* const origin = rest.take(format::source_origin::bytes, 8);
-        for (std::size_t k = 0; origin != nullptr && k < 3; ++k)
-            if ((load_u32(origin + 8 * k + 4) >> 20 & 0x7FF) == 0x7FF) return OpenStatus::bad_section;  // not finite
+        if (origin != nullptr && !is_source_origin(origin)) return OpenStatus::bad_section;
     }
     return rest.at == end ? OpenStatus::ok : OpenStatus::bad_section;
 }

@@ -1,4 +1,5 @@
 // What a scene returns of itself and of its instances.
+#include <runtime/blob/source_origin.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/scenes/instances.hpp>
 
@@ -12,6 +13,14 @@ Box BakedScene::bounds() const noexcept {
     const BlobData& tree = data_.tree;
     const float* const extent = tree.extent_steps;  // a MovingScene has no other
     return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_world(tree, extent[0], extent[1], extent[2])};
+}
+
+Vec3d BakedScene::source_origin() const noexcept {
+    // The view of a moving scene has the bytes of a block.
+    if (data_.tree.bytes == nullptr || data_.moving != nullptr ||
+        (load_u32(data_.tree.bytes + features_at) & has_source_origin) == 0)
+        return {};
+    return load_source_origin(data_.tree.bytes + source_origin_at);
 }
 
 namespace {

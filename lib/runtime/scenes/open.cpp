@@ -6,6 +6,7 @@
 #include <espalier/scene.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
+#include <runtime/blob/source_origin.hpp>
 #include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
@@ -36,7 +37,7 @@ OpenStatus read_scene_header(SceneData& scene) {
     BlobData& tree = scene.tree;
     const std::byte* const h = tree.bytes;
     const std::uint32_t features = load_u32(h + features_at);
-    if ((features & ~has_common_lattice) != 0) return OpenStatus::unsupported_feature;
+    if ((features & ~(has_common_lattice | has_source_origin)) != 0) return OpenStatus::unsupported_feature;
     tree.profile = Profile::balanced;
     tree.bits = bits;
     scene.mesh_count = load_u32(h + mesh_count_at);
@@ -52,8 +53,12 @@ OpenStatus read_scene_header(SceneData& scene) {
     static_assert(step_exponent_at == format::header::step_exponent_at && origin_at == format::header::origin_at &&
                   extent_at == format::header::extent_at && max_error_at == format::header::max_error_at);
     if (!read_lattice(tree)) return OpenStatus::bad_header;
-    if (!is_zero(h + zeros_at, header_bytes - zeros_at)) return OpenStatus::bad_header;
-    scene.has_common = features != 0;
+    const bool has_origin = (features & has_source_origin) != 0;
+    if (!is_zero(h + zeros_at, (has_origin ? source_origin_at : header_bytes) - zeros_at) ||
+        (has_origin &&
+         (!is_source_origin(h + source_origin_at) || load_u16(h + version_minor_at) < version_minor_of_source_origin)))
+        return OpenStatus::bad_header;
+    scene.has_common = (features & has_common_lattice) != 0;
     scene.common = common_lattice_of(h);
     if (scene.has_common ? !is_region(scene.common) || load_u16(h + common_step_exponent_at + 2) != 0
                          : !is_zero(h + common_origin_at, tile_mesh_count_at - common_origin_at))

@@ -33,13 +33,15 @@ function fieldsOfOptions(options) {
         if (!(options.flatAngle >= 0)) throw new RangeError('flatAngle must be null, which stores no edges, or 0 or more degrees');
         fields.flatAngle = options.flatAngle;
     }
-    const { origin = 'auto' } = options;
-    if (origin === 'auto') fields.choosesOrigin = 1;
-    else if (origin !== null) {
-        if (typeof origin === 'string' || origin.length !== 3) throw new RangeError("origin must be 'auto', null or 3 numbers");
-        fields.origin = origin;
-    }
-    return fields;
+    return Object.assign(fields, fieldsOfOrigin(options));
+}
+
+/// Returns the fields of options of C that say what the bake of a blob or a scene subtracts from places.
+export function fieldsOfOrigin({ origin = 'auto' }) {
+    if (origin === 'auto') return { choosesOrigin: 1 };
+    if (origin === null) return {};
+    if (typeof origin === 'string' || origin.length !== 3) throw new RangeError("origin must be 'auto', null or 3 numbers");
+    return { origin };
 }
 
 /// Checks the arrays of a mesh. Positions other than float32 become float64, indices other than uint16 become uint32.
@@ -76,6 +78,12 @@ function writeMesh(instance, address, arrays) {
     });
 }
 
+/// Returns the texts of the warnings of an espalier_bake_report, given its fields.
+export function warningsOf(instance, { warnings, warningCount }) {
+    const { bytes } = instance.records.bake_warning;
+    return Array.from({ length: warningCount }, (_, i) => instance.text(instance.read('bake_warning', warnings + i * bytes).message));
+}
+
 /// Returns the report with findings such as { count, first }, and warnings as texts.
 function readReport(instance, address) {
     const fields = instance.read('bake_report', address);
@@ -86,9 +94,7 @@ function readReport(instance, address) {
         else (report[finding] ??= {})[field] = field === 'first' ? instance.text(value) : value;
     }
     delete report.warningCount;
-    const bytes = instance.records.bake_warning.bytes;
-    report.warnings = Array.from({ length: fields.warningCount }, (_, i) =>
-        instance.text(instance.read('bake_warning', fields.warnings + i * bytes).message));
+    report.warnings = warningsOf(instance, fields);
     report.isClosed = fields.isClosed !== 0;
     if (report.origin.some((x) => x !== 0))
         for (const corner of ['boundsMin', 'boundsMax']) report[corner] = [...inSource(report[corner], report.origin)];

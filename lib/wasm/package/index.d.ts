@@ -10,7 +10,7 @@ import type {
     YesNo,
 } from './results.js';
 import type { MovingScene, MovingSceneOptions } from './scenes/moving_scene.js';
-import type { InstancesToBake, Scene } from './scenes/scene.js';
+import type { InstancesToBake, Scene, SceneBakeOptions } from './scenes/scene.js';
 
 export * from './arguments.js';
 export * from './bake.js';
@@ -176,7 +176,8 @@ export interface Espalier {
      * Joins blobs, or their bytes, and instances of them in one scene. Scenes among the blobs become tiles. The arrays must
      * not change until the promise is settled.
      */
-    bakeScene(blobs: readonly (Blob | Scene | ArrayBuffer | ArrayBufferView)[], instances?: InstancesToBake): Promise<Scene>;
+    bakeScene(blobs: readonly (Blob | Scene | ArrayBuffer | ArrayBufferView)[], instances?: InstancesToBake,
+              options?: SceneBakeOptions): Promise<Scene>;
     /** Opens a baked scene: copies the bytes into the module's memory and checks all of them. */
     openScene(bytes: ArrayBuffer | ArrayBufferView): Scene;
     /**

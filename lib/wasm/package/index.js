@@ -66,9 +66,10 @@ class Espalier {
         return run(await Instance.create(this.#module)).map((bytes) => new Blob(this.#instance, bytes));
     }
 
-    async bakeScene(blobs, instances) {
-        const run = preparedScene(blobs.map(bytesOf), instances);
-        return new Scene(this.#instance, run(await Instance.create(this.#module)));
+    async bakeScene(blobs, instances, options) {
+        const run = preparedScene(blobs.map(bytesOf), instances, options);
+        const { bytes, report } = run(await Instance.create(this.#module));
+        return new Scene(this.#instance, bytes, report);
     }
 
     openScene(source) {

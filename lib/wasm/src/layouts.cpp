@@ -179,6 +179,7 @@ RECORD(bake_options, FIELD(size), FIELD(resolution), FIELD(resolution_kind), FIE
        FIELD(builder), FIELD(original_ids), FIELD(drop_bad_triangles), FIELD(allow_empty), FIELD(strict),
        FIELD(with_remap), FIELD(oriented_box), FIELD(sphere), FIELD(k_dop), FIELD(chooses_origin), FIELD(flat_angle),
        FIELD(origin), FIELD(max_dropped), FIELD(duplicate_budget), FIELD(byte_price), FIELD(max_leaf_triangles))
+RECORD(scene_bake_options, FIELD(size), FIELD(translations), FIELD(origin), FIELD(chooses_origin))
 RECORD(bake_report, FIELD(source_triangles), FIELD(source_vertices), FINDING(not_finite), FINDING(index_out_of_range),
        FINDING(zero_area), FINDING(collapsed), FINDING(duplicate), FIELD(bounds_min), FIELD(bounds_max), FIELD(extent),
        FIELD(box_volume), FIELD(oriented_box_volume), FIELD(sphere_volume), FIELD(k_dop_volume), FIELD(step),
@@ -210,8 +211,8 @@ using AllRecords =
             scene_sweep_options_table, scene_triangle_table, flags_table, scene_selection_table, moving_scene_table,
             instance_handle_table, instance_handle_result_table, instance_word_table, movement_table, pair_filter_table,
             instance_pair_table, filled_instance_pairs_table, baked_pair_table, filled_baked_pairs_table, bytes_table,
-            joined_blob_table, lattice_table, mesh_view_table, bake_options_table, bake_report_table,
-            bake_warning_table, bake_result_table>;
+            joined_blob_table, lattice_table, mesh_view_table, bake_options_table, scene_bake_options_table,
+            bake_report_table, bake_warning_table, bake_result_table>;
 
 }  // namespace
 

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "c/baking/given.hpp"
 #include "support/blobs/baking.hpp"
@@ -62,7 +63,7 @@ TEST_CASE("c api: a scene has the bytes of the same scene from C++") {
     const std::vector<espalier_instance> given = in_c(instances);
     const SceneBakeResult expected = bake_scene(spans, instances);
     REQUIRE(expected);
-    const BakedFromC result(c99_bake_scene(blobs.data(), 2, given.data(), given.size()));
+    const BakedFromC result(c99_bake_scene(blobs.data(), 2, given.data(), given.size(), nullptr));
     REQUIRE(result->status == ESPALIER_BAKE_OK);
     CHECK(std::string(result->message).empty());
     CHECK(copied(*result) == expected.bytes);
@@ -70,22 +71,66 @@ TEST_CASE("c api: a scene has the bytes of the same scene from C++") {
     CHECK(verdict->status == ESPALIER_BAKE_OK);
     CHECK(verdict->bytes == nullptr);
     check_refused(c99_verify(result->bytes, result->byte_count), ESPALIER_BAKE_NOT_SOUND, "");
-    const BakedFromC empty(c99_bake_scene(nullptr, 0, nullptr, 0));
+    const BakedFromC empty(c99_bake_scene(nullptr, 0, nullptr, 0, nullptr));
     CHECK(empty->status == ESPALIER_BAKE_OK);
     CHECK(copied(*empty) == bake_scene({}, {}).bytes);
+}
+
+TEST_CASE("c api: a scene has the translations and the origin of the same scene from C++") {
+    const Bytes blob = some_blob(1.0f);
+    const espalier_bytes one = in_c(blob);
+    const std::array<std::span<const std::byte>, 1> spans = {blob};
+    const std::vector<Instance> instances(2);
+    const std::vector<espalier_instance> given = in_c(instances);
+    const std::array far = {Vec3d{5e6 + 0.125, 1.0, 2.0}, Vec3d{5e6 + 4.1, 0.0, 0.0}};
+    const std::array far_in_c = {espalier_vec3d{5e6 + 0.125, 1.0, 2.0}, espalier_vec3d{5e6 + 4.1, 0.0, 0.0}};
+    espalier_scene_bake_options options;
+    c99_init_scene_bake_options(&options, sizeof options);
+    CHECK(options.translations == nullptr);
+    CHECK(options.chooses_origin == 0);
+    c99_init_scene_bake_options(nullptr, sizeof options);
+    options.translations = far_in_c.data();
+    for (const std::optional<Vec3d>& origin :
+         {std::optional<Vec3d>(), std::optional(Vec3d{5e6, 0.0, 1.0}), std::optional(Vec3d{})}) {
+        const SceneBakeResult expected = bake_scene(spans, instances, {far, origin});
+        REQUIRE(expected);
+        options.chooses_origin = origin ? 0 : 1;
+        if (origin) options.origin = {origin->x, origin->y, origin->z};
+        const BakedFromC result(c99_bake_scene(&one, 1, given.data(), 2, &options));
+        REQUIRE(result->status == ESPALIER_BAKE_OK);
+        CHECK(copied(*result) == expected.bytes);
+        CHECK(result->report->max_error == double(expected.report.max_error));
+        CHECK(result->report->bytes == expected.bytes.size());
+        CHECK(result->report->origin.x == expected.report.origin.x);
+        REQUIRE(result->report->warning_count == expected.report.warnings.size());
+        CHECK((result->report->warning_count == 1) == (origin == Vec3d{}));
+        if (origin == Vec3d{}) CHECK(result->report->warnings[0].message == expected.report.warnings[0].message);
+        espalier_blob mesh;
+        espalier_scene scene;
+        REQUIRE(c99_open_scene(result->bytes, result->byte_count, &mesh, 1, nullptr, 0, &scene) == ESPALIER_OPEN_OK);
+        const espalier_vec3d stored = c99_scene_source_origin(&scene);
+        CHECK(Vec3d{stored.x, stored.y, stored.z} == expected.report.origin);
+    }
+    options.origin.y = std::numeric_limits<double>::quiet_NaN();
+    check_refused(c99_bake_scene(&one, 1, given.data(), 2, &options), ESPALIER_BAKE_INVALID_OPTIONS, "origin");
+    for (const std::size_t size : {sizeof options - 1, sizeof options + 1}) {
+        options.size = size;
+        check_refused(c99_bake_scene(&one, 1, given.data(), 2, &options), ESPALIER_BAKE_INVALID_ARGUMENT, "size");
+    }
 }
 
 TEST_CASE("c api: a scene that cannot be baked is refused with the reason") {
     const Bytes blob = some_blob(1.0f);
     espalier_bytes one = in_c(blob);
     std::vector<espalier_instance> given = in_c(some_instances());
-    check_refused(c99_bake_scene(&one, 1, given.data(), 3), ESPALIER_BAKE_INVALID_MESH, "instance 1");
-    check_refused(c99_bake_scene(nullptr, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blobs is null");
-    check_refused(c99_bake_scene(&one, 1, nullptr, 1), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
+    check_refused(c99_bake_scene(&one, 1, given.data(), 3, nullptr), ESPALIER_BAKE_INVALID_MESH, "instance 1");
+    check_refused(c99_bake_scene(nullptr, 1, given.data(), 1, nullptr), ESPALIER_BAKE_INVALID_ARGUMENT,
+                  "blobs is null");
+    check_refused(c99_bake_scene(&one, 1, nullptr, 1, nullptr), ESPALIER_BAKE_INVALID_ARGUMENT, "instances is null");
     one.bytes = nullptr;
-    check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
+    check_refused(c99_bake_scene(&one, 1, given.data(), 1, nullptr), ESPALIER_BAKE_INVALID_ARGUMENT, "blob 0");
     one = {blob.data(), blob.size() - 1};
-    check_refused(c99_bake_scene(&one, 1, given.data(), 1), ESPALIER_BAKE_INVALID_MESH, "");
+    check_refused(c99_bake_scene(&one, 1, given.data(), 1, nullptr), ESPALIER_BAKE_INVALID_MESH, "");
 }
 
 TEST_CASE("c api: borders are joined as from C++ and what is refused is unchanged") {

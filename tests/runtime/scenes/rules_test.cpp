@@ -60,7 +60,7 @@ TEST_CASE("scene: each rule of the header is enforced") {
     put(damaged, record_at(scene, 0) + user_at, 1, 4);
     std::vector<Blob> meshes(1);
     CHECK(open_scene(damaged, meshes).status() == OpenStatus::bad_checksum);
-    for (const std::uint32_t features : {2u, 3u, 0x80000001u})
+    for (const std::uint32_t features : {4u, 5u, 0x80000001u})
         CHECK(scene_with(bytes, features_at, features) == OpenStatus::unsupported_feature);
     // Numbers at their limits break only the rules of what follows.
     for (const std::size_t at : {mesh_count_at, tile_count_at, instance_count_at, node_count_at}) {

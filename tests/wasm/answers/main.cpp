@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <espalier/bake.hpp>
+#include <espalier/scenes/bake.hpp>
 
 #include "questions.hpp"
 #include "words.hpp"

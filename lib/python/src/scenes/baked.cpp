@@ -4,10 +4,13 @@
 #include "held_blob.hpp"
 #include "scenes/instances.hpp"
 
+#include <array>
 #include <cstring>
+#include <optional>
 
-#include <espalier/bake.hpp>
-#include <espalier/scene.hpp>
+#include <pybind11/stl.h>
+
+#include <espalier/scenes/bake.hpp>
 
 namespace espalier::python {
 
@@ -28,9 +31,23 @@ py::object open_held(std::shared_ptr<const HeldBytes> held) {
     return py::cast(std::move(opened));
 }
 
-/// Returns (status, message), or an open scene. `places` has 8 numbers, `numbers` mesh, mask and user of each instance.
-py::object bake(const py::list& blobs, const py::handle& places, const GivenInstances::Numbers& numbers) {
+/// Returns (status, message), or an open scene and the messages of its warnings. `places` has 8 numbers, `numbers`
+/// mesh, mask and user of each instance. `translations` are those of `places` where float32 may not hold them, else
+/// None; `origin` has three numbers, or is None where the baker chooses it.
+py::object bake(const py::list& blobs, const py::handle& places, const GivenInstances::Numbers& numbers,
+                const py::object& translations, const py::object& origin) {
     const GivenInstances given(places, numbers);
+    std::vector<Vec3d> wide;
+    if (!translations.is_none()) {
+        const py::array_t<double, py::array::c_style | py::array::forcecast> rows(translations);
+        wide.resize(static_cast<std::size_t>(rows.size()) / 3);
+        if (!wide.empty()) std::memcpy(static_cast<void*>(wide.data()), rows.data(), wide.size() * sizeof(Vec3d));
+    }
+    SceneBakeOptions options = {wide, std::nullopt};
+    if (!origin.is_none()) {
+        const auto [x, y, z] = origin.cast<std::array<double, 3>>();
+        options.origin = Vec3d{x, y, z};
+    }
     std::vector<std::shared_ptr<const HeldBytes>> held;
     std::vector<std::span<const std::byte>> bytes;
     for (const py::handle blob : blobs) {
@@ -48,10 +65,12 @@ py::object bake(const py::list& blobs, const py::handle& places, const GivenInst
     SceneBakeResult result;
     {
         const py::gil_scoped_release unlocked;
-        result = bake_scene(bytes, instances);
+        result = bake_scene(bytes, instances, options);
     }
     if (!result) return py::make_tuple(static_cast<int>(result.status), result.message);
-    return open_held(HeldBytes::of(std::move(result.bytes)));
+    py::list warnings;
+    for (const BakeWarning& warning : result.report.warnings) warnings.append(warning.message);
+    return py::make_tuple(open_held(HeldBytes::of(std::move(result.bytes))), warnings);
 }
 
 py::array instances_of(const HeldScene& self) {
@@ -88,14 +107,19 @@ void bind_baked_scenes(py::module_& module) {
         .def("facts",
              [](const HeldScene& self) {
                  const Box bounds = self.scene.bounds();
+                 const Vec3d origin = self.scene.source_origin();
+                 const auto in_source = [&](const Vec3& corner) {
+                     return py::make_tuple(double(corner.x) + origin.x, double(corner.y) + origin.y,
+                                           double(corner.z) + origin.z);
+                 };
                  py::dict facts;
                  facts["instance_count"] = self.scene.instance_count();
                  facts["mesh_count"] = self.scene.meshes().size();
                  facts["tile_count"] = self.scene.tiles().size();
                  facts["size"] = self.scene.size();
                  facts["max_error"] = self.scene.max_error();
-                 facts["bounds"] = py::make_tuple(py::make_tuple(bounds.min.x, bounds.min.y, bounds.min.z),
-                                                  py::make_tuple(bounds.max.x, bounds.max.y, bounds.max.z));
+                 facts["origin"] = py::make_tuple(origin.x, origin.y, origin.z);
+                 facts["bounds"] = py::make_tuple(in_source(bounds.min), in_source(bounds.max));
                  return facts;
              })
         .def_buffer([](HeldScene& self) {

@@ -40,7 +40,7 @@ struct HeldMovingScene {
 };
 
 /// Returns where the places of a scene count from in float64.
-inline Origin origin_of(const HeldScene&) { return {}; }
+inline Origin origin_of(const HeldScene& self) { return origin_of(self.scene.source_origin()); }
 inline Origin origin_of(const HeldMovingScene& self) { return origin_of(self.scene.origin()); }
 
 /// Returns how to keep a scene as it is during a query: a baked scene never changes.

@@ -31,9 +31,8 @@ export interface SceneCandidates extends InstanceIds {}
 export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonly number[];
 
 /**
- * Instances to bake, or to insert in a moving scene: at each of the places one of a blob. A place moves what the blob counts
- * from its `origin`: where its source is, the translation is the origin, less a place near all instances, from which the
- * scene's coordinates then count.
+ * Instances to bake, or to insert in a moving scene: at each of the places one of a blob. In a baked scene a place moves the
+ * source of the blob, in a moving one what the blob counts from its `origin`: insert it there.
  */
 export interface InstancesToBake extends Places {
     /** The number of its blob among those that the scene is made of; 0 unless given. */
@@ -44,7 +43,19 @@ export interface InstancesToBake extends Places {
     user?: Integers;
 }
 
-/** The instances of a scene. rotation has four numbers for each, translation three. */
+export interface SceneBakeOptions {
+    /**
+     * What is subtracted from all places, in double; null for 0 0 0. By default 'auto': chosen where float32 is coarser than a
+     * quarter of the step of an instance that needs double. The scene keeps it as `origin`.
+     */
+    origin?: 'auto' | ArrayLike<number> | null;
+}
+
+export interface SceneReport {
+    warnings: string[];
+}
+
+/** The instances of a scene: a transform places what a mesh or tile counts from its `origin`. rotation has four numbers for each, translation three. */
 export interface Instances {
     rotation: Float32Array;
     translation: PlaceArray;
@@ -94,7 +105,11 @@ export class Scene {
     /** The largest distance between the surface of any instance and its source. */
     readonly maxError: number;
     /** The lower and the upper corner of a box around all instances: six numbers. */
-    readonly bounds: Float32Array;
+    readonly bounds: PlaceArray;
+    /** What the bake subtracted from all places: three numbers, 0 for most scenes. Places are those of the source. */
+    readonly origin: Float64Array;
+    /** What the bake accepted, but its caller may not expect; null for a scene that was opened. */
+    readonly report: SceneReport | null;
     readonly isFreed: boolean;
     /** Returns a copy of the bytes, for a file. */
     bytes(): Uint8Array;

@@ -2,10 +2,14 @@
 import { flagsOf } from '../filters.js';
 import { Opened } from '../memory/opened.js';
 import { YesNo } from '../results.js';
+import { inSource, originOf } from '../source.js';
 import { withSceneQueries } from './queries.js';
 
 export class Scene extends withSceneQueries(Opened, { sorts: false }) {
-    constructor(instance, bytes) {
+    #origin;
+
+    /// The report of the bake; null for a scene that was opened.
+    constructor(instance, bytes, report = null) {
         const { functions, records } = instance;
         const parts = (address, length) => ({
             meshes: functions.espalier_scene_mesh_count(address, length) >>> 0,
@@ -19,6 +23,16 @@ export class Scene extends withSceneQueries(Opened, { sorts: false }) {
             const { meshes, tiles } = parts(address, length), tilesAt = view + records.scene.bytes;
             return functions.espalier_open_scene(address, length, tilesAt + records.scene.bytes * tiles, meshes, tilesAt, tiles, view);
         });
+        this.#origin = this.use((_, view) => originOf(instance, view, 'espalier_scene_source_origin'));
+        this.report = report;
+    }
+
+    get sourceOrigin() {
+        return this.#origin;
+    }
+    /// What the bake subtracted from all places: three numbers.
+    get origin() {
+        return Float64Array.from(this.#origin ?? [0, 0, 0]);
     }
 
     get instanceCount() {
@@ -34,7 +48,7 @@ export class Scene extends withSceneQueries(Opened, { sorts: false }) {
     /// The lower and the upper corner of a box around all instances, in one array.
     get bounds() {
         const { min, max } = this.structure('box', 'espalier_scene_bounds');
-        return Float32Array.of(...min, ...max);
+        return inSource([...min, ...max], this.#origin);
     }
 
     /// Returns all instances, each field in an array.
