@@ -39,6 +39,7 @@
 #include <espalier/c/ray.h>
 #include <espalier/c/rounding.h>
 #include <espalier/c/scene.h>
+#include <espalier/c/scenes/contacts.h>
 #include <espalier/c/scenes/moving_scene.h>
 #include <espalier/c/scenes/pairs.h>
 #include <espalier/c/shapes.h>

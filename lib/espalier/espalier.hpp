@@ -15,6 +15,7 @@
 #include <espalier/deformation.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
+#include <espalier/scenes/contacts.hpp>
 #include <espalier/scenes/moving_scene.hpp>
 #include <espalier/original.hpp>
 #include <espalier/overlap.hpp>

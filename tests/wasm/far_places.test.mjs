@@ -207,6 +207,11 @@ test('scenes place the source and have an origin', async () => {
         const bounds = at(-2, -2, -2, 10, 2, 2);  // around boxes, which are larger
         each.bounds.forEach((x, i) => assert.ok(i < 3 ? x < bounds[i] + NEAR && x > bounds[i] - 8 : x > bounds[i] - NEAR && x < bounds[i] + 8));
         near(each.raycast(at(8, 0, 9), [0, 0, -1]).t[0], 7);
+        const { items, offsets } = each.contacts({ kind: 'sphere', center: at(8, 0, 2.24, 0, 0, 2.26), radius: 0.25 }, 4);
+        assert.deepStrictEqual([offsets[1] > 0, offsets[2] - offsets[1]], [true, 0]);
+        assert.strictEqual(items.instance[0], 1);
+        near(items.distance[0], -0.01);
+        [...items.point.subarray(0, 3)].forEach((x, i) => near(x, at(8, 0, 2)[i]));
         const corner = at(8, 0, 0);
         [...each.instances().translation].slice(3).forEach((x, i) => near(x, corner[i]));
     }

@@ -43,7 +43,7 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t lattice_box, lattice_segment;
     uint16_t lattice_point_result, lattice_box_result, lattice_hit, lattice_result, rounded_ray;
     uint16_t instance_id, instance, instance_result, mesh_result, scene, scene_ray_hit, scene_closest_point_result,
-        scene_sweep_hit;
+        scene_sweep_hit, scene_contact;
     uint16_t instance_handle, instance_handle_result, box_result, movement, moving_scene;
     uint16_t instance_pair, baked_pair, pair_filter, filled_instance_pairs, filled_baked_pairs;
     uint16_t deformable, refit_result;

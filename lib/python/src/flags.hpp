@@ -30,8 +30,6 @@ public:
 
     bool operator()(TriangleId triangle) const { return keeps(triangle.index); }
     bool operator()(InstanceId instance, TriangleId) const { return keeps(instance.index); }
-    /// Returns whether an instance counts.
-    bool operator()(InstanceId instance) const { return !is_given_ || keeps(instance.index); }
 
     /// Returns the filter of a query of one blob.
     [[nodiscard]] TriangleFilter of_triangles() const { return is_given_ ? TriangleFilter(*this) : TriangleFilter(); }

@@ -48,7 +48,7 @@ namespace espalier::detail {
     twin(instance_id, InstanceId) twin(instance, Instance) twin(instance_result, Result<Instance>)            \
     twin(mesh_result, Result<Blob>) twin(scene, BakedScene)                                                   \
     twin(scene_ray_hit, InScene<RayHit>) twin(scene_closest_point_result, InScene<ClosestPoint>)              \
-    twin(scene_sweep_hit, InScene<SweepHit>)                                                                  \
+    twin(scene_sweep_hit, InScene<SweepHit>) twin(scene_contact, InScene<Contact>)                            \
     twin(instance_handle, InstanceHandle) twin(instance_handle_result, Result<InstanceHandle>)                \
     twin(box_result, Result<Box>) twin(movement, Movement) twin(moving_scene, MovingScene)                    \
     twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include <runtime/c/abi.hpp>
-#include <runtime/c/views.hpp>
+#include <runtime/c/scene_arguments.hpp>
 #include <runtime/moving_scenes/queries.hpp>
 
 using namespace espalier;

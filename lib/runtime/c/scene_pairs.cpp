@@ -1,6 +1,6 @@
 // espalier/c/scenes/pairs.h: pairs of instances that may touch, or do; and those of espalier/c/statistics.h.
 #include <runtime/c/abi.hpp>
-#include <runtime/c/views.hpp>
+#include <runtime/c/scene_arguments.hpp>
 
 using namespace espalier;
 using namespace espalier::detail;

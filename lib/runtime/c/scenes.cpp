@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include <runtime/c/abi.hpp>
-#include <runtime/c/views.hpp>
+#include <runtime/c/scene_arguments.hpp>
 
 using namespace espalier;
 using namespace espalier::detail;
@@ -11,28 +11,6 @@ namespace {
 
 bool is_aligned(const void* place) { return reinterpret_cast<std::uintptr_t>(place) % alignof(Blob) == 0; }
 static_assert(alignof(BakedScene) == alignof(Blob));
-
-/// The triangles that a query takes into account. It must outlive the call.
-class Selection {
-public:
-    Selection(std::uint32_t mask, espalier_scene_filter function, void* user) : mask_(mask), keeps_{function, user} {}
-
-    // NOLINTNEXTLINE(google-explicit-constructor): the argument of a query
-    operator SceneFilter() const {
-        return {mask_, keeps_.function == nullptr ? SceneTriangleFilter() : SceneTriangleFilter(keeps_)};
-    }
-
-private:
-    struct Keeps {
-        espalier_scene_filter function;
-        void* user;
-        bool operator()(InstanceId instance, TriangleId triangle) const {
-            return function(c(instance), triangle.index, user);
-        }
-    };
-    std::uint32_t mask_;
-    Keeps keeps_;
-};
 
 /// Returns options of C as C++ takes them, with a filter that outlives the call.
 SceneSweepOptions cpp(const espalier_scene_sweep_options& options, const SceneFilter& filter) {

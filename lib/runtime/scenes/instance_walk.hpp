@@ -98,6 +98,10 @@ inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const P
     return ESPALIER_DISPATCH(instances_in_order, passage, answer);
 }
 
+/// Visits those that the box around a shape that stays where it is meets.
+Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask,
+                    const InstanceVisitor& visit);
+
 /// Returns a limit for the query of an instance, a little above the best result so far. A result that is clamped to it
 /// is then worse than the best one, and one that is as good is not clamped.
 inline float limit_above(float best) { return best * (1.0f + 0x1p-20f) + 0x1p-100f; }

@@ -14,23 +14,13 @@ QueryStatus check(const BakedScene& scene, const ShapeBounds& bounds) {
     return scene ? bounds.status : refusal_of(scene);
 }
 
-/// Visits the instances that the box around a shape meets.
-template <class OnInstance>
-Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask, OnInstance visit) {
-    const SceneData& data = data_of(scene);
-    const BoxInSteps box(data, bounds);
-    return visit_instances(
-        data, mask, Passage(data, widened(data, bounds)), 0.0f,
-        [&](const VisitedInstance& instance, float&) { return visit(instance); }, &box);
-}
-
 }  // namespace
 
 YesNo detail::overlaps(const BakedScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept {
     const QueryStatus status = check(scene, shape.bounds);
     if (status != QueryStatus::ok) return YesNo(status);
     QueryStatus refusal = QueryStatus::not_found;
-    const auto test = [&](const VisitedInstance& instance) {
+    const auto test = [&](const VisitedInstance& instance, float&) {
         const FilterOfInstance keep = {filter, instance};
         if (instance.mesh == nullptr || !filter.keep()) {
             const YesNo answer = instance.mesh != nullptr ? shape.test(*instance.mesh, instance.transform, shape.shape)
@@ -52,7 +42,7 @@ QueryStatus detail::for_each_overlap(const BakedScene& scene, const AnySceneShap
                                      Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter) noexcept {
     QueryStatus end = check(scene, shape.bounds);
     if (end != QueryStatus::ok) return of_list(end);
-    const auto list = [&](const VisitedInstance& instance) {
+    const auto list = [&](const VisitedInstance& instance, float&) {
         const FilterOfInstance keep = {filter, instance};
         const auto each = [&](TriangleId triangle) {
             if (filter.keep() && !keep(triangle)) return Visit::next;
@@ -76,9 +66,11 @@ QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<
     const ShapeBounds bounds = bounds_of(box);
     const QueryStatus status = check(scene, bounds);
     if (status != QueryStatus::ok) return of_list(status);
-    const auto each = [&](const VisitedInstance& instance) {
+    const auto each = [&](const VisitedInstance& instance, float&) {
         if (instance.mesh != nullptr) return visit(instance.id);
-        const auto each_in_tile = [&](const VisitedInstance& in_tile) { return visit(instance.id_of(in_tile.id)); };
+        const auto each_in_tile = [&](const VisitedInstance& in_tile, float&) {
+            return visit(instance.id_of(in_tile.id));
+        };
         return visit_meeting(*instance.tile, bounds_of(to_local(instance.transform, box)), mask, each_in_tile);
     };
     const Visit end = visit_meeting(scene, bounds, mask, each);

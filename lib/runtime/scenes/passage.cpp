@@ -1,3 +1,4 @@
+#include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
 
 #include <runtime/transforms/rotation.hpp>
@@ -39,5 +40,12 @@ Passage::Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& 
 }
 
 float Passage::key_of(float t) const { return scale_by_power_of_two(t, t_exponent_) + 0.0f; }
+
+Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask,
+                    const InstanceVisitor& visit) {
+    const SceneData& data = data_of(scene);
+    const BoxInSteps box(data, bounds);
+    return visit_instances(data, mask, Passage(data, widened(data, bounds)), 0.0f, visit, &box);
+}
 
 }  // namespace espalier::detail

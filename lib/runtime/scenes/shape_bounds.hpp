@@ -2,6 +2,7 @@
 #pragma once
 
 #include <espalier/scene.hpp>
+#include <runtime/base/bits.hpp>
 
 namespace espalier::detail {
 
@@ -10,6 +11,13 @@ inline constexpr float farthest_reach = 0x1p42f;
 
 /// Returns the box around a shape that only sweeps take. Those around other shapes are in espalier/scene.hpp.
 ShapeBounds bounds_of(const ConvexHull& hull) noexcept;
+
+/// Returns whether the radius of a shape, if it has one, is finite.
+template <class Shape>
+bool has_finite_radius(const Shape& shape) {
+    if constexpr (requires { shape.radius; }) return is_finite(shape.radius);
+    return true;
+}
 
 /// The tree of a scene, as seen from the anchor of a shape.
 struct SceneAround {

@@ -3,36 +3,13 @@
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
 #include <runtime/sweeps/contact_time.hpp>
-#include <runtime/transforms/local_hull.hpp>
+#include <runtime/transforms/local_shape.hpp>
 
 namespace espalier {
 
 using namespace detail;
 
 namespace {
-
-bool has_finite_radius(const Sphere& sphere) { return is_finite(sphere.radius); }
-bool has_finite_radius(const Capsule& capsule) { return is_finite(capsule.radius); }
-template <class Shape>
-bool has_finite_radius(const Shape&) {
-    return true;  // it has none
-}
-
-/// A shape in the local space of an instance.
-template <class Shape>
-class LocalShape {
-public:
-    LocalShape(const Transform& transform, const Shape& world) : shape_(to_local(transform, world)) {}
-    [[nodiscard]] const auto& shape() const { return shape_; }
-
-private:
-    decltype(to_local(Transform(), Shape())) shape_;  // of a Box an OrientedBox
-};
-template <>
-class LocalShape<ConvexHull> : public LocalHull {
-public:
-    using LocalHull::LocalHull;
-};
 
 /// Returns the box around a shape for its sweep: wider by what the lattice of an instance may move it farther than a
 /// shape that stays where it is (docs/numerics.md, Scenes).

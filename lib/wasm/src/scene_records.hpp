@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include <espalier/c/contact.h>
 #include <espalier/c/scene.h>
+#include <espalier/c/scenes/contacts.h>
 #include <espalier/c/scenes/moving_scene.h>
 #include <espalier/c/types.h>
 
@@ -18,12 +18,6 @@ struct espalier_scene_triangle {
 
 /// An instance near a box.
 struct espalier_scene_candidate {
-    espalier_instance_id instance;
-};
-
-/// A contact of an instance.
-struct espalier_scene_contact {
-    espalier_contact hit;
     espalier_instance_id instance;
 };
 

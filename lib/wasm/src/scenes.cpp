@@ -5,6 +5,7 @@
 
 #include <espalier/c/batches/arrays.h>
 #include <espalier/c/scene.h>
+#include <espalier/c/scenes/contacts.h>
 
 #include "lists.hpp"
 #include "scene_records.hpp"
@@ -170,3 +171,20 @@ ESPALIER_WASM_SCENE_SWEEP(capsule)
 ESPALIER_WASM_SCENE_SWEEP(box)
 ESPALIER_WASM_SCENE_SWEEP(oriented_box)
 ESPALIER_WASM_SCENE_SWEEP(convex_hull)
+
+// Each body has `places` places in `contacts`, of which found[i].count are filled; `room` has as many.
+#define ESPALIER_WASM_SCENE_CONTACTS(shape)                                                                            \
+    extern "C" [[clang::export_name("wasm_scene_find_contacts_" #shape)]] void wasm_scene_find_contacts_##shape(       \
+        espalier_scene_contact* contacts, std::size_t places, espalier_filled* found, const espalier_scene* scene,     \
+        const espalier_##shape* bodies, const float* margins, std::size_t count, espalier_contact* room,               \
+        const espalier_scene_selection* selection) {                                                                   \
+        for (std::size_t i = 0; i < count; ++i)                                                                        \
+            found[i] =                                                                                                 \
+                espalier_scene_find_contacts_##shape(scene, &bodies[i], margins[i], contacts + i * places, room,       \
+                                                     places, selection->mask, filter_of(*selection), selection->only); \
+    }
+
+ESPALIER_WASM_SCENE_CONTACTS(sphere)
+ESPALIER_WASM_SCENE_CONTACTS(capsule)
+ESPALIER_WASM_SCENE_CONTACTS(oriented_box)
+ESPALIER_WASM_SCENE_CONTACTS(convex_hull)

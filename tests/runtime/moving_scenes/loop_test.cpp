@@ -138,5 +138,28 @@ TEST_CASE("scene: sweeps of every shape equal the loop over all instances") {
     check_scenes(19, scaled(100), scaled(200), compare);
 }
 
+TEST_CASE("scene: contacts of every body equal the loop over all instances") {
+    const auto compare = [](const auto& scene, SceneQueryMaker& maker, std::uint64_t i) {
+        const SceneArguments arguments = some_arguments(maker);
+        Random& random = maker.random();
+        const float margin = random.coin() ? 0.0f : arguments.max_distance;
+        const std::size_t places = random.coin() ? 4096 : random.below(6);
+        const auto whole = [](InstanceId instance, TriangleId triangle) {
+            return triangle == no_triangle && (instance.index ^ instance.in_tile) % 3 != 0;
+        };
+        std::size_t found = 0;
+        const auto compare_body = [&](const auto& body) {
+            const SceneFilter filter = i % 3 == 0 ? SceneFilter(random.below(16), whole) : SceneFilter();
+            if (margin < infinity) found += checked(compare_contacts(scene, body, margin, places, filter));
+        };
+        compare_body(arguments.sphere);
+        compare_body(arguments.capsule);
+        compare_body(arguments.turned);
+        compare_body(ConvexHull{arguments.vertices});
+        return found;
+    };
+    check_scenes(21, scaled(8), scaled(50), compare);
+}
+
 }  // namespace
 }  // namespace espalier::tests::moving_scenes_loop_test

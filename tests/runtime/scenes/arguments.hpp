@@ -66,8 +66,18 @@ inline std::uint64_t ask_everything(const BakedScene& scene, const SceneArgument
     platform::add_place(all, nearest);
     all.add(nearest->distance, nearest->u, nearest->v, nearest->point, nearest->face_normal, nearest->on_shape,
             static_cast<std::uint32_t>(nearest->feature), static_cast<std::uint32_t>(nearest->side));
-    asked.for_each_body(
-        [&](const auto& body) { platform::add_hit(all, sweep(scene, body, asked.displacement, asked.options)); });
+    asked.for_each_body([&](const auto& body) {
+        platform::add_hit(all, sweep(scene, body, asked.displacement, asked.options));
+        if constexpr (!std::same_as<decltype(body), const Box&>) {
+            InScene<Contact> contacts[8];
+            Contact room[8];
+            const Filled found = find_contacts(scene, body, asked.max_distance, contacts, room);
+            all.add(found.status);
+            for (const InScene<Contact>& contact : found.in(contacts))
+                all.add(contact.instance.index, contact.instance.in_tile, contact.hit.triangle.index,
+                        contact.hit.distance, contact.hit.point, contact.hit.normal);
+        }
+    });
     all.add(for_each_hit(scene, asked.ray, [&](InstanceId instance, const RayHit& each) {
         platform::add_hit(all, InScene<RayHit>{each, instance});
         all.add(static_cast<std::uint32_t>(each.side));

@@ -90,6 +90,45 @@ TEST_CASE("scene: rays hit instances where they stand and miss between them") {
     CHECK(closest_point(scene, {15.0f, 0.5f, 0.5f})->distance == 4.0f);
 }
 
+TEST_CASE("scene: contacts are the deepest of all instances and need room for those of one") {
+    const OpenedScene opened = row_of_cubes(3);
+    const BakedScene& scene = opened.scene;
+    std::array<InScene<Contact>, 4> contacts;
+    std::array<Contact, 4> room;
+    const Sphere ball = {{5.5f, 0.5f, 0.5f}, 4.75f};
+    const auto find = [&](const Sphere& body, float margin, std::size_t places, std::size_t in_room,
+                          const SceneFilter& filter = {}) {
+        return find_contacts(scene, body, margin, std::span(contacts).first(places), std::span(room).first(in_room),
+                             filter);
+    };
+    const Filled both = find(ball, 0.5f, 4, 4);
+    CHECK(both.status == QueryStatus::output_full);  // the other faces are farther away
+    REQUIRE(both.count == 4);
+    CHECK(contacts[0].hit.distance == -0.25f);  // of two triangles of each face
+    CHECK(contacts[1].hit.distance == -0.25f);
+    CHECK(instance_at(scene, contacts[0].instance)->source == 0);
+    CHECK(contacts[0].hit.normal == Vec3{1.0f, 0.0f, 0.0f});
+    CHECK(contacts[2].hit.distance == -0.25f);
+    CHECK(instance_at(scene, contacts[2].instance)->source == 1);
+    CHECK(find(ball, 0.5f, 1, 1).status == QueryStatus::output_full);
+    CHECK(find(ball, 0.5f, 0, 0).status == QueryStatus::output_full);
+    const auto second = [&](InstanceId id, TriangleId triangle) {
+        CHECK(triangle == no_triangle);
+        return instance_at(scene, id)->source == 1;
+    };
+    REQUIRE(find(ball, 0.5f, 4, 4, second).count == 4);
+    for (const InScene<Contact>& contact : contacts) CHECK(instance_at(scene, contact.instance)->source == 1);
+    CHECK(find(ball, 0.5f, 4, 4, 0).count == 0);
+    CHECK(find(ball, 0.5f, 4, 3).status == QueryStatus::invalid_argument);
+    CHECK(find(ball, -1.0f, 4, 4).status == QueryStatus::invalid_argument);
+    CHECK(find(ball, infinity, 4, 4).status == QueryStatus::invalid_argument);
+    CHECK(find({ball.center, infinity}, 0.5f, 4, 4).status == QueryStatus::invalid_argument);
+    CHECK(find({ball.center, -1.0f}, 0.5f, 4, 4).status == QueryStatus::invalid_argument);
+    CHECK(find_contacts(scene, ConvexHull{}, 0.5f, contacts, room).status == QueryStatus::ok);
+    CHECK(find_contacts(BakedScene(), ball, 0.5f, contacts, room).status == QueryStatus::not_open);
+    CHECK(find_contacts(MovingScene(), ball, 0.5f, contacts, room).status == QueryStatus::not_open);
+}
+
 TEST_CASE("scene: masks and filters leave instances and triangles out") {
     std::vector<Instance> instances(3);
     for (std::uint32_t i = 0; i < 3; ++i) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include <espalier/contact.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/sweep.hpp>
@@ -31,6 +32,11 @@ inline bool same_bits(const SweepHit& a, const SweepHit& b) {
     return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
            same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
            a.feature == b.feature && a.starts_overlapping == b.starts_overlapping;
+}
+
+inline bool same_bits(const Contact& a, const Contact& b) {
+    return same_bits(a.point, b.point) && same_bits(a.normal, b.normal) && same_bits(a.distance, b.distance) &&
+           a.triangle == b.triangle && a.feature == b.feature && a.side == b.side;
 }
 
 }  // namespace espalier::tests

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <espalier/rounding.hpp>
+#include <espalier/scenes/contacts.hpp>
 
 #include "support/base/same_bits.hpp"
 
@@ -307,5 +308,55 @@ template SceneComparison compare_sweeps(const BakedScene&, const OrientedBox&, c
 template SceneComparison compare_sweeps(const MovingScene&, const OrientedBox&, const Vec3&, const SceneSweepOptions&);
 template SceneComparison compare_sweeps(const BakedScene&, const ConvexHull&, const Vec3&, const SceneSweepOptions&);
 template SceneComparison compare_sweeps(const MovingScene&, const ConvexHull&, const Vec3&, const SceneSweepOptions&);
+
+template <class Scene, class Body>
+SceneComparison compare_contacts(const Scene& scene, const Body& body, float margin, std::size_t places,
+                                 const SceneFilter& filter) {
+    SceneLoop<Scene> loop(scene, filter);
+    std::vector<InScene<Contact>> expected, contacts(places);
+    std::vector<Contact> room(places);
+    bool is_cut = false;
+    loop.for_each_instance([&](const InstanceInLoop& instance) {
+        if (!instance.keeps(no_triangle)) return;
+        const float reach = instance.length_in_local(margin);
+        const Filled found = instance.in_local(
+            body, [&](const auto& local) { return find_contacts(instance.blob, local, reach, room); });
+        loop.note(found.status);
+        is_cut |= found.status == QueryStatus::output_full;
+        for (Contact contact : found.in(room)) {
+            contact.point = instance.in_world(contact.point);
+            contact.normal = instance.normal_in_world(contact.normal);
+            for (const float scale : {instance.tile != nullptr ? instance.inner.scale : 1.0f, instance.outer.scale})
+                contact.distance = zero_if_tiny(zero_if_tiny(contact.distance) * scale);
+            expected.push_back({contact, instance.id});
+        }
+    });
+    std::ranges::stable_sort(expected, {}, [](const auto& contact) { return contact.hit.distance; });
+    is_cut |= expected.size() > places;
+    if (is_cut) expected.resize(std::min(places, expected.size()));
+    const Filled found = find_contacts(scene, body, margin, contacts, room, filter);
+    SceneComparison result;
+    result.is_found = found.count != 0;
+    const auto is_same = [](const InScene<Contact>& a, const InScene<Contact>& b) {
+        return same_bits(a.hit, b.hit) && a.instance == b.instance;
+    };
+    const std::span<InScene<Contact>> listed = found.in(contacts);
+    if (!loop.may_be_refused(found.status) &&
+        !(found.status == (is_cut ? QueryStatus::output_full : QueryStatus::ok) &&
+          std::equal(listed.begin(), listed.end(), expected.begin(), expected.end(), is_same)))
+        result.fault = "the contacts differ from the loop";
+    return result;
+}
+template SceneComparison compare_contacts(const BakedScene&, const Sphere&, float, std::size_t, const SceneFilter&);
+template SceneComparison compare_contacts(const MovingScene&, const Sphere&, float, std::size_t, const SceneFilter&);
+template SceneComparison compare_contacts(const BakedScene&, const Capsule&, float, std::size_t, const SceneFilter&);
+template SceneComparison compare_contacts(const MovingScene&, const Capsule&, float, std::size_t, const SceneFilter&);
+template SceneComparison compare_contacts(const BakedScene&, const OrientedBox&, float, std::size_t,
+                                          const SceneFilter&);
+template SceneComparison compare_contacts(const MovingScene&, const OrientedBox&, float, std::size_t,
+                                          const SceneFilter&);
+template SceneComparison compare_contacts(const BakedScene&, const ConvexHull&, float, std::size_t, const SceneFilter&);
+template SceneComparison compare_contacts(const MovingScene&, const ConvexHull&, float, std::size_t,
+                                          const SceneFilter&);
 
 }  // namespace espalier::tests

@@ -34,5 +34,9 @@ SceneComparison compare_overlaps(const Scene& scene, const Shape& shape, const S
 template <class Scene, class Shape>
 SceneComparison compare_sweeps(const Scene& scene, const Shape& shape, const Vec3& displacement,
                                const SceneSweepOptions& options = {});
+/// Body is any that find_contacts() takes.
+template <class Scene, class Body>
+SceneComparison compare_contacts(const Scene& scene, const Body& body, float margin, std::size_t places,
+                                 const SceneFilter& filter = {});
 
 }  // namespace espalier::tests

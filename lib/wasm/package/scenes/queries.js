@@ -2,7 +2,7 @@
 import { cullingNumber, integer, places, Strided } from '../arguments.js';
 import { placeFlags, refuseFilter } from '../filters.js';
 import { YesNo } from '../results.js';
-import { MOVING, shapesOf, VOLUMES } from '../shapes.js';
+import { BODIES, MOVING, shapesOf, VOLUMES } from '../shapes.js';
 import { ALL } from './instances.js';
 
 /// Adds the queries to a class whose view is an espalier_scene, and which has flags(only): the flags of its instances.
@@ -56,6 +56,17 @@ export const withSceneQueries = (Base, { sorts }) => class extends Base {
     overlappingTriangles(shape, options) {
         return this.#ofShapes(shape, VOLUMES, [], options, (batch, name, shapes, selection) =>
             lists(batch, 'scene_triangle', `wasm_scene_collect_overlaps_${name}`, name, shapes, selection));
+    }
+
+    contacts(shape, most, margin = 0, options) {
+        integer(most, 'most');
+        const margins = new Strided(margin, 1, 'margin');
+        return this.#ofShapes(shape, BODIES, [margins], options, (batch, name, bodies, selection) => {
+            const contacts = batch.allocateRecords('scene_contact', batch.count * most), found = batch.allocateRecords('filled');
+            batch.functions[`wasm_scene_find_contacts_${name}`](contacts, most, found, batch.view, bodies, batch.placePacked(margins, 1),
+                                                                batch.count, batch.allocateRecords('contact', most), selection);
+            return batch.pack('scene_contact', contacts, most, found);
+        });
     }
 
     sweep(shape, displacements, { culling = 'none', ignoreLeaving = false, skin = 0, ...selected } = {}) {

@@ -1,6 +1,6 @@
 // Types of scenes: many instances of blobs, each with a place in the world.
-import type { Box, FilterOptions, Moving, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
-import type { ClosestPoints, Lists, PlaceArray, RayHits, SweepHits, YesNo } from '../results.js';
+import type { Body, Box, FilterOptions, Moving, Numbers, Places, RayOptions, SweepOptions, Vectors, Volume } from '../arguments.js';
+import type { ClosestPoints, Contacts, Lists, PlaceArray, RayHits, SweepHits, YesNo } from '../results.js';
 
 export interface MaskOptions {
     /** Instances whose mask shares no bit with it are passed over. All bits unless given. */
@@ -19,6 +19,7 @@ export interface InstanceIds {
 export interface SceneRayHits extends RayHits, InstanceIds {}
 export interface SceneClosestPoints extends ClosestPoints, InstanceIds {}
 export interface SceneSweepHits extends SweepHits, InstanceIds {}
+export interface SceneContacts extends Contacts, InstanceIds {}
 /** Triangles of instances. */
 export interface SceneTriangles extends InstanceIds {
     triangle: Uint32Array;
@@ -87,6 +88,12 @@ export interface SceneQueries {
     overlaps(shape: Volume, options?: SceneOptions): YesNo;
     /** Returns the triangles that touch each shape, in ascending order of instances. */
     overlappingTriangles(shape: Volume, options?: SceneOptions): Lists<SceneTriangles>;
+    /**
+     * Returns the contacts of each body with all instances within a margin in world units, 0 unless given, the deepest first:
+     * those of Blob.contacts() with each instance by itself. Of more than `most` the deepest are kept, and the status is
+     * OUTPUT_FULL.
+     */
+    contacts(shape: Body, most: number, margin?: Numbers, options?: SceneOptions): Lists<SceneContacts>;
     /** Returns the first contact of each shape as it moves by a displacement. The skin is in world units. */
     sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & SceneOptions): SceneSweepHits;
 }

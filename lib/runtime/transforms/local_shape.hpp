@@ -1,4 +1,4 @@
-// A convex hull moved into the local space of a transform: as to_local() moves each of its vertices.
+// A shape moved into the local space of a transform, as to_local() does; of a convex hull each of its vertices.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +25,22 @@ public:
 private:
     std::size_t count_;
     Vec3 vertices_[max_hull_vertices];
+};
+
+/// A shape in the local space of an instance.
+template <class Shape>
+class LocalShape {
+public:
+    LocalShape(const Transform& transform, const Shape& world) : shape_(to_local(transform, world)) {}
+    [[nodiscard]] const auto& shape() const { return shape_; }
+
+private:
+    decltype(to_local(Transform(), Shape())) shape_;  // of a Box an OrientedBox
+};
+template <>
+class LocalShape<ConvexHull> : public LocalHull {
+public:
+    using LocalHull::LocalHull;
 };
 
 }  // namespace espalier::detail
