@@ -9,16 +9,25 @@ bool are_equal(const char* a, const char* b) {
     return false;
 }
 
+#define NAME(structure, Cpp) #structure "\0"
+constexpr char names[] = ESPALIER_C_STRUCTURES(NAME, NAME);
+#define SIZE(structure, Cpp) sizeof(espalier_##structure),
+constexpr std::uint16_t sizes[] = {ESPALIER_C_STRUCTURES(SIZE, SIZE)};
+#undef NAME
+#undef SIZE
+
 }  // namespace
 
 const char* espalier_version(void) { return ESPALIER_VERSION; }
 
-#define SIZE_IF_NAMED(structure, Cpp) \
-    if (are_equal(name, #structure)) return sizeof(espalier_##structure);
-
 size_t espalier_size_of(const char* name) {
     if (name == nullptr) return 0;
-    ESPALIER_C_STRUCTURES(SIZE_IF_NAMED, SIZE_IF_NAMED)
+    const char* structure = names;
+    for (const std::uint16_t size : sizes) {
+        if (are_equal(name, structure)) return size;
+        while (*structure++ != '\0') {
+        }
+    }
     return 0;
 }
 
@@ -30,3 +39,4 @@ espalier_abi_sizes espalier_abi(void) {
             .version_patch = ESPALIER_VERSION_PATCH,
             ESPALIER_C_STRUCTURES(SIZE, SIZE)};
 }
+#undef SIZE

@@ -51,6 +51,20 @@ InScene<SweepHit> sweep_part(const BakedScene& tile, const Shape& local, const V
                             contact_t);
 }
 
+/// Moves the contact of an instance to the world and keeps it if it is earlier than the best one, whose t without a
+/// skin is `contact_t`. Compiled once for all shapes.
+ESPALIER_NOINLINE bool keep_first(BestInScene<SweepHit>& best, const VisitedInstance& instance, InScene<SweepHit>& hit,
+                                  float t, float& contact_t) {
+    if (!best.is_better(*hit, instance.id_of(hit.instance), order_of(*hit, t), order_of(*best, contact_t)))
+        return false;
+    hit.hit.point = to_world(instance.transform, hit->point);
+    hit.hit.normal = normal_to_world(instance.transform, hit->normal);
+    hit.hit.face_normal = normal_to_world(instance.transform, hit->face_normal);
+    best.set(*hit, instance.id_of(hit.instance));
+    contact_t = t;
+    return true;
+}
+
 /// Returns what sweep() returns. Where that is a contact, writes the t that it has without a skin.
 template <class Shape>
 InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
@@ -78,14 +92,7 @@ InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, 
             return sweep_part(part, local.shape(), direction_to_local(instance.transform, displacement), options, keep,
                               t);
         });
-        if (!best.is_better(*hit, instance.id_of(hit.instance), order_of(*hit, t), order_of(*best, contact_t)))
-            return Visit::next;
-        hit.hit.point = to_world(instance.transform, hit->point);
-        hit.hit.normal = normal_to_world(instance.transform, hit->normal);
-        hit.hit.face_normal = normal_to_world(instance.transform, hit->face_normal);
-        best.set(*hit, instance.id_of(hit.instance));
-        contact_t = t;
-        limit = passage.key_of(limit_above(t));
+        if (keep_first(best, instance, hit, t, contact_t)) limit = passage.key_of(limit_above(t));
         return Visit::next;
     };
     visit_nearest_instances(data, filter.mask(), passage, passage.key_of(1.0f), move);
