@@ -284,7 +284,8 @@ def test_tiles_are_joined_where_their_sources_are():
 def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        scene = espalier.bake_scene([far, near], espalier.transform(translation=[[0, 0, 0], PLACE + [8, 0, 0]]), [0, 1])
+        places = [[0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0, 1, *(PLACE + [8, 0, 0]), 1]]  # float64, which transform() rounds
+        scene = espalier.bake_scene([far, near], places, [0, 1])
     assert np.abs(scene.origin - PLACE).max() < 32 and scene.max_error < NEAR
     scene.save(tmp_path / "scene.espl")
     for each in (scene, espalier.open_scene(tmp_path / "scene.espl"), pickle.loads(pickle.dumps(scene))):
@@ -296,8 +297,8 @@ def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points)
     assert scene.bounds.dtype == np.float64 and (low < -1.99).all() and (high > [9.99, 1.99, 1.99]).all() and high.max() < 16
     assert np.abs(scene.raycast(PLACE + [8, 0, 9], [0, 0, -1])["t"] - 7) < NEAR
     ball = espalier.Sphere(PLACE + [8, 0, 2.24], 0.25)
-    assert scene.overlaps(ball) and set(scene.overlapping_triangles(ball)[0]["instance"]) == {1}
-    assert set(scene.candidates(espalier.Box(PLACE + 7, PLACE + 9))[0]["instance"]) == {1}
+    assert scene.overlaps(ball).yes and set(scene.overlapping_triangles(ball).items["instance"]) == {1}
+    assert set(scene.candidates(espalier.Box(PLACE + [7, 0, 0], PLACE + [9, 1, 1])).items["instance"]) == {1}
     close(scene.sweep(espalier.Sphere(PLACE + [8, 0, 5], 0.25), [0, 0, -5])["point"], PLACE + [8, 0, 2])
     close(scene.contacts(ball).items["point"], PLACE + [8, 0, 2])
     close(scene.instances()["transform"][:, 4:7], [far.origin, PLACE + [8, 0, 0]])
