@@ -17,7 +17,10 @@ from .results import Lists, Status
 
 def transform(rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0), translation: ArrayLike = (0.0, 0.0, 0.0),
               scale: ArrayLike = 1.0) -> NDArray[np.float32]:
-    """Returns transforms, (..., 8), from quaternions x, y, z, w (..., 4), translations (..., 3) and scales (...)."""
+    """Returns transforms, (..., 8), from quaternions x, y, z, w (..., 4), translations (..., 3) and scales (...).
+
+    float32. Give far places, which that does not hold, as rows of float64 of your own.
+    """
     parts = (np.asarray(rotation, np.float32), np.asarray(translation, np.float32),
              np.asarray(scale, np.float32)[..., np.newaxis])
     if parts[0].shape[-1:] != (4,) or parts[1].shape[-1:] != (3,):
