@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Checks what `espalier --json` prints: one JSON document that the schema of its verb describes.
+"""Checks what `espalier --json` printed: one JSON document a run, which the schema of its verb describes, and which has an error
+exactly if the run failed.
 
-Usage: schema.py VERB DOCUMENT.json
+Usage: schema.py DOCUMENTS, a file of four strings a run, each ended by a zero byte: exit code, verb, a name of the run, what it
+printed. Prints a line for each run whose document is wrong.
 
 Stricter than JSON Schema in two ways: an object has no keys besides those that its schema names, so that a new key
 without a description is found, and 1.0 is no integer. The schemas are as strict, so that a mistyped word is found.
@@ -44,7 +46,17 @@ def complaint(verb, text):
     return f"{best_match(found).json_path}: {best_match(found).message}" if found else ""
 
 
+def complaints(runs):
+    """A line for each run whose document is wrong: (exit code, verb, name, what it printed) each."""
+    for code, verb, name, text in runs:
+        wrong = complaint(verb, text)
+        if wrong:
+            yield f"{name}: the JSON is not what {verb}.json describes: {wrong}"
+        elif ("error" in json.loads(text)) != (code != "0"):
+            yield f"{name}: the run ended with {code}, and its JSON has {'an' if code == '0' else 'no'} error"
+
+
 if __name__ == "__main__":
-    found = complaint(sys.argv[1], pathlib.Path(sys.argv[2]).read_text())
-    print(found)
-    sys.exit(1 if found else 0)
+    fields = pathlib.Path(sys.argv[1]).read_text(errors="replace").split("\0")[:-1]
+    for line in complaints(zip(*[iter(fields)] * 4)):
+        print(line)
