@@ -5,10 +5,9 @@ namespace espalier::detail {
 
 namespace {
 
-// In 64 bits coordinates may differ by at most 2^20: 6 products of three such stay below 2^62.6. In 128 bits they may
-// differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
-using Narrow = Integer3;
-using Wide = WideVector;
+// With an Integer3, of 64 bits, coordinates may differ by at most 2^20: 6 products of three such stay below 2^62.6.
+// With a WideVector, of 128 bits, they may differ by less than 2^39: a normal's stay below 2^79, 3 products of one
+// below 2^119.6.
 
 /// Sign of the volume of four points: positive when d is on the side of a, b, c from which they go round
 /// counterclockwise.
@@ -72,7 +71,7 @@ ESPALIER_NOINLINE bool segments_meet(const IntegerTriangle& p, const IntegerTria
     Integer3 s[2], t[2];
     find_ends(p, s);
     find_ends(q, t);
-    if (volume<Wide>(s[0], s[1], t[0], t[1]) != 0) return false;
+    if (volume<WideVector>(s[0], s[1], t[0], t[1]) != 0) return false;
     // Any three of the four points that are not on one line tell the plane.
     WideVector plane = wide_cross(s[1] - s[0], t[0] - s[0]);
     if (is_zero(plane)) plane = wide_cross(s[1] - s[0], t[1] - s[0]);
@@ -92,7 +91,7 @@ ESPALIER_NOINLINE bool segment_meets(const IntegerTriangle& p, const IntegerTria
     bool left = false;
     bool right = false;
     for (int k = 0; k < 3; ++k) {
-        const int side = volume<Wide>(s[0], s[1], q.corner[k], q.corner[k == 2 ? 0 : k + 1]);
+        const int side = volume<WideVector>(s[0], s[1], q.corner[k], q.corner[k == 2 ? 0 : k + 1]);
         left = left || side < 0;
         right = right || side > 0;
     }
@@ -165,7 +164,9 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
             volume<Vector>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Vector>(*s.a, *s.c, *t.a, *t.c) >= 0};
 }
 
-ESPALIER_NOINLINE Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
+ESPALIER_NOINLINE Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) {
+    return meet<WideVector>(p, q);
+}
 
 /// Whether all corners lie within 2^19 of the first one, along every axis.
 [[maybe_unused]] bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
@@ -190,7 +191,7 @@ ESPALIER_NOINLINE bool meet_in_own_plane(const IntegerTriangle& p, const Integer
 }  // namespace
 
 bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept {
-    const Meeting meeting = takes_shortcut() && are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
+    const Meeting meeting = takes_shortcut() && are_near(p, q) ? meet<Integer3>(p, q) : meet_wide(p, q);
     if (!meeting.is_special) return meeting.answer;
     if (meeting.p_is_flat && meeting.q_is_flat) return segments_meet(p, q);
     if (meeting.p_is_flat) return segment_meets(p, q);

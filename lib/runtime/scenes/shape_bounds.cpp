@@ -2,6 +2,7 @@
 
 #include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
 
@@ -53,7 +54,6 @@ private:
 };
 
 Vec3 magnitudes(const Vec3& v) { return {absolute(v.x), absolute(v.y), absolute(v.z)}; }
-Vec3 sum(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 }  // namespace
 
