@@ -284,7 +284,7 @@ def test_tiles_are_joined_where_their_sources_are():
 def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        places = [[0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0, 1, *(PLACE + [8, 0, 0]), 1]]  # float64, which transform() rounds
+        places = espalier.transform(translation=[[0, 0, 0], PLACE + [8, 0, 0]], dtype=np.float64)
         scene = espalier.bake_scene([far, near], places, [0, 1])
     assert np.abs(scene.origin - PLACE).max() < 32 and scene.max_error < NEAR
     scene.save(tmp_path / "scene.espl")

@@ -9,20 +9,19 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
 from .results import Lists, Status
 
 
 def transform(rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0), translation: ArrayLike = (0.0, 0.0, 0.0),
-              scale: ArrayLike = 1.0) -> NDArray[np.float32]:
+              scale: ArrayLike = 1.0, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Returns transforms, (..., 8), from quaternions x, y, z, w (..., 4), translations (..., 3) and scales (...).
 
-    float32. Give far places, which that does not hold, as rows of float64 of your own.
+    Rounded to float32; with dtype=np.float64 places far from 0 stay what they are, for the calls that take them so.
     """
-    parts = (np.asarray(rotation, np.float32), np.asarray(translation, np.float32),
-             np.asarray(scale, np.float32)[..., np.newaxis])
+    parts = (np.asarray(rotation, dtype), np.asarray(translation, dtype), np.asarray(scale, dtype)[..., np.newaxis])
     if parts[0].shape[-1:] != (4,) or parts[1].shape[-1:] != (3,):
         raise ValueError("rotation must have the shape (..., 4), translation (..., 3)")
     shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
