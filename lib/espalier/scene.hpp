@@ -115,8 +115,8 @@ public:
     /// corners are zero if there are no instances.
     [[nodiscard]] Box bounds() const noexcept;
     /// Returns where 0 0 0 of the scene lies in the source, in float64: what bake_scene() subtracted from all places
-    /// (SceneBakeOptions::origin). 0 for most scenes, and for tiles as a part of another scene: an instance places what
-    /// counts from the origin of its mesh or tile, and its transform leads to what counts from that of the scene.
+    /// (SceneBakeOptions::origin). 0 for most scenes. A tile keeps its own, which no query of the scene around it uses:
+    /// a transform leads from what counts from the origin of a mesh or tile to what counts from that of the scene.
     [[nodiscard]] Vec3d source_origin() const noexcept;
 
     /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and

@@ -295,7 +295,7 @@ Vec3d move_to_origin(ImportResult& imported, const BakeOptions& options) {
         const double side = std::max({all.high[0] - all.low[0], all.high[1] - all.low[1], all.high[2] - all.low[2]});
         if (is_needed && side <= double(std::numeric_limits<float>::max()))  // else no origin helps
             origin = baker::origin_near_middle({all.low[0], all.low[1], all.low[2]},
-                                               {all.high[0], all.high[1], all.high[2]}, side);
+                                               {all.high[0], all.high[1], all.high[2]}, baker::power_above(side));
     }
     if (origin == Vec3d{}) return origin;
     for (ImportedPlace& place : imported.places) {

@@ -57,7 +57,7 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
     const Box bounds = scene.bounds();
     console.say("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max), " (around boxes of instances)");
     console.say("max error: ", shortest(report.max_error),
-                " of the meshes at their places; places differ from the source's by up to ",
+                " of the meshes at the places that the scene stores; those differ from the source's by up to ",
                 rounded(baked.placing_error), ", and surfaces by ", rounded(baked.max_error), " in all");
     console.say("scene: ", counted(report.instances, "instance"), " of ", counted(report.meshes, "mesh"), ", ",
                 counted(report.triangles, "triangle"), ", ", counted(report.nodes, "node"), ", depth ", report.depth);

@@ -94,7 +94,7 @@ Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options
     if (!is_rounded || !(side > 0.0) || !std::isfinite(side) ||
         !is_too_coarse(bounds.largest_coordinate, std::ldexp(1.0, step_exponent_of(options.resolution, side))))
         return {};
-    return origin_near_middle(bounds.min, bounds.max, side);
+    return origin_near_middle(bounds.min, bounds.max, power_above(side));
 }
 
 float largest_snap_error(int step_exponent) {

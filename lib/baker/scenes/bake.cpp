@@ -170,6 +170,8 @@ PlacedInstances place_instances(const Parts& found, std::span<const PartBoxes> b
                                 std::span<const Instance> given, const SceneBakeOptions& options, SceneReport& report) {
     std::vector<ExactPlace> places;
     std::vector<PlacedBox> boxes;
+    std::vector<double> steps;
+    for (const ScenePart& part : found.parts) steps.push_back(part.finest_step());
     const bool is_elsewhere = options.origin.value_or(Vec3d{}) != Vec3d{};
     for (std::size_t i = 0; i < given.size(); ++i) {
         Transform transform = given[i].transform;
@@ -185,17 +187,20 @@ PlacedInstances place_instances(const Parts& found, std::span<const PartBoxes> b
             box.lo[k] += coordinates[k];
             box.hi[k] += coordinates[k];
         }
-        boxes.push_back({box, part.finest_step() * double(transform.scale),
+        boxes.push_back({box, steps[number] * double(transform.scale),
                          part.source_origin() != Vec3d{} || !fits_float32(translation) || is_elsewhere});
     }
     report.origin = options.origin ? *options.origin : choose_scene_origin(boxes);
     const auto far = find_too_far(boxes, report.origin);
-    if (far && options.origin && choose_scene_origin(boxes) != Vec3d{})
-        report.warnings.push_back({BakeWarning::Kind::step_below_float_spacing,
-                                   "instance " + std::to_string(*far) +
-                                       " lies where float32 is coarser than a quarter of its lattice step " +
-                                       short_number_text(boxes[*far].step) +
-                                       ": choose an origin near the instances, or let the baker choose one."});
+    if (far) {
+        const bool another_helps = !find_too_far(boxes, choose_scene_origin(boxes));
+        report.warnings.push_back(
+            {BakeWarning::Kind::step_below_float_spacing,
+             "instance " + std::to_string(*far) + " lies where float32 is coarser than a quarter of its lattice step " +
+                 short_number_text(boxes[*far].step) +
+                 (another_helps ? ": choose an origin near the instances, or let the baker choose one."
+                                : ": the scene is too large for this step; bake it in parts, or with a coarser one.")});
+    }
     PlacedInstances placed{{given.begin(), given.end()}, std::vector<double>(given.size())};
     for (std::size_t i = 0; i < given.size(); ++i)
         if (boxes[i].is_in_float64 || report.origin != Vec3d{} || !options.translations.empty())

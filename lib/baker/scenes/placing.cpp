@@ -138,8 +138,11 @@ Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
         }
         side = std::max(side, all.hi[k] - all.lo[k]);
     }
-    if (!(side > 0.0) || !std::isfinite(side)) return {};
-    return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, side);
+    if (!std::isfinite(side)) return {};
+    double spacing = side > 0.0 ? power_above(side / 64) : 0.0;
+    for (const PlacedBox& instance : instances)
+        if (std::isfinite(instance.step)) spacing = std::max(spacing, power_above(instance.step));
+    return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, spacing);
 }
 
 }  // namespace espalier::baker

@@ -52,8 +52,8 @@ struct PlacedBox {
 [[nodiscard]] std::optional<std::size_t> find_too_far(std::span<const PlacedBox> instances, const Vec3d& origin);
 
 /// Returns an origin for the scene. 0 if find_too_far() finds none from there; else a place near the middle of all
-/// instances. That is a multiple of a power of two that no side reaches, and so of the step of each instance: what was
-/// moved by whole steps still is.
+/// instances. That is a multiple of a power of two above the step of each instance, so that what was moved by whole
+/// steps still is, and above a 64th of the largest side.
 [[nodiscard]] Vec3d choose_scene_origin(std::span<const PlacedBox> instances);
 
 }  // namespace espalier::baker

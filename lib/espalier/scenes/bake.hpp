@@ -31,8 +31,8 @@ struct SceneReport {
     float max_error = 0.0f;               ///< the largest of any instance, in world units, placing included
     std::uint32_t on_common_lattice = 0;  ///< instances for which rays are rounded once (BakedScene::common_lattice)
     Vec3d origin;                         ///< that was subtracted from all places
-    /// step_below_float_spacing: with the origin that was given, an instance lies where float32 is coarser than a
-    /// quarter of its lattice step. With 0, only of instances that need float64.
+    /// step_below_float_spacing: an instance lies where float32, from the origin, is coarser than a quarter of its
+    /// lattice step. With an origin of 0, only of instances that need float64.
     std::vector<BakeWarning> warnings;
 };
 
@@ -43,7 +43,7 @@ struct SceneBakeOptions {
     /// Is subtracted from each place of the source: the scene's coordinates count from there, so that float32 holds
     /// them. The scene keeps it (BakedScene::source_origin), unless it is 0. None: chosen where float32 is coarser than
     /// a quarter of the step of an instance that needs float64, since its mesh has an origin or its translation does;
-    /// near the middle of all instances, and a multiple of every step. Else 0.
+    /// near the middle of all instances, and a multiple of every step of unscaled meshes. Else 0.
     std::optional<Vec3d> origin = Vec3d{};
 };
 

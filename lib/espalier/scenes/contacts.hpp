@@ -1,9 +1,8 @@
 // Contacts of a body with all instances of a scene, baked or moving.
 //
-// They are those of find_contacts() for each instance, with as many places, moved to the world: the loop that scene.hpp
-// describes. Edges
-// between two instances are not internal: of tiles that one lattice holds, join_borders() (bake.hpp) corrects the
-// kinds.
+// They are what find_contacts() returns for each instance by itself, with as many places, moved to the world: the loop
+// that scene.hpp describes. An edge where two instances meet counts as a border, on which contacts lean; join_borders()
+// (bake.hpp) corrects that for tiles on one lattice.
 //
 // Thread safety: any number of threads may query one scene. No call allocates.
 #pragma once

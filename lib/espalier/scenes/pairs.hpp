@@ -85,7 +85,10 @@ FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
 /// Writes the pairs of an instance of the moving scene and one of the baked scene that for_each_candidate() visits for
-/// its box. Both scenes are in one world. Cost: a walk of the baked scene's tree for each instance that counts.
+/// its box. Cost: a walk of the baked scene's tree for each instance that counts. Both scenes are in one world: those
+/// of a baked scene without an origin are coordinates of the view. One with an origin needs a view that counts from
+/// there, as seen_from(moving, baked.source_origin()) does if that is a multiple of 128 steps; others are refused
+/// (invalid_argument).
 FilledPairs<BakedPair> collect_candidate_pairs(const MovingScene& moving, const BakedScene& baked,
                                                std::span<BakedPair> pairs, const PairFilter& filter = {},
                                                BakedPair from = {}) noexcept;

@@ -64,8 +64,8 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
         """(3,): what the bake subtracted from all positions, in float64; zero for most blobs.
 
         The blob stores it and counts all places from there in float32. Every call here takes and returns places in the
-        coordinates of the source: it subtracts and adds the origin in float64. Only scenes place what counts from the
-        origin (bake_scene).
+        coordinates of the source: it subtracts and adds the origin in float64. Only moving scenes place what
+        counts from the origin.
         """
         return np.array(self._facts["origin"], np.float64)
 

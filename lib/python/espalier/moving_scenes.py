@@ -104,8 +104,8 @@ class MovingScene(SceneQueries):
         place: (3,), in the world. Each place that is given is rounded once to float32, from the `origin` of the view: the
         multiple of 128 steps nearest to `place`. An instance keeps the place that it was given through a view, and
         others, from elsewhere, round it once more, by less than a ten-millionth of the distance.
-        Handles, pairs and the bounds of the world do not depend on the view, and a change through one changes all. In
-        pairs with a baked scene, that counts from the origin. Raises ValueError for a place that is not in the world.
+        Handles, pairs and the bounds of the world do not depend on the view, and a change through one changes all. Pairs
+        with a baked scene that has an origin need a view with that `origin`. Raises ValueError for a place that is not in the world.
         """
         x, y, z = (float(coordinate) for coordinate in np.asarray(place, np.float64).reshape(3))
         view = MovingScene.__new__(MovingScene)
@@ -167,8 +167,8 @@ class MovingScene(SceneQueries):
                users: Optional[ArrayLike] = None) -> NDArray[Any]:
         """Inserts instances and returns their handles, (n,): an array of HANDLE.
 
-        places: (n, 8), the transform of each instance, which moves what a blob counts from its `origin`, as that of
-        bake_scene() does. meshes: (n,), the number of its blob or tile. masks, users: (n,), 32 bits for queries and for
+        places: (n, 8), the transform of each instance, which moves what a blob counts from its `origin`; those of
+        bake_scene() move the source instead. meshes: (n,), the number of its blob or tile. masks, users: (n,), 32 bits for queries and for
         the caller. Keep the handles: they name instances until these are removed.
         A refused instance has a status from 16 on, the others go on: INVALID_ARGUMENT for a number without a mesh or a
         transform that is not valid, OUT_OF_RANGE for a place outside of the world, NO_ROOM in a full scene.
@@ -233,7 +233,8 @@ class MovingScene(SceneQueries):
                         start: Optional[Sequence[int]] = None) -> Pairs:
         """Returns the pairs of instances that may touch: those whose boxes do, and whose masks share a bit.
 
-        baked: a scene that stays, in the same world; the pairs are then those of an instance of each, as BAKED_PAIR.
+        baked: a scene that stays; the pairs are then those of an instance of each, as BAKED_PAIR. If it has an origin,
+        this must be a view with the same one: `seen_from(baked.origin)`.
         Without it: of this scene with itself, as INSTANCE_PAIR, a < b. Both name slots of this scene.
         only_moved: only pairs of which an instance was moved or inserted since end_step().
         start: the pair to begin at, by default the first one.

@@ -1,4 +1,9 @@
 // Candidate and colliding pairs of a moving scene: with itself, and with a baked scene.
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 #include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
 
@@ -55,9 +60,23 @@ private:
     BakedPair from_;
 };
 
+/// Whether the coordinates of both count from one place. Those of a baked scene without an origin are the view's.
+bool have_one_origin(const MovingScene& moving, const BakedScene& baked) {
+    using Bits = std::array<std::uint64_t, 3>;  // small cores have no arithmetic for float64
+    const Bits of_moving = std::bit_cast<Bits>(moving.origin()), of_baked = std::bit_cast<Bits>(baked.source_origin());
+    bool is_zero = true, is_equal = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        is_zero = is_zero && of_baked[k] << 1 == 0;  // -0 as well
+        is_equal = is_equal && (of_baked[k] == of_moving[k] || (of_baked[k] | of_moving[k]) << 1 == 0);
+    }
+    return is_zero || is_equal;
+}
+
 /// Returns ok if both scenes can be walked, else why not.
 QueryStatus readiness_of(const MovingScene& moving, const BakedScene& baked) {
-    return baked ? detail::readiness_of(moving) : QueryStatus::not_open;
+    if (!baked) return QueryStatus::not_open;
+    const QueryStatus status = detail::readiness_of(moving);
+    return status != QueryStatus::ok || have_one_origin(moving, baked) ? status : QueryStatus::invalid_argument;
 }
 
 /// Returns the mesh of an instance, seen from the space in which its transform leads: that of the scene or of a tile.

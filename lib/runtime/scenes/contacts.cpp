@@ -23,6 +23,7 @@ public:
     void add(const InScene<Contact>& contact) {
         if (count_ < places_.size()) {
             ++count_;
+            is_full_ = is_full_ || count_ == places_.size();  // as of one instance
         } else {
             is_full_ = true;
             if (count_ == 0 || !comes_before(contact, places_[count_ - 1])) return;

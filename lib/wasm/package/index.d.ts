@@ -66,7 +66,7 @@ export class Blob {
     readonly maxError: number;
     /**
      * What the bake subtracted from all positions: three numbers, 0 for most blobs. The blob stores it and counts places from
-     * there in float32. All calls but those of scenes take and return places in the coordinates of the source.
+     * there in float32. All calls but those of moving scenes take and return places in the coordinates of the source.
      */
     readonly origin: Float64Array;
     /** The lower and the upper corner of a box around all triangles: six numbers. */

@@ -448,6 +448,18 @@ TEST_CASE("scene: a baked scene meets a moving one where it is seen from the vie
     CHECK(collect_candidate_pairs(elsewhere, baked.scene, pairs).count == 0);
     CHECK(collect_colliding_pairs(elsewhere, baked.scene, pairs, WorkLimit(1000)).count == 0);
     CHECK(collect_colliding_pairs(world.scene, baked.scene, pairs, WorkLimit(1000)).count == 0);
+    // With an origin it is in the coordinates of the source, and met from that origin alone.
+    const SceneBakeResult placed = bake_scene(std::array{std::span<const std::byte>(blobs[0].bytes)},
+                                              std::array<Instance, 1>(), {std::array{view.origin()}, view.origin()});
+    std::vector<Blob> placed_meshes(1);
+    const BakedScene far = open_scene(placed.bytes, placed_meshes);
+    REQUIRE(far.source_origin() == view.origin());
+    CHECK(collect_candidate_pairs(view, far, pairs).count == 1);
+    CHECK(collect_colliding_pairs(view, far, pairs, WorkLimit(1000)).count == 1);
+    for (const MovingScene& other : {elsewhere, world.scene}) {
+        CHECK(collect_candidate_pairs(other, far, pairs).status == QueryStatus::invalid_argument);
+        CHECK(collect_colliding_pairs(other, far, pairs, WorkLimit(1000)).status == QueryStatus::invalid_argument);
+    }
 }
 
 TEST_CASE("scene: a mesh with another pose keeps its instances where the views placed them") {

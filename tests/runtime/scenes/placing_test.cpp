@@ -185,6 +185,27 @@ TEST_CASE("scene: scenes that need none keep their bytes and others state it in 
     CHECK(with.report.warnings.empty());
     CHECK(std::abs(with.report.origin.x - 4e6) < 8);
     CHECK(with.report.max_error < without.report.max_error);
+    // Of whatever origin, the advice is one that helps.
+    const auto advice = [](const SceneBakeResult& result) {
+        return result.report.warnings.size() == 1 ? result.report.warnings[0].message : std::string();
+    };
+    const std::array at_zero = {Vec3d{0.1, 0, 0}};
+    CHECK(advice(baked(at_zero, Vec3d{1e7, 0, 0})).find("choose an origin") != std::string::npos);
+    CHECK(advice(baked(far, Vec3d{})).find("choose an origin") != std::string::npos);
+    const auto baked_twice = [&](double from, double to, std::optional<Vec3d> origin) {
+        return bake_scene(std::array{std::span<const std::byte>(cube.bytes)}, std::array<Instance, 2>(),
+                          {std::array{Vec3d{from, 0, 0}, Vec3d{to, 0, 0}}, origin});
+    };
+    for (const double from : {0.1, 4e7 + 0.1, 1e14 + 0.1}) {
+        CHECK(advice(baked_twice(from, from + 4e6, std::nullopt)).find("the scene is too large") != std::string::npos);
+        CHECK(advice(baked_twice(from, from + 4e6, Vec3d{from, 0, 0})).find("the scene is too large") !=
+              std::string::npos);
+        const SceneBakeResult close = baked_twice(from, from, std::nullopt);
+        CHECK(close.report.warnings.empty());
+        CHECK(std::abs(close.report.origin.x - from) < 8);
+    }
+    const SceneBakeResult wide = baked_twice(0.1, 2.5e5, std::nullopt);
+    CHECK(std::abs(wide.report.origin.x - 1.25e5) < 4096 + 2);  // a 64th of the side, to be below it
     std::vector<Blob> meshes(1);
     const auto changed = [&](std::size_t at, std::uint64_t value, unsigned bytes) {
         Bytes other = with.bytes;

@@ -332,7 +332,7 @@ SceneComparison compare_contacts(const Scene& scene, const Body& body, float mar
         }
     });
     std::ranges::stable_sort(expected, {}, [](const auto& contact) { return contact.hit.distance; });
-    is_cut |= expected.size() > places;
+    is_cut |= expected.size() >= places && !expected.empty();
     if (is_cut) expected.resize(std::min(places, expected.size()));
     const Filled found = find_contacts(scene, body, margin, contacts, room, filter);
     SceneComparison result;

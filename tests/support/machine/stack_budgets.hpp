@@ -148,7 +148,7 @@ inline constexpr StackBudget stack_budgets[] = {
     {"scene, sweep, a hull", {7872, 8640, 9664, 11072}, {8064, 9920, 10176, 10752}},
     {"scene of tiles, sweep, a hull", {9856, 10624, 11712, 13056}, {10112, 12160, 12096, 12736}},
     {"scene, for_each_candidate", {1216, 1280, 1280, 1280}, {1088, 1216, 896, 896}},
-    {"scene of tiles, for_each_candidate", {1664, 1664, 1664, 1664}, {2112, 2368, 1728, 1728}},
+    {"scene of tiles, for_each_candidate", {1792, 1856, 1856, 1856}, {2112, 2368, 1728, 1728}},
     {"refit", {1024, 1024, 1024, 1024}, {1300, 1300, 1300, 1300}},
     {"seal and create_deformable", {384, 384, 384, 384}, {512, 512, 512, 512}},
 };

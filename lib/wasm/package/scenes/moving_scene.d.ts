@@ -98,8 +98,8 @@ export class MovingScene {
      * it is given are rounded once to float32, from its `origin`: the multiple of 128 steps nearest to `place`. Those in
      * results are Float64Arrays. An instance keeps the place that it was given through a view; others, from elsewhere, round
      * it once more, by less than a ten-millionth of the distance. Handles and pairs do not depend on the view, and a change
-     * through one changes all. In pairs with a baked scene, that counts from the origin. Throws RangeError for a place that
-     * is not in the world.
+     * through one changes all. Pairs with a baked scene that has an origin need a view with that `origin`. Throws RangeError
+     * for a place that is not in the world.
      */
     seenFrom(place: Vectors): MovingScene;
     /** Returns the handles of all slots. A free slot has the status NOT_FOUND. */
