@@ -309,6 +309,13 @@ def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points)
     moving = espalier.MovingScene([far], 4, -6, tiles=[scene]).seen_from(PLACE)
     moving.insert(espalier.transform(translation=scene.origin), 1)
     close(moving.closest_point(PLACE + [8, 0, 3])["point"], PLACE + [8, 0, 2])
+    bodies = espalier.MovingScene([near], 4, -7)
+    view = bodies.seen_from(scene.origin)  # the one view that counts as the baked scene does
+    np.testing.assert_array_equal(view.origin, scene.origin)
+    view.insert(espalier.transform(translation=PLACE + [11, 0, 0], dtype=np.float64))
+    assert view.colliding_pairs(scene).items["instance"].tolist() == [1]
+    for other in (bodies, view.seen_from(PLACE + 4000)):
+        assert other.colliding_pairs(scene).status == other.candidate_pairs(scene).status == espalier.Status.INVALID_ARGUMENT
     by_hand = espalier.bake_scene([far], espalier.transform(), origin=PLACE)
     assert tuple(by_hand.origin) == tuple(PLACE)
     with pytest.warns(espalier.BakeWarning, match="instance 0 lies where float32 is coarser"):

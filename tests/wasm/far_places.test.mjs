@@ -218,6 +218,12 @@ test('scenes place the source and have an origin', async () => {
     const tile = library.createMovingScene([far], 4, { stepExponent: -6, tiles: [scene] }).seenFrom(PLACE);
     tile.insert({ mesh: 1, translation: scene.origin });
     tile.closestPoint(at(8, 0, 3)).point.forEach((x, i) => near(x, at(8, 0, 2)[i]));
+    const bodies = library.createMovingScene([await bake([0, 0, 0])], 4, { stepExponent: -7 }), view = bodies.seenFrom(scene.origin);
+    assert.deepStrictEqual([...view.origin], [...scene.origin]);
+    view.insert({ translation: at(11, 0, 0) });
+    assert.deepStrictEqual([...view.collidingPairs({ baked: scene }).items.instance], [1]);
+    for (const other of [bodies, bodies.seenFrom(at(4000, 0, 0))])
+        assert.strictEqual(other.collidingPairs({ baked: scene }).status, Status.INVALID_ARGUMENT);
     const without = await library.bakeScene([far], {}, { origin: null });
     assert.match(without.report.warnings[0], /instance 0 lies where float32 is coarser/);
     assert.deepStrictEqual([...(await library.bakeScene([far], {}, { origin: PLACE })).origin], [...PLACE]);

@@ -142,7 +142,14 @@ Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
     double spacing = side > 0.0 ? power_above(side / 64) : 0.0;
     for (const PlacedBox& instance : instances)
         if (std::isfinite(instance.step)) spacing = std::max(spacing, power_above(instance.step));
-    return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, spacing);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) largest = std::max({largest, std::abs(all.lo[k]), std::abs(all.hi[k])});
+    const auto origin_on = [&](double grid) {
+        return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, grid);
+    };
+    // A moving scene that reaches this far has views on a grid of 2^-23 of the coordinate at the finest.
+    const Vec3d of_view = origin_on(std::max(spacing, std::ldexp(power_above(largest), -22)));
+    return find_too_far(instances, of_view) ? origin_on(spacing) : of_view;
 }
 
 }  // namespace espalier::baker

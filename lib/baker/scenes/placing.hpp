@@ -53,7 +53,8 @@ struct PlacedBox {
 
 /// Returns an origin for the scene. 0 if find_too_far() finds none from there; else a place near the middle of all
 /// instances. That is a multiple of a power of two above the step of each instance, so that what was moved by whole
-/// steps still is, and above a 64th of the largest side.
+/// steps still is, and above a 64th of the largest side. If that is near enough, a view of a moving scene can have it
+/// too.
 [[nodiscard]] Vec3d choose_scene_origin(std::span<const PlacedBox> instances);
 
 }  // namespace espalier::baker

@@ -37,7 +37,7 @@ class MovingScene(SceneQueries):
     capacity: the largest number of instances at once, 1 to 2^24; it takes 173 bytes for each.
     step_exponent: a step of the world is 2^step_exponent long, -100 to 80. A thousandth of the smallest instance is a
     good step; the world reaches 2^30 - 128 steps from the origin. No ray passes between pieces of a ground that have
-    this step (Resolution.step) and are moved by whole steps of it.
+    this step (`step_exponent` of their bakes) and are moved by whole steps of it.
     tiles: Scene objects without tiles, numbered after the blobs.
 
     A world that float32 does not resolve, such as 100 km with millimetres, is seen from places in it: seen_from() returns
@@ -234,7 +234,7 @@ class MovingScene(SceneQueries):
         """Returns the pairs of instances that may touch: those whose boxes do, and whose masks share a bit.
 
         baked: a scene that stays; the pairs are then those of an instance of each, as BAKED_PAIR. If it has an origin,
-        this must be a view with the same one: `seen_from(baked.origin)`.
+        this must be a view with the same one: `seen_from(baked.origin)`; others get INVALID_ARGUMENT.
         Without it: of this scene with itself, as INSTANCE_PAIR, a < b. Both name slots of this scene.
         only_moved: only pairs of which an instance was moved or inserted since end_step().
         start: the pair to begin at, by default the first one.

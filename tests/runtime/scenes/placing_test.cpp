@@ -204,7 +204,7 @@ TEST_CASE("scene: scenes that need none keep their bytes and others state it in 
         CHECK(close.report.warnings.empty());
         CHECK(std::abs(close.report.origin.x - from) < 8);
     }
-    const SceneBakeResult wide = baked_twice(0.1, 2.5e5, std::nullopt);
+    const SceneBakeResult wide = baked_twice(0.1, 2.5e5 + 0.1, std::nullopt);
     CHECK(std::abs(wide.report.origin.x - 1.25e5) < 4096 + 2);  // a 64th of the side, to be below it
     std::vector<Blob> meshes(1);
     const auto changed = [&](std::size_t at, std::uint64_t value, unsigned bytes) {

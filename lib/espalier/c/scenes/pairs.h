@@ -79,8 +79,8 @@ espalier_filled_instance_pairs espalier_collect_colliding_pairs(espalier_moving_
                                                                 espalier_instance_pair from);
 
 /* Writes the pairs of an instance of the moving scene and one of the baked scene. One with an origin needs a view that
- * counts from there (espalier_moving_scene_seen_from). Refuses other views, and also the view of a moving scene in place
- * of a baked one (ESPALIER_QUERY_INVALID_ARGUMENT). */
+ * counts from there (espalier_moving_scene_seen_from). Refuses other views, and also the view of a moving scene in
+ * place of a baked one (ESPALIER_QUERY_INVALID_ARGUMENT). */
 espalier_filled_baked_pairs espalier_collect_candidate_pairs_with_baked(const espalier_moving_scene* moving,
                                                                         const espalier_scene* baked,
                                                                         espalier_baked_pair* pairs, size_t capacity,
