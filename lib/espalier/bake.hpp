@@ -301,10 +301,11 @@ BakeResult bake(std::span<const MeshView> meshes, const BakeOptions& options = {
 /// reads. Empty unless the result's status is ok.
 [[nodiscard]] std::vector<std::byte> remap_file(const BakeResult& result);
 
-/// A blob that join_borders() changes, and how far it is moved in the world.
+/// A blob that join_borders() changes, and how far that moves what it counts from its source_origin(). Of tiles where
+/// their sources are: its source_origin() less that of the first blob, not the translation that bake_scene() takes.
 struct JoinedBlob {
     std::span<std::byte> bytes;
-    Vec3 translation = {};  ///< as an Instance that is neither turned nor scaled
+    Vec3 translation = {};
 };
 
 /// The outcome of join_borders(). Converts to true if the borders are joined.
@@ -352,4 +353,4 @@ VerifyReport verify(std::span<const std::byte> bytes);
 }  // namespace espalier
 
 // Numerics. The same arrays and options give the same bytes on every machine and for every number of threads. max_error
-// counts from the float32 positions of the meshes.
+// counts from the positions as they were given; of a deformable blob from the float32 positions that refit() takes.

@@ -48,8 +48,8 @@ inline constexpr InstanceId no_instance = {};
 
 /// A mesh or a tile at a place in the world.
 struct Instance {
-    Transform transform;              ///< from the mesh's local space to the world
-    std::uint32_t mesh = 0;           ///< the number of its mesh in the scene; tiles are numbered after the meshes
+    Transform transform;     ///< from the mesh's local space to the world; bake_scene() takes that of its source
+    std::uint32_t mesh = 0;  ///< the number of its mesh in the scene; tiles are numbered after the meshes
     std::uint32_t mask = 0xFFFFFFFF;  ///< queries with a mask that shares no bit with it pass the instance over
     std::uint32_t user = 0;           ///< the caller's: never read by the library
     std::uint32_t source = 0;         ///< its number in the list that was given to bake_scene()
@@ -121,7 +121,7 @@ public:
 
     /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and
     /// do nothing else, such as the tiles of a world. Rays are rounded once for all of them. Not found if there are
-    /// none.
+    /// none, or if they reach farther than 2^24 - 1 steps.
     [[nodiscard]] constexpr Result<Lattice> common_lattice() const noexcept {
         if (data_.tree.bytes == nullptr) return {{}, QueryStatus::not_open};
         return {data_.common, data_.has_common ? QueryStatus::ok : QueryStatus::not_found};

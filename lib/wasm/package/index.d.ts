@@ -173,8 +173,9 @@ export interface Espalier {
      */
     joinBorders(blobs: readonly (Blob | ArrayBuffer | ArrayBufferView)[], translations?: Vectors): Promise<Blob[]>;
     /**
-     * Joins blobs, or their bytes, and instances of them in one scene. Scenes among the blobs become tiles. The arrays must
-     * not change until the promise is settled.
+     * Joins blobs, or their bytes, and instances of them in one scene. Scenes among the blobs become tiles. There are as
+     * many instances as the longest array has elements; without arrays one, of blob 0. The arrays must not change until the
+     * promise is settled.
      */
     bakeScene(blobs: readonly (Blob | Scene | ArrayBuffer | ArrayBufferView)[], instances?: InstancesToBake,
               options?: SceneBakeOptions): Promise<Scene>;
@@ -182,7 +183,7 @@ export interface Espalier {
     openScene(bytes: ArrayBuffer | ArrayBufferView): Scene;
     /**
      * Makes an empty scene whose instances come, move and go. Instances name the blobs by their numbers. `capacity` is the
-     * largest number of instances at once, 1 to 2^24; it takes about 173 bytes for each. Freeing a blob or a tile leaves the scene
+     * largest number of instances at once, 1 to 2^24; it takes about 173 bytes for each. stepExponent is -10 unless given. Freeing a blob or a tile leaves the scene
      * as it is. No ray passes between pieces of a ground whose lattice has the step of the world, 2^stepExponent, and that are
      * moved by whole steps of it.
      */
