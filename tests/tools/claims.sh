@@ -11,7 +11,7 @@ broken=0
 claim=
 
 # run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err. With --json, the output is one
-# document, which the schema of the verb describes, and which contains an error exactly if the verb fails: finish() tells.
+# document, which the schema of the verb describes, and which contains an error exactly if the verb fails; finish() tests that.
 run() {
     local expected=$1
     shift

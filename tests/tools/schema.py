@@ -47,7 +47,7 @@ def complaint(verb, text):
 
 
 def complaints(runs):
-    """A line for each run whose document is wrong: (exit code, verb, name, what it printed) each."""
+    """Yields a line for each run, (exit code, verb, name, what it printed), whose document is wrong."""
     for code, verb, name, text in runs:
         wrong = complaint(verb, text)
         if wrong:

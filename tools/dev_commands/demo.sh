@@ -1,4 +1,4 @@
-# The instruction sets that this machine runs, of those that the build can leave out: a third of the runtime's time to compile.
+# The instruction sets that this machine runs, of those that the build can leave out.
 instruction_sets_here() {
     case "$(grep -m 1 '^flags' /proc/cpuinfo 2>/dev/null) " in
         *" avx512_vbmi2 "*) echo "avx2;avx512" ;;

@@ -105,7 +105,8 @@ class MovingScene(SceneQueries):
         multiple of 128 steps nearest to `place`. An instance keeps the place that it was given through a view, and
         others, from elsewhere, round it once more, by less than a ten-millionth of the distance.
         Handles, pairs and the bounds of the world do not depend on the view, and a change through one changes all. Pairs
-        with a baked scene that has an origin need a view with that `origin`. Raises ValueError for a place that is not in the world.
+        with a baked scene that has an origin need a view with that `origin`. Raises ValueError for a place that is not in
+        the world.
         """
         x, y, z = (float(coordinate) for coordinate in np.asarray(place, np.float64).reshape(3))
         view = MovingScene.__new__(MovingScene)
@@ -168,8 +169,8 @@ class MovingScene(SceneQueries):
         """Inserts instances and returns their handles, (n,): an array of HANDLE.
 
         places: (n, 8), the transform of each instance, which moves what a blob counts from its `origin`; those of
-        bake_scene() move the source instead. meshes: (n,), the number of its blob or tile. masks, users: (n,), 32 bits for queries and for
-        the caller. Keep the handles: they name instances until these are removed.
+        bake_scene() move the source instead. meshes: (n,), the number of its blob or tile. masks, users: (n,), 32 bits
+        for queries and for the caller. Keep the handles: they name instances until these are removed.
         A refused instance has a status from 16 on, the others go on: INVALID_ARGUMENT for a number without a mesh or a
         transform that is not valid, OUT_OF_RANGE for a place outside of the world, NO_ROOM in a full scene.
         """

@@ -183,8 +183,8 @@ export interface Espalier {
     openScene(bytes: ArrayBuffer | ArrayBufferView): Scene;
     /**
      * Makes an empty scene whose instances come, move and go. Instances name the blobs by their numbers. `capacity` is the
-     * largest number of instances at once, 1 to 2^24; it takes about 173 bytes for each. stepExponent is -10 unless given. Freeing a blob or a tile leaves the scene
-     * as it is. No ray passes between pieces of a ground whose lattice has the step of the world, 2^stepExponent, and that are
+     * largest number of instances at once, 1 to 2^24; it takes about 173 bytes for each. stepExponent is -10
+     * unless given. Freeing a blob or a tile leaves the scene as it is. No ray passes between pieces of a ground whose lattice has the step of the world, 2^stepExponent, and that are
      * moved by whole steps of it.
      */
     createMovingScene(blobs: readonly Blob[], capacity: number, options?: MovingSceneOptions & { stepExponent?: number }): MovingScene;
