@@ -21,6 +21,7 @@ SceneArguments arguments_of(SceneQueryMaker& maker) {
         q.ray.t_max = small();
     } else if (kind == 2) {
         q.max_distance = small();
+        q.contact_distance = small();
         q.sphere.radius = small();
         q.options.skin = small();
     } else if (kind == 3) {
