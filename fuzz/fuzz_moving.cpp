@@ -17,6 +17,7 @@
 
 using namespace espalier;
 using namespace espalier::tests;
+using fuzz::require;
 
 namespace {
 
@@ -45,10 +46,6 @@ private:
     std::span<const std::byte> rest_;
     std::uint64_t calls_ = 0;
 };
-
-void require(bool holds, const char* what) {
-    if (!holds) fuzz::fail("moving scene", what);
-}
 
 /// Checks the calls that the loop over all instances does not make.
 void ask_for_more(const MovingScene& scene, const fuzz::Model& model, fuzz::ShapesNear shapes, Random& random) {

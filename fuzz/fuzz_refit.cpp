@@ -16,12 +16,9 @@
 
 using namespace espalier;
 using namespace espalier::tests;
+using fuzz::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-    if (!holds) fuzz::fail("refit", what);
-}
 
 void repair(std::span<std::byte> blob) {
     fuzz::repair_header(blob, format::magic, format::version_major, format::version_minor_of_deformable);

@@ -14,6 +14,11 @@ namespace espalier::fuzz {
 /// Ends the program: a promise is broken.
 [[noreturn]] void fail(const char* what, const std::string& detail);
 
+/// The same with the line of the call, unless the promise holds.
+inline void require(bool holds, const char* promise, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+    if (!holds) fail(promise, file + (':' + std::to_string(line)));
+}
+
 enum class Maker { anyone, baker };
 
 /// Every query with arguments that are drawn: safe, within its steps, the same on every instruction set; the

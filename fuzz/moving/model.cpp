@@ -11,10 +11,6 @@ namespace espalier::fuzz {
 
 namespace {
 
-void require(bool holds, const char* what) {
-    if (!holds) fail("model", what);
-}
-
 /// Returns at least how far a point of a part is from its local origin, along any axis, however it is turned.
 double reach_of(std::uint32_t mesh) {
     const Box box = world().bounds_of(mesh);

@@ -17,10 +17,6 @@ using tests::Random;
 
 namespace {
 
-void require(bool holds, const char* what) {
-    if (!holds) fail("pairs", what);
-}
-
 /// What a filter keeps: pairs whose numbers add up to another rest, or all for 0.
 struct Sieve {
     std::uint32_t divisor = 0;

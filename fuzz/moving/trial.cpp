@@ -13,14 +13,6 @@ namespace espalier::fuzz {
 
 using tests::Random;
 
-namespace {
-
-void require(bool holds, const char* what) {
-    if (!holds) fail("change", what);
-}
-
-}  // namespace
-
 Trial::Trial(std::uint32_t capacity, int step_exponent, std::size_t bytes)
     : memory_(bytes),
       scene_(create_moving_scene(memory_.bytes(), capacity, step_exponent, world().meshes(), world().tiles())),

@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::uint32_t capacity = 4;
 
-void require(bool holds, const char* what) {
-    if (!holds) fail("instances of a mesh", what);
-}
-
 float size_of(const Box& range) {
     return std::max({range.max.x - range.min.x, range.max.y - range.min.y, range.max.z - range.min.z, 0x1p-80f});
 }

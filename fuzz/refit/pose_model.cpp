@@ -10,14 +10,6 @@ namespace espalier::fuzz {
 
 using namespace tests;
 
-namespace {
-
-void require(bool holds, const char* what) {
-    if (!holds) fail("refit", what);
-}
-
-}  // namespace
-
 Vec3 PoseModel::position_at(const GridPoint& point) const {
     const auto along = [&](std::size_t axis) {
         return static_cast<float>(double(blob_.origin[axis]) + std::ldexp(double(point[axis]), blob_.step_exponent));

@@ -25,10 +25,6 @@ using Bytes = std::vector<std::byte>;
 /// Positions above these take too much memory: their number is only a field of the header.
 constexpr std::uint32_t most_positions = 70'000;
 
-void require(bool holds, const char* what) {
-    if (!holds) fuzz::fail("refit", what);
-}
-
 /// Returns the whole blob of a mesh, written over other bytes.
 Bytes sealed(const Deformable& mesh) {
     Bytes bytes(mesh.blob().size(), std::byte{0xA5});
