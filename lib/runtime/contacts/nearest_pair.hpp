@@ -17,13 +17,28 @@ struct SeenTriangle {
     Integer3 side[3];  ///< from each corner to the next
     Vec3 face;         ///< the unit normal, zero without area
     Vec3 front;        ///< the same, but without area any direction across
+    unsigned longest;  ///< the number of the longest side
 
     ESPALIER_NOINLINE SeenTriangle(const LatticeTriangle& triangle, const Integer3& middle, int fraction_bits)
-        : face(face_normal_of(triangle)), front(front_of(triangle)) {
+        : face(face_normal_of(triangle)), front(front_of(triangle)), longest(0) {
+        float most = -1.0f;
         for (int i = 0; i < 3; ++i) {
             corner[i] = to_vector(corner_on_grid(triangle, i, fraction_bits) - middle) * power_of_two(-fraction_bits);
             side[i] = side_from(triangle, i);
+            const float length = dot(to_vector(side[i]), to_vector(side[i]));
+            if (length <= most) continue;
+            most = length;
+            longest = static_cast<unsigned>(i);
         }
+    }
+    /// Whether a point is over the face, on either side. Also between the ends of the longest side: far beyond the tip
+    /// of a needle a point is still on the inner side of all three, but for rounding.
+    [[nodiscard]] bool is_over_face(const Vec3& p) const {
+        for (unsigned i = 0; i < 3; ++i)
+            if (!(dot(cross(to_vector(side[i]), p - corner[i]), front) > 0.0f)) return false;
+        const Vec3 along = to_vector(side[longest]);
+        const float at = dot(p - corner[longest], along);
+        return at >= 0.0f && at <= dot(along, along);
     }
     [[nodiscard]] float reach() const {
         return maximum(maximum(largest(corner[0]), largest(corner[1])), largest(corner[2]));
@@ -78,6 +93,19 @@ struct FirstPlace {
     float size;  ///< what both reach from the shape's middle
     bool is_deep;
 
+    /// `find_nearest` finds the nearest points after a move.
+    template <class FindNearest>
+    FirstPlace(const Separation& separation, float both_reach, FindNearest find_nearest) : size(both_reach) {
+        // Which directions are tried decides only whether the two meet. Beyond the tip of a shape that is flat or thin
+        // they separate by no more than rounding, and only the distance can say that it is apart there.
+        const bool is_in_doubt = separation.gap > size * -0x1p-20f;
+        nearest = find_nearest(is_in_doubt ? Vec3{} : separation.normal * -separation.gap);
+        const float rounding = size * 0x1p-19f;
+        is_deep = separation.gap < 0.0f && (!is_in_doubt || nearest.squared <= rounding * rounding);
+        distance = is_deep ? separation.gap : square_root(nearest.squared);
+        normal = direction_between(nearest, separation, distance, size);
+    }
+
     /// Gives it the normal of the facing side, if it is on an internal feature or leads the shape's middle through the
     /// triangle. `find_gap` offers all directions that may separate, and `find_nearest` finds the nearest points after
     /// a move. Returns false where no part of the shape is over the triangle.
@@ -128,16 +156,15 @@ inline Vec3 nearest_on_side(const SeenTriangle& seen, unsigned side, const Vec3&
 
 /// Offers the pair of a vertex of the shape and the triangle: within its face or on a side.
 inline void try_vertex(const Vec3& p, const SeenTriangle& seen, NearestPair& nearest) {
-    bool is_over_face = true;
+    if (seen.is_over_face(p)) {
+        nearest.offer(p, p - seen.front * dot(seen.front, p - seen.corner[0]), Feature::face);
+        return;
+    }
     for (unsigned i = 0; i < 3; ++i) {
-        const Vec3 side = seen.corner[i == 2 ? 0 : i + 1] - seen.corner[i];
-        if (dot(cross(side, p - seen.corner[i]), seen.front) > 0.0f) continue;
-        is_over_face = false;
         Feature feature = Feature::face;
         const Vec3 place = nearest_on_side(seen, i, p, feature);
         nearest.offer(p, place, feature);
     }
-    if (is_over_face) nearest.offer(p, p - seen.front * dot(seen.front, p - seen.corner[0]), Feature::face);
 }
 
 /// Offers the nearest points of an edge of the shape and a side of the triangle, ends included. `across` is the product

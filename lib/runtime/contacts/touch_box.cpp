@@ -57,12 +57,14 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
         const Vec3& face = box.face[i];
         if (!(dot(face, face) > 0.0f)) continue;
         const Vec3 &j = box.half[i == 2 ? 0 : i + 1], &k = box.half[i == 0 ? 2 : i - 1];
+        const float whole = absolute(dot(cross(j, k), face)), jk = dot(j, k);
+        const Vec3 diagonal = jk < 0.0f ? j - k : j + k;  // the longer one
         for (const float sense : {-1.0f, 1.0f}) {
             const Vec3 from_face = seen.corner[corner] - (moved + box.half[i] * sense);
-            const float jj = dot(j, j), kk = dot(k, k), jk = dot(j, k), whole = jj * kk - jk * jk;
-            const float at_j = dot(from_face, j) * kk - dot(from_face, k) * jk;
-            const float at_k = dot(from_face, k) * jj - dot(from_face, j) * jk;
-            if (absolute(at_j) > whole || absolute(at_k) > whole) continue;
+            if (absolute(dot(cross(from_face, k), face)) > whole || absolute(dot(cross(j, from_face), face)) > whole)
+                continue;
+            // At a sharp corner of a sheared box the edges alone leave much room for rounding.
+            if (absolute(dot(from_face, diagonal)) > dot(diagonal, diagonal)) continue;
             nearest.offer(seen.corner[corner] - face * dot(face, from_face), seen.corner[corner],
                           vertex_of(static_cast<int>(corner)));
         }
@@ -140,17 +142,12 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     Separation separation;
     separate(box, seen, separation);
     if (separation.gap > reach) return;
-    FirstPlace first;
-    first.size = box.size + seen.reach();
-    first.is_deep = separation.gap < 0.0f;
-    first.nearest = nearest_pair(box, first.is_deep ? separation.normal * -separation.gap : Vec3{}, seen);
-    first.distance = first.is_deep ? separation.gap : square_root(first.nearest.squared);
+    const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(box, moved, seen); };
+    FirstPlace first(separation, box.size + seen.reach(), find_nearest);
     if (first.distance > reach) return;
-    first.normal = direction_between(first.nearest, separation, first.distance, first.size);
     touches.nearest = first.distance;
     touches.is_beside = !first.turn(
-        seen, side, [&](GapAlong& along) { separate(box, seen, along); },
-        [&](const Vec3& moved) { return nearest_pair(box, moved, seen); });
+        seen, side, [&](GapAlong& along) { separate(box, seen, along); }, find_nearest);
     const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits), normal = first.normal;
     touches.touch[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
     touches.count = 1;

@@ -118,14 +118,19 @@ private:
 };
 
 /// Whether a point is over a face of the hull, or under it, along a direction that leads from there to the outside.
+/// Differences of corners are exact: corners that are close to each other and far from the middle are alike in float,
+/// and any point would be over a face between them.
 bool is_over(const HullBody& hull, unsigned face, const Vec3& way, const Vec3& point) {
+    const auto between = [&](unsigned a, unsigned b) {
+        return to_vector(hull.units_at(b) - hull.units_at(a)) * hull.scale;
+    };
     Vec3 longest;
     float most = 0.0f;
-    const Vec3 start = hull.at(hull.from[hull.first[face]]);
+    const unsigned start = hull.from[hull.first[face]];
     for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
-        const Vec3 from = hull.at(hull.from[i]), edge = hull.at(hull.from[hull.next(face, i)]) - from;
-        if (dot(cross(edge, point - from), way) < 0.0f) return false;
-        const Vec3 reach = from - start;
+        const unsigned from = hull.from[i];
+        if (dot(cross(between(from, hull.from[hull.next(face, i)]), point - hull.at(from)), way) < 0.0f) return false;
+        const Vec3 reach = between(start, from);
         const float length = dot(reach, reach);
         if (length <= most) continue;
         most = length;
@@ -134,11 +139,11 @@ bool is_over(const HullBody& hull, unsigned face, const Vec3& way, const Vec3& p
     // At a sharp corner the edges alone leave much room for rounding.
     float low = 0.0f, high = 0.0f;
     for (unsigned i = hull.first[face]; i < hull.first[face + 1u]; ++i) {
-        const float at = dot(longest, hull.at(hull.from[i]) - start);
+        const float at = dot(longest, between(start, hull.from[i]));
         low = minimum(low, at);
         high = maximum(high, at);
     }
-    const float at = dot(longest, point - start);
+    const float at = dot(longest, point - hull.at(start));
     return low <= at && at <= high;
 }
 
@@ -247,21 +252,12 @@ void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, const Fac
     Separation separation;
     Separating(hull, beside, separation);
     if (separation.gap > reach) return;
-    FirstPlace first;
-    first.size = beside.size;
-    // Directions within the plane of a flat hull are not tried: only the distance can say that it is apart there.
-    const bool is_in_doubt = separation.gap > beside.size * -0x1p-20f;
-    const Vec3 moved = is_in_doubt ? Vec3{} : separation.normal * -separation.gap;
-    first.nearest = nearest_pair(hull, moved, beside);
-    const float rounding = beside.size * 0x1p-19f;
-    first.is_deep = separation.gap < 0.0f && (!is_in_doubt || first.nearest.squared <= rounding * rounding);
-    first.distance = first.is_deep ? separation.gap : square_root(first.nearest.squared);
+    const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(hull, moved, beside); };
+    FirstPlace first(separation, beside.size, find_nearest);
     if (first.distance > reach) return;
-    first.normal = direction_between(first.nearest, separation, first.distance, beside.size);
     touches.nearest = first.distance;
     touches.is_beside = !first.turn(
-        beside, side, [&](GapAlong& along) { Separating(hull, beside, along); },
-        [&](const Vec3& by) { return nearest_pair(hull, by, beside); });
+        beside, side, [&](GapAlong& along) { Separating(hull, beside, along); }, find_nearest);
     const Vec3 middle = to_vector(hull.middle) * hull.scale;
     touches.touch[0] = {middle + first.nearest.on_triangle, first.normal, first.distance, first.nearest.feature};
     touches.count = 1;

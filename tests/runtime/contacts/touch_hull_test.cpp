@@ -1,4 +1,5 @@
-// Claims about contacts of convex hulls: their faces by exact planes, distance, depth and direction by the reference.
+// Claims about contacts of convex hulls: their faces by exact planes, distance, depth and direction by the reference;
+// and of hulls and boxes beyond the tip of what is as thin as a needle.
 #include "support/testing.hpp"
 
 #include <runtime/contacts/hull_body.hpp>
@@ -15,12 +16,14 @@ using detail::Int128;
 using detail::Integer3;
 using detail::contacts::HullBody;
 using detail::contacts::Touches;
+using detail::contacts::operator*;
+using detail::contacts::operator+;
 
 using Vertices = std::vector<std::array<std::int64_t, 3>>;
 
-HullBody hull_of(const Vertices& vertices) {
+HullBody hull_of(const Vertices& vertices, int fraction_bits = 0) {
     HullBody hull{};
-    detail::contacts::set_vertices(hull, vertices.data(), static_cast<unsigned>(vertices.size()), 0);
+    detail::contacts::set_vertices(hull, vertices.data(), static_cast<unsigned>(vertices.size()), fraction_bits);
     detail::contacts::find_faces(hull);
     return hull;
 }
@@ -152,6 +155,102 @@ TEST_CASE("contact: a hull has the distance or depth and the direction of the re
                    margin);  // its middle is a whole number
     }
     tally.report(count, "hulls");
+}
+
+TEST_CASE("contact: beyond the tip of a needle a box and a hull are as far away as the tip") {
+    // On a grid with spare bits, where no difference is exact in float.
+    constexpr int spare_bits = 8;
+    constexpr Vec3 units[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+    Random random(13);
+    std::uint64_t near = 0;
+    double worst = 0.0;
+    const std::uint64_t count = scaled(20'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 8 + random.below(13);
+        const std::int32_t last = (1 << bits) - 1;
+        const GridPoint tip = some_grid_point(random, bits), end = some_grid_point(random, bits);
+        GridTriangle needle = {end, end, tip};
+        for (std::int32_t& along : needle.b) along = std::clamp(along + random.between(-2, 2), 0, last);
+        const double beyond = std::exp2(-static_cast<double>(random.below(12)));
+        Vertices vertices(1 + 7 * random.below(2));
+        Integer3 center;
+        double at[3];
+        for (unsigned k = 0; k < 3; ++k) {
+            const double way = static_cast<double>(tip[k] - end[k]) * beyond;
+            center[k] = static_cast<std::int64_t>(std::round((static_cast<double>(tip[k]) + way) * 256.0));
+            for (std::size_t corner = 0; corner < vertices.size(); ++corner)
+                vertices[corner][k] = center[k] + ((corner >> k & 1u) != 0 ? 2 : 0);
+            at[k] = static_cast<double>(center[k]) / 256.0;
+        }
+        const detail::contacts::BoxBody box = box_of(center, units, spare_bits);
+        const double size = std::ldexp(1.0, static_cast<int>(bits) + 1), error = size * 0x1p-18;
+        const float margin = static_cast<float>(size);
+        const double expected = std::sqrt(reference::squared_distance(
+            {at[0], at[1], at[2]}, {to_point(needle.a), to_point(needle.b), to_point(needle.c)}));
+        Touches of_box, of_hull;
+        detail::contacts::touch_box(box, lattice_triangle(needle), {}, margin, of_box);
+        const HullBody hull = hull_of(vertices, spare_bits);
+        detail::contacts::touch_hull(hull, lattice_triangle(needle), {}, margin, of_hull);
+        CAPTURE(i);
+        for (const Touches* touches : {&of_box, &of_hull}) {
+            REQUIRE((touches->count != 0) == (expected < size));
+            if (touches->count == 0) continue;
+            ++near;
+            const double off = std::abs(static_cast<double>(touches->nearest) - expected);
+            worst = std::max(worst, off / size);
+            REQUIRE(off <= error + 0.02);  // the body is that large
+        }
+    }
+    CHECK(near > count);
+    MESSAGE(count, " needles; worst error ", worst, " of the size");
+}
+
+TEST_CASE("contact: beyond the tip of a sheared box a point is as far away as the tip") {
+    Random random(14);
+    std::uint64_t near = 0;
+    double worst = 0.0;
+    const std::uint64_t count = scaled(100'000);
+    const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits = 8 + random.below(12);
+        const float reach = std::ldexp(1.0f, static_cast<int>(bits) + 8);
+        Vec3 half[3] = {whole(random.in_cube(reach)), {}, {}};
+        half[1] = whole(half[0] * (static_cast<float>(random.between(-8, 8)) * 0.125f) +
+                        random.in_cube(random.coin() ? 1.0f : 8.0f));
+        half[2] = whole(random.in_cube(random.coin() ? reach : 64.0f));
+        const Vec3 tip = half[0] * (random.coin() ? 1.0f : -1.0f) + half[1] * (random.coin() ? 1.0f : -1.0f);
+        const float beyond = (1.0f + std::ldexp(1.0f, -static_cast<int>(random.below(12)))) * 0x1p-8f;
+        const GridPoint at = some_grid_point(random, bits);
+        const detail::contacts::BoxBody box = box_of(Integer3{at[0], at[1], at[2]} << 8, half, 8);
+        const float ways[3] = {tip.x * beyond, tip.y * beyond, tip.z * beyond};
+        GridPoint place;
+        for (unsigned k = 0; k < 3; ++k) place[k] = at[k] + static_cast<std::int32_t>(std::round(ways[k]));
+        const GridTriangle triangle = {place, place, place};
+        const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
+        Vertices vertices(8);
+        for (std::size_t corner = 0; corner < 8; ++corner)
+            for (unsigned k = 0; k < 3; ++k) {
+                vertices[corner][k] = box.center[k];
+                for (unsigned axis = 0; axis < 3; ++axis)
+                    vertices[corner][k] += (corner >> axis & 1u) != 0 ? box.units[axis][k] : -box.units[axis][k];
+            }
+        const float margin = static_cast<float>(size);
+        const double expected = reference::signed_separation(corners_of(to_point(at), box.half), {to_point(place)});
+        Touches of_box, of_hull;
+        detail::contacts::touch_box(box, lattice_triangle(triangle), {}, margin, of_box);
+        const HullBody hull = hull_of(vertices, 8);
+        detail::contacts::touch_hull(hull, lattice_triangle(triangle), {}, margin, of_hull);
+        CAPTURE(i);
+        if (expected > 0.0) ++near;
+        for (const Touches* touches : {&of_box, &of_hull}) {
+            REQUIRE(touches->count != 0);
+            const double off = std::abs(static_cast<double>(touches->nearest) - expected);
+            worst = std::max(worst, off / size);
+            REQUIRE(off <= size * 0x1p-18);
+        }
+    }
+    CHECK(near > count / 2);
+    MESSAGE(count, " boxes; worst error ", worst, " of the size");
 }
 
 }  // namespace

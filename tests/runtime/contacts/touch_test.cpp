@@ -91,38 +91,28 @@ TEST_CASE("contact: a box has the distance or depth and the direction of the ref
         const unsigned bits = 4 + random.below(16);
         const GridTriangle triangle = some_triangle(random, bits);
         const GridPoint at = point_near(random, bits, triangle);
-        detail::contacts::BoxBody box{};
-        box.center = integer_point(at);
+        Vec3 half[3];
         const unsigned kind = random.below(4);  // turned, along the axes, flat, sheared
         const float reach = static_cast<float>(1u << bits) * (random.coin() ? 0.02f : 0.3f);
         const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
         const Vec3 u = random.in_cube(reach), v = random.in_cube(reach);
-        box.half[0] = whole(u);
-        box.half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
-        box.half[2] = whole(kind == 3 ? random.in_cube(reach)
-                                      : detail::contacts::cross(box.half[0], box.half[1]) * (1.0f / reach));
+        half[0] = whole(u);
+        half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
+        half[2] = whole(kind == 3 ? random.in_cube(reach) : detail::contacts::cross(half[0], half[1]) * (1.0f / reach));
         if (kind == 1) {
-            box.half[0] = {std::round(u.x), 0.0f, 0.0f};
-            box.half[1] = {0.0f, std::round(u.y), 0.0f};
-            box.half[2] = {0.0f, 0.0f, std::round(u.z)};
+            half[0] = {std::round(u.x), 0.0f, 0.0f};
+            half[1] = {0.0f, std::round(u.y), 0.0f};
+            half[2] = {0.0f, 0.0f, std::round(u.z)};
         }
-        if (kind == 2) box.half[random.below(3)] = {};
+        if (kind == 2) half[random.below(3)] = {};
         if (random.below(4) == 0) {  // along a side, or nearly
             const GridPoint &from = random.coin() ? triangle.a : triangle.b, &to = triangle.c;
             const Vec3 off = random.in_cube(random.coin() ? 0.0f : 40.0f);
-            box.half[random.below(3)] = whole({static_cast<float>(to[0] - from[0]) * 0.5f + off.x,
-                                               static_cast<float>(to[1] - from[1]) * 0.5f + off.y,
-                                               static_cast<float>(to[2] - from[2]) * 0.5f + off.z});
+            half[random.below(3)] = whole({static_cast<float>(to[0] - from[0]) * 0.5f + off.x,
+                                           static_cast<float>(to[1] - from[1]) * 0.5f + off.y,
+                                           static_cast<float>(to[2] - from[2]) * 0.5f + off.z});
         }
-        auto& units = box.units;
-        box.size = 0.0f;
-        for (unsigned k = 0; k < 3; ++k) {
-            const Vec3& h = box.half[k];
-            units[k] = {static_cast<std::int64_t>(h.x), static_cast<std::int64_t>(h.y), static_cast<std::int64_t>(h.z)};
-            box.size += std::abs(h.x) + std::abs(h.y) + std::abs(h.z);
-        }
-        for (unsigned k = 0; k < 3; ++k)
-            box.face[k] = detail::contacts::direction_of(detail::wide_cross(units[(k + 1) % 3], units[(k + 2) % 3]));
+        const detail::contacts::BoxBody box = box_of(integer_point(at), half, 0);
         const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
         const double error = size * 0x1p-18;
         const float margin = static_cast<float>(size) * 0.1f;

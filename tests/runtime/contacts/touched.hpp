@@ -148,15 +148,38 @@ struct Tally {
     }
 };
 
-/// A point near the triangle, or a corner of it, or on it.
+/// A point near the triangle, or a corner of it, or on it, or on a side that is longer: beyond the tip of a needle.
 inline GridPoint point_near(Random& random, unsigned bits, const GridTriangle& t) {
     const GridPoint corners[3] = {t.a, t.b, t.c};
     const GridPoint p = some_grid_point(random, bits), q = corners[random.below(3)], r = corners[random.below(3)];
     GridPoint result;
-    const unsigned kind = random.below(4);
+    const unsigned kind = random.below(5);
+    const std::int32_t parts = random.between(1, 64);
     for (unsigned k = 0; k < 3; ++k)
-        result[k] = kind == 0 ? p[k] : kind == 1 ? (q[k] + r[k]) / 2 : kind == 2 ? (q[k] * 3 + p[k]) / 4 : q[k];
+        result[k] = kind == 0   ? p[k]
+                    : kind == 1 ? (q[k] + r[k]) / 2
+                    : kind == 2 ? (q[k] * 3 + p[k]) / 4
+                    : kind == 3 ? q[k]
+                                : q[k] + static_cast<std::int32_t>(std::int64_t{q[k] - r[k]} * parts / 256);
     return result;
+}
+
+/// A box with whole half axes, in units of 2^-fraction_bits steps.
+inline detail::contacts::BoxBody box_of(const detail::Integer3& center, std::span<const Vec3, 3> half_axes,
+                                        int fraction_bits) {
+    using namespace detail::contacts;
+    BoxBody box{};
+    box.center = center;
+    box.fraction_bits = fraction_bits;
+    for (unsigned k = 0; k < 3; ++k) {
+        const Vec3& h = half_axes[k];
+        box.units[k] = {static_cast<std::int64_t>(h.x), static_cast<std::int64_t>(h.y), static_cast<std::int64_t>(h.z)};
+        box.half[k] = h * std::ldexp(1.0f, -fraction_bits);
+        box.size += std::abs(box.half[k].x) + std::abs(box.half[k].y) + std::abs(box.half[k].z);
+    }
+    for (unsigned k = 0; k < 3; ++k)
+        box.face[k] = direction_of(detail::wide_cross(box.units[(k + 1) % 3], box.units[(k + 2) % 3]));
+    return box;
 }
 
 /// The side of a triangle on which a point of the grid lies.
