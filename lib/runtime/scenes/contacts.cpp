@@ -41,13 +41,13 @@ private:
     bool is_full_ = false;
 };
 
-/// Returns the box around all that may be within the margin of a body, whose own lattice moves it a little farther than
-/// a shape without a margin.
+/// Returns the box around all that may be within the margin of a body. The body is rounded twice, by its lattice and by
+/// the kernel, so that it may be farther away than a shape that overlaps (docs/numerics.md, Scenes).
 ShapeBounds bounds_with_margin(const SceneData& scene, ShapeBounds bounds, float margin) {
     const float parts[6] = {bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z};
     float reach = margin;
     for (const float part : parts) reach = maximum(absolute(part), reach);
-    const float more = margin + (reach * 0x1p-20f + scene.coarsest_step * 0x1p-3f);
+    const float more = margin + (reach * 0x1p-15f + scene.coarsest_step * 0x1p-3f);
     bounds.low = {bounds.low.x - more, bounds.low.y - more, bounds.low.z - more};
     bounds.high = {bounds.high.x + more, bounds.high.y + more, bounds.high.z + more};
     return bounds;
