@@ -54,7 +54,7 @@ public:
     /// units. At 22 bits or fewer, queries near the asset also move by no more than that.
     [[nodiscard]] static constexpr Resolution tolerance(double length) noexcept { return {Kind::tolerance, length}; }
     /// Returns the step 2^exponent, -100..100. Blobs of one step lie on one lattice: a vertex that two sources share
-    /// becomes the same point in both, for example where two tiles of a terrain meet.
+    /// becomes the same point in both, for example where two pieces of a terrain meet.
     [[nodiscard]] static constexpr Resolution step(int exponent) noexcept {
         return {Kind::step, static_cast<double>(exponent)};
     }
@@ -301,7 +301,7 @@ BakeResult bake(std::span<const MeshView> meshes, const BakeOptions& options = {
 /// reads. Empty unless the result's status is ok.
 [[nodiscard]] std::vector<std::byte> remap_file(const BakeResult& result);
 
-/// A blob that join_borders() changes, and how far that moves what it counts from its source_origin(). Of tiles where
+/// A blob that join_borders() changes, and how far that moves what it counts from its source_origin(). Of pieces where
 /// their sources are: its source_origin() less that of the first blob, not the translation that bake_scene() takes.
 struct JoinedBlob {
     std::span<std::byte> bytes;
@@ -317,8 +317,8 @@ struct [[nodiscard]] JoinReport {
     explicit operator bool() const noexcept { return status == BakeStatus::ok; }
 };
 
-/// Gives the edges on the borders of blobs the kind that the surface has where it goes on in another one: the tiles of
-/// a ground, on which contacts (contact.hpp) then do not lean over the seams. Changes edge flags and the checksum.
+/// Gives the edges on the borders of blobs the kind that the surface has where it goes on in another one: the pieces
+/// of a ground, on which contacts (contact.hpp) then do not lean over the seams. Changes edge flags and the checksum.
 ///
 /// The blobs have edge flags of one flat_angle, and one lattice: the same step, and places that differ by whole steps.
 /// An edge is joined where exactly two triangles of all blobs run along it in opposite directions, and neither blob has

@@ -5,7 +5,7 @@
 // So a distance changes by no more, and the answer stays the same for every surface that is farther from the shape's
 // boundary. Blob::max_error bounds what baking moved; the sum of both bounds an answer's error against the source.
 //
-// Blobs lie on one lattice, such as the tiles of a terrain, if they were baked with one step (Resolution::step): their
+// Blobs lie on one lattice, such as the pieces of a terrain, if they were baked with one step (Resolution::step): their
 // origins are whole multiples of it. raycast() of a Ray rounds it for one blob, by an amount that depends on the blob's
 // origin, its extent and its distance. Two adjacent blobs may then test two slightly different rays, and a ray that is
 // aimed at their common border may miss both. A RoundedRay is one ray of integers for all blobs of a region, so that
@@ -143,8 +143,8 @@ QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const 
 QueryStatus for_each_crossing(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;
 
 /// Moves a ray into the local space of a transform that only moves by whole steps of its region's lattice: the result
-/// equals the ray in whole numbers, and only the origin of its region differs. Blobs that such transforms place, tiles
-/// that repeat, then meet one ray.
+/// equals the ray in whole numbers, and only the origin of its region differs. Blobs that such transforms place, as
+/// pieces that repeat, then meet one ray.
 ///
 /// Refuses a transform that rotates or scales, or moves by no multiple of the step (invalid_argument); and one that
 /// moves the region to where float32 cannot hold its origin (out_of_range). A refused ray stays refused. O(1).
@@ -163,7 +163,7 @@ QueryStatus for_each_crossing(const Blob& blob, const RoundedRay& ray, Visitor<c
 // each blob is answered as by a loop over all its triangles, decided in integers, on every machine. Where two triangles
 // share an edge or a vertex, in one blob or in two, there is no gap between them.
 //
-// A region is at most 2^24 - 1 steps long on each axis: 255 tiles of 16 bits in a row. The larger it is, the coarser
+// A region is at most 2^24 - 1 steps long on each axis: 255 blobs of 16 bits in a row. The larger it is, the coarser
 // the rounding. While the far end of the region is less than 2^18 steps from the ray's origin, the origin moves by at
 // most 1.5 * 2^-7 of a step on each axis: the float32 subtraction rounds, then the grid. Each doubling of that distance
 // doubles the bound, to 3/8 of a step at 2^23 steps. From farther away the origin first moves along the ray to the

@@ -120,7 +120,7 @@ public:
     [[nodiscard]] Vec3d source_origin() const noexcept;
 
     /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and
-    /// do nothing else, such as the tiles of a world. Rays are rounded once for all of them. Not found if there are
+    /// do nothing else, such as the pieces of a ground. Rays are rounded once for all of them. Not found if there are
     /// none, or if they reach farther than 2^24 - 1 steps.
     [[nodiscard]] constexpr Result<Lattice> common_lattice() const noexcept {
         if (data_.tree.bytes == nullptr) return {{}, QueryStatus::not_open};

@@ -1,4 +1,4 @@
-// The lattice that instances share which are moved by whole steps: the tiles of a world.
+// The lattice that instances share which are moved by whole steps: the pieces of a ground.
 #pragma once
 
 #include <cstdint>

@@ -63,7 +63,7 @@ struct [[nodiscard]] SceneBakeResult {
 ///
 /// A transform places what the source of the mesh or tile was: a point at x of a blob or tile whose source_origin() is
 /// O comes to rotation * (scale * (O + x)) + translation. The origin of the scene is subtracted from this, exactly, and
-/// the translation that the scene stores is the nearest in float32; max_error includes what that moves. So tiles of a
+/// the translation that the scene stores is the nearest in float32; max_error includes what that moves. So pieces of a
 /// map that were baked with an origin each need no transform.
 ///
 /// Refuses with invalid_mesh: bytes that are no sound blob, a tile with tiles, an instance of a blob that does not

@@ -2,7 +2,7 @@
 //
 // They are what find_contacts() returns for each instance by itself, with as many places, moved to the world: the loop
 // that scene.hpp describes. An edge where two instances meet counts as a border, on which contacts lean; join_borders()
-// (bake.hpp) corrects that for tiles on one lattice.
+// (bake.hpp) corrects that for pieces on one lattice.
 //
 // Thread safety: any number of threads may query one scene. No call allocates.
 #pragma once

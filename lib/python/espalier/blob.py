@@ -217,8 +217,8 @@ def read_remap(source: Any, blob: Blob) -> NDArray[Any]:
 
 
 def join_borders(blobs: Sequence[Blob], translations: ArrayLike = 0.0) -> list[Blob]:
-    """Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the tiles of a
-    ground, on which contacts then do not lean over the seams.
+    """Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the pieces of
+    a ground, on which contacts then do not lean over the seams.
 
     The blobs have edge flags of one flat_angle, and one lattice: bake them with the same `step_exponent`. translations: (n, 3),
     how far each is moved from where its source lies, by whole steps. Origins have to be whole steps apart too, as those

@@ -122,7 +122,7 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *
     than a quarter of the step of an instance that needs float64. The scene keeps it as `origin`.
 
     Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
-    tiles of a ground do, but are rounded apart, and of an origin from which float32 is too coarse.
+    pieces of a ground do, but are rounded apart, and of an origin from which float32 is too coarse.
     """
     rows, numbers = instance_rows(places, meshes, masks, users)
     cores = [blob._core if isinstance(blob, (Blob, Scene)) else blob for blob in blobs]

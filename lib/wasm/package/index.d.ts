@@ -167,8 +167,8 @@ export interface Espalier {
     /** Opens a baked mesh: copies the bytes into the module's memory and checks all of them. */
     openBlob(bytes: ArrayBuffer | ArrayBufferView): Blob;
     /**
-     * Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the tiles of a
-     * ground, on which contacts then do not lean over the seams. They have edge flags of one flatAngle and one lattice step.
+     * Returns the blobs with the kinds of edges that the surface has where it goes on in another of them: the pieces of
+     * a ground, on which contacts then do not lean over the seams. They have edge flags of one flatAngle and one lattice step.
      * `translations` are whole steps by which each is moved from where its source is. Throws BakeError with the number of the blob that does not fit.
      */
     joinBorders(blobs: readonly (Blob | ArrayBuffer | ArrayBufferView)[], translations?: Vectors): Promise<Blob[]>;
