@@ -15,6 +15,7 @@ inline Vec3 to_vector(const Integer3& a) { return {to_float(a.x), to_float(a.y),
 struct SeenTriangle {
     Vec3 corner[3];    ///< from the shape's middle
     Integer3 side[3];  ///< from each corner to the next
+    Vec3 along[3];     ///< the same in float: small cores take long to convert it
     Vec3 face;         ///< the unit normal, zero without area
     Vec3 front;        ///< the same, but without area any direction across
     unsigned longest;  ///< the number of the longest side
@@ -25,7 +26,8 @@ struct SeenTriangle {
         for (int i = 0; i < 3; ++i) {
             corner[i] = to_vector(corner_on_grid(triangle, i, fraction_bits) - middle) * power_of_two(-fraction_bits);
             side[i] = side_from(triangle, i);
-            const float length = dot(to_vector(side[i]), to_vector(side[i]));
+            along[i] = to_vector(side[i]);
+            const float length = dot(along[i], along[i]);
             if (length <= most) continue;
             most = length;
             longest = static_cast<unsigned>(i);
@@ -35,10 +37,9 @@ struct SeenTriangle {
     /// of a needle a point is still on the inner side of all three, but for rounding.
     [[nodiscard]] bool is_over_face(const Vec3& p) const {
         for (unsigned i = 0; i < 3; ++i)
-            if (!(dot(cross(to_vector(side[i]), p - corner[i]), front) > 0.0f)) return false;
-        const Vec3 along = to_vector(side[longest]);
-        const float at = dot(p - corner[longest], along);
-        return at >= 0.0f && at <= dot(along, along);
+            if (!(dot(cross(along[i], p - corner[i]), front) > 0.0f)) return false;
+        const float at = dot(p - corner[longest], along[longest]);
+        return at >= 0.0f && at <= dot(along[longest], along[longest]);
     }
     [[nodiscard]] float reach() const {
         return maximum(maximum(largest(corner[0]), largest(corner[1])), largest(corner[2]));
@@ -171,7 +172,7 @@ inline void try_vertex(const Vec3& p, const SeenTriangle& seen, NearestPair& nea
 /// of edge and side, from exact integers: of edges that are nearly parallel floats would leave only rounding.
 inline void try_edge(const Vec3& from, const Vec3& along, const Vec3& across, const SeenTriangle& seen, unsigned side,
                      NearestPair& nearest) {
-    const Vec3 d = to_vector(seen.side[side]), between = seen.corner[side] - from;
+    const Vec3 &d = seen.along[side], between = seen.corner[side] - from;
     const float whole = dot(across, across);
     float share = whole > 0.0f ? clamped_share(dot(cross(between, d), across), whole) : 0.0f;
     Feature feature = Feature::face;

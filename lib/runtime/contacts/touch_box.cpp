@@ -45,7 +45,7 @@ ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Be
         try_unit_axis(unit, box, seen, best);
         for (unsigned i = 0; i < 3; ++i) {
             try_direction(cross(unit, box.half[i]), box, seen, best);
-            try_direction(cross(unit, to_vector(seen.side[i])), box, seen, best);
+            try_direction(cross(unit, seen.along[i]), box, seen, best);
         }
     }
 }

@@ -52,7 +52,7 @@ public:
             if (is_flat(hull)) try_within_plane(to_vector(edge.units));
         });
         if (!is_flat(hull)) return;
-        for (const Integer3& side : triangle.side) try_within_plane(to_vector(side));
+        for (const Vec3& side : triangle.along) try_within_plane(side);
     }
 
 private:
@@ -122,7 +122,10 @@ private:
 /// and any point would be over a face between them.
 bool is_over(const HullBody& hull, unsigned face, const Vec3& way, const Vec3& point) {
     const auto between = [&](unsigned a, unsigned b) {
-        return to_vector(hull.units_at(b) - hull.units_at(a)) * hull.scale;
+        const std::int32_t *start = hull.vertex[a], *end = hull.vertex[b];
+        return Vec3{static_cast<float>(end[0] - start[0]), static_cast<float>(end[1] - start[1]),
+                    static_cast<float>(end[2] - start[2])} *
+               hull.scale;
     };
     Vec3 longest;
     float most = 0.0f;
