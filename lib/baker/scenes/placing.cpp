@@ -12,9 +12,6 @@ namespace espalier::baker {
 
 namespace {
 
-// Arithmetic with the sum of two float64 numbers (Dekker 1971; Hida, Li, Bailey 2001). Each result is within 2^-103 of
-// itself.
-
 DoubleSum sum_of(double a, double b) {
     const double high = a + b, of_a = high - b, of_b = high - of_a;
     return {high, (a - of_a) + (b - of_b)};
@@ -24,6 +21,8 @@ DoubleSum product_of(double a, double b) {
     const double high = a * b;
     return {high, std::fma(a, b, -high)};
 }
+
+}  // namespace
 
 DoubleSum operator+(const DoubleSum& a, const DoubleSum& b) {
     const DoubleSum high = sum_of(a.high, b.high), low = sum_of(a.low, b.low);
@@ -45,6 +44,8 @@ DoubleSum operator/(const DoubleSum& a, const DoubleSum& b) {
     const double third = (rest + -(b * second)).high / b.high;
     return sum_of(first, second) + DoubleSum{third};
 }
+
+namespace {
 
 /// Rounds once: where the low part decides, the high part becomes the neighbour with an odd last bit, which no float32
 /// and no middle between two of them has.

@@ -17,10 +17,16 @@
 
 namespace espalier::baker {
 
-/// The sum of two float64 numbers, of which the second is at most half a unit in the last place of the first.
+/// The sum of two float64 numbers, of which the second is at most half a unit in the last place of the first (Dekker
+/// 1971; Hida, Li, Bailey 2001). Each result is within 2^-103 of itself.
 struct DoubleSum {
     double high = 0.0;
     double low = 0.0;
+
+    friend DoubleSum operator+(const DoubleSum& a, const DoubleSum& b);
+    friend DoubleSum operator-(const DoubleSum& a);
+    friend DoubleSum operator*(const DoubleSum& a, double b);
+    friend DoubleSum operator/(const DoubleSum& a, const DoubleSum& b);
 };
 
 /// The place of a mesh's local origin in the source, with about 104 bits: rotation · (scale · origin) + translation.
