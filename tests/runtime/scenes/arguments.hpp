@@ -11,8 +11,7 @@ struct SceneArguments {
     Ray ray;
     Vec3 point;
     float max_distance = infinity;
-    float contact_distance =
-        0.0f;  ///< mostly little, since contacts with all triangles of a scene take a hundred times as long as a ray
+    float contact_distance = 0.0f;  ///< mostly small: contacts with a whole scene take a hundred times as long as a ray
     Sphere sphere;
     Capsule capsule;
     Box box;
