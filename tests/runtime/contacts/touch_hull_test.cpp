@@ -170,7 +170,8 @@ TEST_CASE("contact: beyond the tip of a needle a box and a hull are as far away 
         const std::int32_t last = (1 << bits) - 1;
         const GridPoint tip = some_grid_point(random, bits), end = some_grid_point(random, bits);
         GridTriangle needle = {end, end, tip};
-        for (std::int32_t& along : needle.b) along = std::clamp(along + random.between(-2, 2), 0, last);
+        const std::int32_t width = random.below(4) == 0 ? 0 : 2;
+        for (std::int32_t& along : needle.b) along = std::clamp(along + random.between(-width, width), 0, last);
         const double beyond = std::exp2(-static_cast<double>(random.below(12)));
         Vertices vertices(1 + 7 * random.below(2));
         Integer3 center;
@@ -251,6 +252,37 @@ TEST_CASE("contact: beyond the tip of a sheared box a point is as far away as th
     }
     CHECK(near > count / 2);
     MESSAGE(count, " boxes; worst error ", worst, " of the size");
+}
+
+TEST_CASE("contact: beside the small end of a long hull a point is as far away as that end") {
+    // The corners of the end are alike in float, as it is far from the middle.
+    Random random(15);
+    double worst = 0.0;
+    const std::uint64_t count = scaled(20'000);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        constexpr std::int32_t middle = 1 << 19;  // in steps
+        Vertices vertices(6);
+        GridPoint point;
+        const std::int32_t beside = 1 << (4 + random.below(12));
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::int32_t end = random.between(-middle, middle) * 256;
+            for (unsigned corner = 0; corner < 6; ++corner)
+                vertices[corner][k] = middle * 256 + (corner < 3 ? end : -end) + random.between(-4, 4);
+            point[k] = middle + std::clamp(end / 256 + random.between(-beside, beside), -middle, middle - 1);
+        }
+        const GridTriangle triangle = {point, point, point};
+        const double expected = reference::signed_separation(points_of(vertices), {256.0 * to_point(point)}) / 256.0;
+        const HullBody hull = hull_of(vertices, 8);
+        Touches touches;
+        detail::contacts::touch_hull(hull, lattice_triangle(triangle), {}, hull.size, touches);
+        CAPTURE(i);
+        REQUIRE(touches.count != 0);
+        const double size = static_cast<double>(hull.size),
+                     off = std::abs(static_cast<double>(touches.nearest) - expected);
+        worst = std::max(worst, off / size);
+        REQUIRE(off <= size * 0x1p-18);
+    }
+    MESSAGE(count, " hulls; worst error ", worst, " of the size");
 }
 
 }  // namespace
