@@ -150,6 +150,7 @@ TESTS = {
     "baker/quantise": f"{SUPPORT} baker oracle",
     "baker/optimise": f"{SUPPORT} baker baker/build",
     "baker/sections": f"{SUPPORT} support/exact baker oracle",
+    "import": "",
     "tools": f"{SUPPORT} baker/quantise",
 }
 

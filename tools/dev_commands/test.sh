@@ -31,8 +31,8 @@ run_quick_tests() {
     local installation=$! is_built=yes
     build build/test all --preset test "${options[@]}" || is_built=no
     wait "$installation" || fail "packages are missing"
-    # A compiler may have met a library that the installation was replacing. What fails again says why as the last words,
-    # in place of a list of tests that were not run.
+    # A compiler may have met a library that the installation was replacing. Where the build fails again, its error is the
+    # last that is printed, not a list of tests that could not run.
     [[ $is_built == yes ]] || build build/test all --preset test "${options[@]}" || exit 1
     quick_cases quick run_tests build/test --label-exclude '^(prove_|bench$)'
     quick_cases quick test_hostile_bytes || failed=$((failed + 1))
