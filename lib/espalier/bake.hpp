@@ -153,9 +153,9 @@ struct BakeOptions {
     /// positions must be finite, and there must be a triangle.
     std::optional<Deformation> deformation = std::nullopt;
     /// Is subtracted from each position: the blob's coordinates count from there, so that float32 holds them. The blob
-    /// keeps it (Blob::source_origin), unless it is 0. None: chosen where float32 would move a float64 position by more
-    /// than a quarter of a step, near the middle of the meshes and a multiple of any step; else 0. All poses and the
-    /// range of a deformable blob count from it, so that none is chosen there.
+    /// keeps it (Blob::source_origin), unless it is 0. None: chosen where float32 rounds places at the meshes by more
+    /// than a quarter of a step, whether their own positions need that or not: near their middle and a multiple of any
+    /// step. Else 0. All poses and the range of a deformable blob count from it, so that none is chosen there.
     std::optional<Vec3d> origin = Vec3d{};
     unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it
     /// Called now and then, from the thread that called bake, with the name of the stage and how much of the whole is

@@ -327,6 +327,22 @@ def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points)
     assert plain.closest_point(points).dtype == espalier.SCENE_CLOSEST_POINT
 
 
+def test_meshes_that_float32_holds_far_from_0():
+    whole = np.array([431000.0, 5312000.0, 500.0])
+    positions, triangles = cube(np.zeros(3))
+    assert (positions == positions.astype(np.float32)).all()
+    local = espalier.bake(positions, triangles, tolerance=0.001)
+    for given in (positions + whole, (positions + whole).astype(np.float32)):
+        blob = espalier.bake(given, triangles, tolerance=0.001)
+        assert np.abs(blob.origin - whole).max() < 32 and blob.max_error < NEAR
+        for each, place in ((blob, whole), (espalier.bake_scene([local], espalier.transform(translation=whole)), whole)):
+            beside = place + [0, -2.2, 0]
+            assert abs(each.closest_point(beside)["distance"] - 0.2) < NEAR
+            assert each.overlaps(espalier.Sphere(beside, 0.1)).no and each.overlaps(espalier.Sphere(beside, 0.3)).yes
+            assert abs(each.raycast(place + [0.3, 0.1, 7.2], [0, 0, -1])["t"] - 5.2) < NEAR
+        assert blob.contains(whole + [0, -2.2, 0]).no and blob.contains(whole + [0, -1.8, 0]).yes
+
+
 def test_other_numbers_than_float64(far):
     place = np.round(PLACE)
     place[2] += 40

@@ -29,12 +29,18 @@ err_has "origin: " " of the source is 0 0 0 of the blob"
 json '.source_origin as [$x, $y, $z] | ($x - 500128 | fabs) < 16 and ($y - 5400325 | fabs) < 16 and ($z - 616 | fabs) < 16'
 json '.bounds.min[0] > -16 and .bounds.max[0] < 16 and .extent > 9.99 and .extent < 10.01'
 
-claim "a mesh near 0 gets none, and neither does one of float32 numbers"
+claim "a mesh near 0 gets none"
 finds 'has("source_origin") | not' bake box.obj -o x.espl --tolerance 1mm
 err_lacks "origin: "
-finds 'has("source_origin") | not' bake far_box.obj -o x.espl --bits 24
+
+claim "a mesh far away gets one also where float32 holds its numbers, since it does not hold places near them"
 x=500123.5 y=5400321.5 z=612.25 write_house 0 1 >whole.obj
-finds 'has("source_origin") | not' bake whole.obj -o x.espl --tolerance 1mm
+finds '.source_origin' bake whole.obj -o whole.espl --tolerance 1mm
+run 0 query whole.espl ray 500128.507 5400325.503 700 0 0 -1 --json
+json '.point[0] == 500128.507 and .point[1] == 5400325.503 and (.point[2] - 619.2474 | fabs) < 0.002'
+finds '.source_origin' bake whole.obj -o whole.esps --instances all --tolerance 1mm
+run 0 query whole.esps ray 500128.507 5400325.503 700 0 0 -1 --json
+json '(.point[2] - 619.2474 | fabs) < 0.002'
 
 claim "without an origin the bake warns that float32 is coarser than the lattice and reports the whole error"
 finds '.warnings[0].kind == "step_below_float_spacing" and (has("source_origin") | not)' bake house.obj -o none.espl --step 2^-10 --origin none

@@ -136,7 +136,7 @@ void add_bake(Verb verb, BakeArguments& arguments) {
     verb.option("--origin", arguments.origin, "auto|none|X,Y,Z",
                 "What is subtracted from all coordinates, in float64, before they are rounded: 0 0 0 of the blob or "
                 "scene, which keeps it, and query takes places of the source. auto chooses one near the middle where "
-                "float32 would move a coordinate by more than a quarter of a step, as with coordinates of maps; none "
+                "float32 rounds places at the mesh by more than a quarter of a step, as on a map far from 0; none "
                 "with --deformable")
         .with_default();
     add_sections(verb, arguments);

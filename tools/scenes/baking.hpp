@@ -39,7 +39,7 @@ struct SceneBake {
 };
 
 /// Moves the places of an import to the origin of its scene, which it returns: BakeOptions::origin, or one that is
-/// chosen where float32 is coarser than a quarter of a step of a mesh that needs float64. Near the middle then, else 0.
+/// chosen where float32 rounds places at a mesh by more than a quarter of its step. Near the middle then, else 0.
 Vec3d move_to_origin(ImportResult& imported, const BakeOptions& options);
 
 /// Bakes an import with ImportOptions::keep_places, whose places count from BakeOptions::origin. A tolerance holds in

@@ -74,7 +74,7 @@ Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options
     if (options.origin) return *options.origin;
     if (options.deformation) return {};
     SourceBounds bounds;
-    bool is_first = true, is_rounded = false;
+    bool is_first = true;
     for (const MeshView& mesh : meshes) {
         if (!mesh.positions.empty() && !mesh.float64_positions.empty()) continue;  // refused later
         for (const TriangleVertices& triangle : mesh.triangles) {
@@ -82,7 +82,6 @@ Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options
                 if (corner >= mesh.position_count()) continue;
                 const Vec3d point = given_position(mesh, corner);
                 if (!is_finite(point)) continue;
-                is_rounded = is_rounded || !fits_float32(point);
                 if (is_first) bounds = SourceBounds(point);
                 is_first = false;
                 bounds.add(point);
@@ -91,7 +90,7 @@ Vec3d choose_origin(std::span<const MeshView> meshes, const BakeOptions& options
     }
     bounds.measure();
     const double side = bounds.largest_side;
-    if (!is_rounded || !(side > 0.0) || !std::isfinite(side) ||
+    if (!(side > 0.0) || !std::isfinite(side) ||
         !is_too_coarse(bounds.largest_coordinate, std::ldexp(1.0, step_exponent_of(options.resolution, side))))
         return {};
     return origin_near_middle(bounds.min, bounds.max, power_above(side));

@@ -114,22 +114,31 @@ Vec3 ExactPlace::seen_from(const Vec3d& origin, double& moved) const {
     return place;
 }
 
-std::optional<std::size_t> find_too_far(std::span<const PlacedBox> instances, const Vec3d& origin) {
+namespace {
+
+double farthest_coordinate(const WorldBox& box, const Vec3d& origin) {
     const double from[3] = {origin.x, origin.y, origin.z};
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+        farthest = std::max({farthest, std::abs(box.lo[k] - from[k]), std::abs(box.hi[k] - from[k])});
+    return farthest;
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_too_far(std::span<const PlacedBox> instances, const Vec3d& origin) {
     const auto found = std::find_if(instances.begin(), instances.end(), [&](const PlacedBox& instance) {
-        if (!instance.is_in_float64) return false;
-        double farthest = 0.0;
-        for (std::size_t k = 0; k < 3; ++k)
-            farthest =
-                std::max({farthest, std::abs(instance.box.lo[k] - from[k]), std::abs(instance.box.hi[k] - from[k])});
-        return is_too_coarse(farthest, instance.step);
+        return instance.is_in_float64 && is_too_coarse(farthest_coordinate(instance.box, origin), instance.step);
     });
     if (found == instances.end()) return std::nullopt;
     return static_cast<std::size_t>(found - instances.begin());
 }
 
 Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
-    if (!find_too_far(instances, {})) return {};
+    const auto is_far = [](const PlacedBox& instance) {
+        return is_too_coarse(farthest_coordinate(instance.box, {}), instance.step);
+    };
+    if (std::ranges::none_of(instances, is_far)) return {};
     WorldBox all = instances.front().box;
     double side = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -140,14 +149,15 @@ Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
         side = std::max(side, all.hi[k] - all.lo[k]);
     }
     if (!std::isfinite(side)) return {};
-    double spacing = side > 0.0 ? power_above(side / 64) : 0.0;
-    for (const PlacedBox& instance : instances)
-        if (std::isfinite(instance.step)) spacing = std::max(spacing, power_above(instance.step));
-    double largest = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) largest = std::max({largest, std::abs(all.lo[k]), std::abs(all.hi[k])});
     const auto origin_on = [&](double grid) {
         return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, grid);
     };
+    // Of instances that float32 holds only those gain that are all far away: places near them are rounded less.
+    if (!find_too_far(instances, {}) && !(side > 0.0 && origin_on(power_above(side)) != Vec3d{})) return {};
+    double spacing = side > 0.0 ? power_above(side / 64) : 0.0;
+    for (const PlacedBox& instance : instances)
+        if (std::isfinite(instance.step)) spacing = std::max(spacing, power_above(instance.step));
+    const double largest = farthest_coordinate(all, {});
     // A moving scene that reaches this far has views on a grid of 2^-23 of the coordinate at the finest.
     const Vec3d of_view = origin_on(std::max(spacing, std::ldexp(power_above(largest), -22)));
     return find_too_far(instances, of_view) ? origin_on(spacing) : of_view;

@@ -57,10 +57,10 @@ struct PlacedBox {
 /// of instances that float32 holds as they were given, none.
 [[nodiscard]] std::optional<std::size_t> find_too_far(std::span<const PlacedBox> instances, const Vec3d& origin);
 
-/// Returns an origin for the scene. 0 if find_too_far() finds none from there; else a place near the middle of all
-/// instances. That is a multiple of a power of two above the step of each instance, so that what was moved by whole
-/// steps still is, and above a 64th of the largest side. If that is near enough, a view of a moving scene can have it
-/// too.
+/// Returns an origin for the scene. 0 if find_too_far() finds none from there, unless float32 is too coarse at an
+/// instance and all lie far from 0 for their size. Else a place near the middle of all instances: a multiple of a power
+/// of two above the step of each, so that what was moved by whole steps still is, and above a 64th of the largest side.
+/// If that is near enough, a view of a moving scene can have it too.
 [[nodiscard]] Vec3d choose_scene_origin(std::span<const PlacedBox> instances);
 
 }  // namespace espalier::baker

@@ -41,9 +41,10 @@ struct SceneBakeOptions {
     /// The translation of each instance, in place of that of its transform; empty: those of the transforms.
     std::span<const Vec3d> translations = {};
     /// Is subtracted from each place of the source: the scene's coordinates count from there, so that float32 holds
-    /// them. The scene keeps it (BakedScene::source_origin), unless it is 0. None: chosen where float32 is coarser than
-    /// a quarter of the step of an instance that needs float64, since its mesh has an origin or its translation does;
-    /// near the middle of all instances, and a multiple of every step of unscaled meshes. Else 0.
+    /// them. The scene keeps it (BakedScene::source_origin), unless it is 0. None: chosen where float32 rounds places
+    /// at an instance by more than a quarter of its step, if the instance needs float64, since its mesh has an origin
+    /// or its translation does, or if all lie far from 0 for their size. Near the middle of all instances, and a
+    /// multiple of every step of unscaled meshes. Else 0.
     std::optional<Vec3d> origin = Vec3d{};
 };
 

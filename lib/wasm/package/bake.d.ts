@@ -46,8 +46,8 @@ export interface BakeOptions {
     bounds?: boolean;
     /**
      * Three numbers, which are subtracted from all positions in double and stored in the blob. Its queries take and return
-     * places in the coordinates of the source all the same. 'auto' unless given: one near the middle where float32 would move
-     * positions by more than a quarter of the lattice's step, as those of a map far from 0, and else none. null: none.
+     * places in the coordinates of the source all the same. 'auto' unless given: one near the middle where float32 rounds
+     * places at the mesh by more than a quarter of the lattice's step, as on a map far from 0, and else none. null: none.
      */
     origin?: 'auto' | NumberArray | null;
     duplicateBudget?: number;

@@ -127,14 +127,17 @@ TEST_CASE("origin: the baker chooses one where float32 is coarser than a quarter
     CHECK(bake_far(far, options).report.origin == Vec3d{});
     options.resolution = Resolution::tolerance(0.001);
     CHECK(bake_far(far, options).report.origin == origin);
-    // What float32 holds as it is needs none, and deformable blobs take positions that count from a given one.
+    // Places near what float32 holds as it is need one all the same.
     FarMesh rounded = far;
     for (Vec3d& position : rounded.positions)
         position = {double(static_cast<float>(position.x)), double(static_cast<float>(position.y)),
                     double(static_cast<float>(position.z))};
     options = {};
     options.origin.reset();
-    CHECK(bake_far(rounded, options).report.origin == Vec3d{});
+    CHECK(bake_far(rounded, options).report.origin == origin);
+    // Of a mesh about 0 no lattice is too fine, and deformable blobs take positions that count from a given one.
+    options.resolution = Resolution::bits(24);
+    CHECK(bake_far(near, options).report.origin == Vec3d{});
     options.profile = Profile::fast;
     options.deformation = Deformation{};
     CHECK(bake_far(far, options).report.origin == Vec3d{});

@@ -119,6 +119,34 @@ TEST_CASE("scene: places are rounded once from the exact ones and the error stat
     CHECK(with_origin >= scaled(60) / 2);
 }
 
+TEST_CASE("scene: places that float32 holds need an origin too where it is too coarse for what lies near them") {
+    const auto cube = make_cube(0.0f, 10.0f);
+    const std::vector<Bytes> blobs = {
+        bake(std::array{cube.view()}, {.resolution = Resolution::tolerance(0.001)}).bytes};
+    std::vector<Instance> instances(2);
+    instances[1].transform.translation = {20.0f, 0.0f, 0.0f};
+    const auto baked = [&] { return bake_scene(spans_of(blobs), instances, {.origin = std::nullopt}); };
+    CHECK(baked().report.origin == Vec3d{});
+    // A world about 0 gains nothing from another place to count from.
+    instances[1].transform.translation = {40'000.0f, 0.0f, -40'000.0f};
+    CHECK(baked().report.origin == Vec3d{});
+    for (Instance& instance : instances) {
+        instance.transform.translation.x += 431'000.0f;
+        instance.transform.translation.y += 5'312'000.0f;
+    }
+    instances[1].transform.translation.x -= 39'980.0f;
+    instances[1].transform.translation.z = 0.0f;
+    const SceneBakeResult far = baked();
+    CHECK(far.report.warnings.empty());
+    CHECK(std::abs(far.report.origin.x - 431'015.0) <= 32.0);
+    CHECK(std::abs(far.report.origin.y - 5'312'005.0) <= 32.0);
+    const OpenedScene scene(far.bytes);
+    const Vec3d from = scene.scene.source_origin();
+    const auto below = static_cast<float>(5'311'999.8 - from.y);
+    const auto nearest = closest_point(scene.scene, {static_cast<float>(431'005.0 - from.x), below, 5.0f});
+    CHECK(std::abs(nearest->distance - 0.2f) < 0.001f);
+}
+
 TEST_CASE("scene: no ray falls through the seams of tiles of a map that were baked alone") {
     constexpr int side = 4;
     Random random(6252);
