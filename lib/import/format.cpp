@@ -95,6 +95,14 @@ bool is_package(std::string_view begin) {
            name.starts_with("Metadata/");
 }
 
+/// ISO 10303-21 in another schema than that of buildings, which assimp reads.
+bool is_step_of_solids(std::string_view begin) {
+    if (!begin.starts_with("ISO-10303-21")) return false;
+    const std::size_t schema = begin.find("FILE_SCHEMA");
+    const std::string_view rest = begin.substr(std::min(schema, begin.size()));
+    return !rest.empty() && rest.substr(0, rest.find(';')).find("IFC") == std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> format_named(std::string_view name) {
@@ -161,6 +169,10 @@ void refuse_other_than_mesh(const std::string& path, std::string_view begin) {
     }
     if (is_web_page(begin)) {
         throw ImportError(ImportStatus::invalid_input, words_for_web_page(path), {.file = path, .kind = "web_page"});
+    }
+    if (is_step_of_solids(begin)) {
+        throw_file_error(ImportStatus::unsupported, path,
+                         " is STEP, whose solids have exact surfaces and no triangles. Export it as STL, 3MF or glTF.");
     }
     const std::string_view zipped = first_zipped(begin);
     if (zipped.ends_with(".amf") || (!zipped.empty() && ending_of(path) == ".amf")) {

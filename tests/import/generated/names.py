@@ -48,5 +48,7 @@ def names(claims):
 
     for name in ("pointer.stl", "pointer.glb", "pointer.fbx", "pointer"):
         claims.refuses("names: a pointer of Git LFS is named with the way to the file", name, POINTER, "Git LFS", "git lfs pull")
+    step = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_SCHEMA((\n'AUTOMOTIVE_DESIGN { 1 0 10303 214 }'));\nENDSEC;\n"
+    claims.refuses("names: STEP is named", "part.step", step, "STEP", "Export it as STL")
     claims.refuses("names: a zipped AMF is named", "zipped.amf", zipped("model.xml", AMF), "zipped AMF", "Unzip")
     claims.refuses("names: a zipped AMF is named whatever its ending", "zipped.dat", zipped("model.amf", AMF), "zipped AMF", "Unzip")
