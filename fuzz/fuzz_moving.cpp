@@ -100,7 +100,13 @@ void ask(fuzz::Trial& trial, Random& random) {
         fuzz::compare_with_loop(scene, true, shapes, random);
         ask_for_more(scene, trial.model(), shapes, random);
     }
-    fuzz::ask_with_any_bits(scene, random);
+    const auto away = [&] {
+        return double(random.signed_unit()) * std::ldexp(double(trial.unit()), random.between(0, 40));
+    };
+    const double x = away(), y = away(), z = away();
+    const MovingScene view = seen_from(scene, {x, y, z});
+    if (view && !must_wait) fuzz::compare_with_loop(view, true, shapes, random);
+    fuzz::ask_with_any_bits(view ? view : scene, random);
 }
 
 /// Opens a copy of the scene with damaged bytes. What opens is changed and asked like any scene.
