@@ -57,8 +57,53 @@ def test_wrong_arguments_raise(blob, points):
             (ValueError, "rotation", lambda: espalier.transform((5, 6, 7), (0, 0, 0, 1))),
             (ValueError, "no transform",
              lambda: espalier.transform_from_matrix(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]))),
-            (ValueError, "places", lambda: espalier.bake_scene([blob], np.zeros((4, 16))))):
+            (ValueError, "places", lambda: espalier.bake_scene([blob], np.zeros((4, 16)))),
+            (ValueError, "the number of the blob of each place, as there are 2 blobs",
+             lambda: espalier.bake_scene([blob, blob], espalier.transform())),
+            (TypeError, "not a Scene", lambda: espalier.pairs.distance(espalier.bake_scene([blob], espalier.transform()), blob))):
         raises(error, message, call)
+
+
+def test_points_are_no_shapes(blob):
+    scene, at = espalier.bake_scene([blob], espalier.transform()), [3.0, 0.0, 5.0]
+    moving = espalier.MovingScene([blob], 4, -20)
+    for shape in (espalier.Segment(at, at), espalier.Box(at, at), espalier.Ray(at, at), espalier.Triangle([at, at, at])):
+        name = type(shape).__name__
+        for call in (scene.closest_point, moving.closest_point, blob.signed_distance, blob.contains, blob.winding_number,
+                     lambda points: blob.distance_bounds(points, 0.1), lambda points: blob.closest_triangles(points, 4),
+                     lambda points: blob.raycast(points, at)):
+            raises(TypeError, f"must be an array of numbers, not a {name}", call, shape)
+    raises(TypeError, "not a Ray", blob.closest_point, espalier.Ray(at, at))
+
+
+def test_matrices_that_are_no_transforms_say_why():
+    for why, matrix in (("scales unequally, by 1, 2, 1", np.diag([1, 2, 1, 1])), ("mirrors", np.diag([-1, 1, 1, 1])),
+                        ("shears", [[1, 0.5, 0, 0], [0, 0.75**0.5, 0, 0], [0, 0, 1, 0]]),
+                        ("fourth row", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]),
+                        ("not finite", np.diag([1, np.nan, 1, 1])), ("not finite", np.diag([1e300, 1e300, 1e300, 1]))):
+        with np.errstate(over="ignore"):
+            raises(ValueError, why, espalier.transform_from_matrix, np.array(matrix, np.float64))
+    raises(ValueError, r"matrix \(1,\) is no transform: it mirrors", espalier.transform_from_matrix,
+           np.array([np.eye(4), np.diag([1, -1, 1, 1])]))
+
+
+def test_arguments_of_bakes_are_named(mesh, tmp_path):
+    raises(TypeError, "no option 'ids'; its options are bits, tolerance.*original_ids", espalier.bake, *mesh, ids=True)
+    raises(TypeError, "tolerance must be a number, in the unit of the mesh, not '0.5mm'", espalier.bake, *mesh, tolerance="0.5mm")
+    raises(TypeError, "of a MeshFile give its `meshes`", espalier.bake_meshes, [mesh[0], mesh[1]])
+    triangles = np.array(mesh[1], np.int64)
+    triangles[5, 2] = -7
+    raises(espalier.BakeError, "triangle 5: .*vertex -7,", espalier.bake, mesh[0], triangles)
+    triangles[5, 2] = 2**32
+    raises(espalier.BakeError, "vertex 4294967296,", espalier.bake_meshes, [mesh, (mesh[0], triangles)])
+    assert espalier.bake(mesh[0], triangles, drop_bad_triangles=True).triangle_count == len(triangles) - 1
+    path = tmp_path / "flat.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+    raises(espalier.BakeError, "flat.obj: ", espalier.bake_file, path)
+    raises(FileNotFoundError, "none/x.espl'$", espalier.bake(*mesh).save, tmp_path / "none" / "x.espl")
+    path.write_bytes(b"espalier")
+    raises(espalier.OpenError, "flat.obj: ", espalier.open_blob, path)
+    raises(espalier.OpenError, "flat.obj: ", espalier.open_scene, str(path))
 
 
 def test_statuses_of_single_queries(blob, open_mesh_blob):

@@ -230,6 +230,7 @@ test('scenes place the source and have an origin', async () => {
     assert.strictEqual(library.openScene(without.bytes()).report, null);
     await rejects(library.bakeScene([far], {}, { origin: 'near' }), RangeError, /origin must be/);
     await rejects(library.bakeScene([far], {}, { origin: [0, NaN, 0] }), BakeError, /origin/);
+    await rejects(library.bakeScene([far, cube], {}), RangeError, /number of the blob of each instance, as there are 2 blobs/);
 });
 
 const WORLD = [99876.5, -42123.25, 12];  // as far as float32 has steps of 8 mm

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import mmap
 import os
 import uuid
@@ -62,6 +63,8 @@ class Baked:
             with open(part, "xb") as file:
                 file.write(self.data)
             os.replace(part, target)
+        except FileNotFoundError:
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), target) from None
         except BaseException:
             with contextlib.suppress(OSError):
                 os.remove(part)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 from typing import Any, Optional, Sequence, Union
 
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from .blob import PROFILES, Blob
 from .errors import BakeError
-from .integers import integer_array
+from .integers import LARGEST, integer_array
 from .mesh_files import Mesh, Path, read_files
 
 EFFORTS = ("fast", "normal", "best")
@@ -27,6 +28,17 @@ def _index_array(triangles: ArrayLike, name: str) -> Any:
     # A number that is out of range stays so: the baker reports it with its place.
     array = integer_array(triangles, "triangles" + name)
     return array if array.size else np.zeros((0, 3), np.uint32)
+
+
+def _as_written(message: str, meshes: Sequence[Mesh], place: Any) -> str:
+    """Returns a message about a triangle with a number that uint32 does not hold as its caller wrote it."""
+    for mesh in meshes:
+        if place is None or place[2] is None or (mesh.file, mesh.mesh) != tuple(place[:2]):
+            continue
+        for number in np.asarray(mesh.triangles).reshape(-1)[3 * place[2]:3 * place[2] + 3]:
+            if not 0 <= number <= LARGEST:
+                return message.replace(f"vertex {LARGEST}", f"vertex {number}", 1)
+    return message
 
 
 def _position_array(positions: ArrayLike, name: str) -> Any:
@@ -77,8 +89,11 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
           flat_angle: Optional[float] = None, bounds: bool = False, origin: Union[str, ArrayLike, None] = "auto",
           builder: str = "binned_sah", duplicate_budget: float = 0.3, byte_price: float = 5.0,
           max_leaf_triangles: int = 62, threads: int = 1, deformable: bool = False, range: Optional[ArrayLike] = None,
-          poses: Sequence[ArrayLike] = ()) -> Blob:
+          poses: Sequence[ArrayLike] = (), **unknown: Any) -> Blob:
     # stack_level: whose line warnings name, counted from here.
+    if unknown:
+        names = ", ".join(_bake.__kwdefaults__)
+        raise TypeError(f"a bake has no option {next(iter(unknown))!r}; its options are {names}")
     given = [option is not None for option in (bits, tolerance, step_exponent)]
     if sum(given) > 1:
         raise ValueError("give one of bits, tolerance and step_exponent")
@@ -92,6 +107,8 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
     if bits is not None:
         kind, resolution = _BITS, float(bits)
     elif tolerance is not None:
+        if isinstance(tolerance, str):
+            raise TypeError(f"tolerance must be a number, in the unit of the mesh, not {tolerance!r}")
         kind, resolution = _TOLERANCE, float(tolerance)
     elif step_exponent is not None:
         kind, resolution = _STEP, float(step_exponent)
@@ -104,9 +121,13 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         "byte_price": byte_price, "max_leaf_triangles": max_leaf_triangles, "threads": threads,
         "origin": origin_numbers(origin), "deformable": bool(deformable),
     }
-    arrays = []
+    arrays, given_meshes = [], []
     for number, each in enumerate(meshes):
+        if not isinstance(each, Mesh) and not (isinstance(each, (tuple, list)) and len(each) == 2):
+            raise TypeError(f"meshes must be Mesh objects or pairs of positions and triangles, not {type(each).__name__}; "
+                            "of a MeshFile give its `meshes`")
         mesh = each if isinstance(each, Mesh) else Mesh(each[0], each[1], mesh=number)
+        given_meshes.append(mesh)
         name = f" of mesh {number}" if len(meshes) > 1 else ""
         materials = None if mesh.materials is None else integer_array(mesh.materials, "materials" + name)
         arrays.append((_position_array(mesh.positions, name), _index_array(mesh.triangles, name), materials,
@@ -118,7 +139,8 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
         options["poses"][number] = _moved(pose, options["origin"], (count, 3), f"pose {number}")
     baked = _core.bake(arrays, options)
     if isinstance(baked[0], int):
-        raise BakeError(*baked)
+        status, message, place = baked
+        raise BakeError(status, _as_written(message, given_meshes, place), place)
     blob = Blob(*baked)
     for message in baked[1]["warnings"]:
         warnings.warn(message, BakeWarning, stacklevel=stack_level)
@@ -142,9 +164,9 @@ def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLi
     lattice. allow_empty: accepts that none is left. strict: refuses what else is a warning.
     flat_angle: in degrees; stores how the surface bends at edges, for contacts(). bounds: stores tighter bounds.
     origin: (3,), subtracted from all positions in float64, and stored in the blob, whose queries take and return places
-    in the coordinates of the source. "auto", the default, chooses one near the middle where float32 would move float64
-    positions by more than a quarter of the lattice's step, as those of a map far from 0, else none; a deformable blob
-    gets none. None: (0, 0, 0).
+    in the coordinates of the source. "auto", the default, chooses one near the middle where float32 rounds places at
+    the mesh by more than a quarter of the lattice's step, as on a map far from 0, else none; a deformable blob gets
+    none. None: (0, 0, 0).
     deformable: bakes a blob whose vertices refit() can move, in profile "fast". range: (2, 3), the box in which all
     positions of all poses lie; by default the box of mesh and poses, a tenth wider on each side. poses: arrays of
     (n, 3), each with the positions of all meshes in a row, which the tree suits; both in the source's coordinates.
@@ -169,6 +191,11 @@ def bake_file(path: Path, **options: Any) -> Blob:
     of_reader["keep_vertices"] = bool(options.get("deformable", False))
     of_reader["require_vertices"] = not options.get("drop_bad_triangles", False)
     file = read_files([path], 3, **of_reader)[0]
-    blob = _bake(file.meshes, 3, **options)
+    try:
+        blob = _bake(file.meshes, 3, **options)
+    except BakeError as error:
+        if str(error).startswith(os.fspath(path)):
+            raise
+        raise BakeError(error.status, f"{os.fspath(path)}: {error}", error.place) from None
     blob.names = file.names
     return blob

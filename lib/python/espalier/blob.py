@@ -128,7 +128,10 @@ class Blob(Baked, RayQueries, ShapeQueries, EdgeQueries, StoredBounds, Pictures)
         return in_source(_core.corners(self._core, triangle_numbers(triangles), threads), self._origin)
 
     def materials(self, triangles: ArrayLike, *, threads: int = 1) -> NDArray[np.uint16]:
-        """Returns the materials of triangles; 0 where the blob stores none."""
+        """Returns the materials of triangles; 0 where the blob stores none.
+
+        Numbers of no triangle, as misses have, get 0 too: look at the status of a hit first.
+        """
         return _core.materials(self._core, triangle_numbers(triangles), threads)
 
     def original_triangles(self, triangles: ArrayLike, *, threads: int = 1) -> NDArray[Any]:
@@ -200,7 +203,7 @@ def open_blob(source: Any) -> Blob:
     """
     opened = _core.open(bytes_of(source))
     if isinstance(opened, int):
-        raise OpenError(opened)
+        raise OpenError(opened, source)
     return Blob(opened)
 
 
@@ -212,7 +215,7 @@ def read_remap(source: Any, blob: Blob) -> NDArray[Any]:
     """
     table = _core.read_remap(blob._core, bytes_of(source))
     if isinstance(table, int):
-        raise OpenError(table)
+        raise OpenError(table, source)
     return table
 
 

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Optional
 
 from . import _core
 
 
 class OpenError(ValueError):
-    """Bytes are no sound blob or scene. `status` is the number of the library's OpenStatus."""
+    """Bytes are no sound blob or scene. `status` is the number of the library's OpenStatus, `path` that of the file or ""."""
 
-    def __init__(self, status: int) -> None:
-        super().__init__(_core.describe_open(status))
+    def __init__(self, status: int, source: Any = "") -> None:
         self.status = status
+        self.path = os.fspath(source) if isinstance(source, (str, os.PathLike)) else ""
+        super().__init__((f"{self.path}: " if self.path else "") + _core.describe_open(status))
 
     def __reduce__(self) -> Any:
-        return OpenError, (self.status,)
+        return OpenError, (self.status, self.path)
 
 
 class MeshFileError(ValueError):

@@ -54,6 +54,9 @@ class _Placed(NamedTuple):
 
 
 def _placed(a: Blob, b: Blob, place_a: ArrayLike, place_b: ArrayLike) -> _Placed:
+    for blob in (a, b):
+        if not isinstance(blob, Blob):
+            raise TypeError(f"espalier.pairs takes two blobs, not a {type(blob).__name__}; `scene.mesh(i)` is one")
     as_given = _Placed((a._core, b._core, place_a, place_b), None)
     if a._origin is None and b._origin is None:
         return as_given

@@ -25,7 +25,8 @@ class SceneQueries(Pictures):
     Shapes and results are in world space. Of a baked scene with an `origin`, and of a view of a moving one (seen_from()),
     places in results are float64, and those in arguments should be: each is rounded once, from the origin. Arguments
     broadcast and results have shapes as those of Blob, with the fields `instance` and `in_tile` more: of a baked scene
-    the number of the instance, of a moving one its slot.
+    an index into instances(), whose field `source` is the index of the place that bake_scene() took; of a moving one the
+    slot.
     mask: instances whose mask shares no bit with it are passed over.
     only: a flag, bool or uint8, for each instance of a baked scene, (instance_count,), or for each slot of a moving
     one, (slot_end,): the query takes those that are not 0 into account, as if there were no others. A tile is one

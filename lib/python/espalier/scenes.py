@@ -53,7 +53,11 @@ class Scene(Baked, SceneQueries):
         return int(self._facts["mesh_count"])
 
     def instances(self) -> NDArray[Any]:
-        """Returns all instances: an array of INSTANCE. A transform places what a mesh or tile counts from its `origin`."""
+        """Returns all instances: an array of INSTANCE, in the order of the field `instance` of results.
+
+        `source` is the index in the places that bake_scene() took. A transform places what a mesh or tile counts from
+        its `origin`.
+        """
         return in_source(self._core.instances(), self._origin, ("transform",))
 
     def is_on_common_lattice(self) -> NDArray[np.bool_]:
@@ -78,7 +82,7 @@ def open_scene(source: Any) -> Scene:
     """Opens a baked scene, as open_blob() opens a blob."""
     opened = _core.open_scene(bytes_of(source))
     if isinstance(opened, int):
-        raise OpenError(opened)
+        raise OpenError(opened, source)
     return Scene(opened)
 
 
@@ -110,21 +114,27 @@ def instance_rows(places: ArrayLike, meshes: ArrayLike, masks: Optional[ArrayLik
     return rows, numbers
 
 
-def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: ArrayLike = 0, *, masks: Optional[ArrayLike] = None,
-               users: Optional[ArrayLike] = None, origin: Union[str, ArrayLike, None] = "auto") -> Scene:
+def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: Optional[ArrayLike] = None, *,
+               masks: Optional[ArrayLike] = None, users: Optional[ArrayLike] = None,
+               origin: Union[str, ArrayLike, None] = "auto") -> Scene:
     """Joins blobs and instances in one scene.
 
     blobs: Blob objects, scenes, which become tiles, or objects with bytes.
-    places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob. masks, users: (n,), 32 bits
-    for queries and for the caller.
+    places: (n, 8), the transform of each instance. meshes: (n,), the number of its blob; one blob needs none. masks,
+    users: (n,), 32 bits for queries and for the caller.
+    The scene stores instances in another order: the field `instance` of results is an index into `scene.instances()`,
+    whose field `source` is the index in `places`.
     A transform places the source of a blob, also where the blob has an `origin`. Translations of float64 are rounded once.
-    origin: three numbers, which are subtracted from all places; None for none. "auto": chosen where float32 is coarser
-    than a quarter of the step of an instance that needs float64. The scene keeps it as `origin`.
+    origin: three numbers, which are subtracted from all places; None for none. "auto": chosen where float32 rounds places
+    at an instance by more than a quarter of its step, if it needs float64 or all lie far from 0. The scene keeps it as
+    `origin`.
 
     Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
     pieces of a ground do, but are rounded apart, and of an origin from which float32 is too coarse.
     """
-    rows, numbers = instance_rows(places, meshes, masks, users)
+    if meshes is None and len(blobs) > 1:
+        raise ValueError(f"meshes must have the number of the blob of each place, as there are {len(blobs)} blobs")
+    rows, numbers = instance_rows(places, 0 if meshes is None else meshes, masks, users)
     cores = [blob._core if isinstance(blob, (Blob, Scene)) else blob for blob in blobs]
     translations = None if rows.dtype == np.float32 else rows[:, 4:7]
     baked = _core.bake_scene(cores, rows, numbers, translations, origin_numbers(origin))

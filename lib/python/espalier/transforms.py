@@ -38,9 +38,24 @@ def transform_from_matrix(matrix: ArrayLike) -> NDArray[np.float32]:
     refused = np.argwhere(status != Status.OK)
     if len(refused):
         first = tuple(int(index) for index in refused[0])
-        reason = _core.describe_query(int(status[first]))
+        with np.errstate(over="ignore"):
+            reason = _why_no_transform(np.asarray(matrix).astype(np.float32)[first].astype(np.float64))
         raise ValueError(f"matrix {first if first else ''} is no transform: {reason}".replace("  ", " "))
     return rows
+
+
+def _why_no_transform(matrix: NDArray[np.float64]) -> str:
+    if not np.isfinite(matrix).all():
+        return "a number is not finite"
+    if len(matrix) == 4 and (matrix[3] != (0.0, 0.0, 0.0, 1.0)).any():
+        return "its fourth row is not 0, 0, 0, 1"
+    linear = matrix[:3, :3]
+    scales = np.linalg.norm(linear, axis=0)
+    if scales.max() > 1.0001 * scales.min():
+        return f"it scales unequally, by {', '.join(f'{scale:.6g}' for scale in scales)}: scale the mesh before its bake"
+    if np.linalg.det(linear) < 0.0:
+        return "it mirrors: mirror the mesh before its bake"
+    return "it shears, or float32 does not hold its scale: apply it to the mesh before its bake"
 
 
 def to_local(transforms: ArrayLike, points: ArrayLike) -> NDArray[np.float32]:

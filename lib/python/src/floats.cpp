@@ -29,7 +29,17 @@ std::size_t count_of(const std::vector<py::ssize_t>& shape) {
     return static_cast<std::size_t>(count);
 }
 
+/// A shape of this package is a tuple of arrays, which numpy would take as rows of one array.
+void refuse_shape(py::handle given, const char* name) {
+    if (!PyTuple_Check(given.ptr()) || PyTuple_CheckExact(given.ptr())) return;
+    const py::handle type = py::type::handle_of(given);
+    if (!py::str(type.attr("__module__")).equal(py::str("espalier.shapes"))) return;
+    throw py::type_error(std::string(name) + " must be an array of numbers, not a " +
+                         py::str(type.attr("__name__")).cast<std::string>());
+}
+
 py::array array_of(py::handle given, const char* name) {
+    refuse_shape(given, name);
     const py::array array = py::array::ensure(given);
     if (!array) {
         PyErr_Clear();

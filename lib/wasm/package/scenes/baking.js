@@ -23,6 +23,8 @@ function placeTranslations(batch, argument) {
 /// Checks the instances, and returns what bakes them with the bytes of blobs: a function of an instance of the module,
 /// which serves once. It returns bytes, which lie in memory of that instance, and the report.
 export function preparedScene(blobs, instances, options = {}) {
+    if (blobs.length > 1 && instances?.mesh == null)
+        throw new RangeError(`mesh must have the number of the blob of each instance, as there are ${blobs.length} blobs`);
     const fields = fieldsOfInstances(instances), all = Object.values(fields), origin = fieldsOfOrigin(options);
     return (instance) => {
         const batch = new Batch(instance, 0, all), { bytes: size } = instance.records.bytes;

@@ -36,7 +36,7 @@ export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonl
  * source of the blob, in a moving one what the blob counts from its `origin`: insert it there.
  */
 export interface InstancesToBake extends Places {
-    /** The number of its blob among those that the scene is made of; 0 unless given. */
+    /** The number of its blob among those that the scene is made of; 0 unless given, but bakeScene() of several blobs needs it. */
     mesh?: Integers;
     /** Queries with a mask that shares no bit with it pass the instance over. All bits unless given. */
     mask?: Integers;
@@ -46,8 +46,8 @@ export interface InstancesToBake extends Places {
 
 export interface SceneBakeOptions {
     /**
-     * What is subtracted from all places, in double; null for 0 0 0. By default 'auto': chosen where float32 is coarser than a
-     * quarter of the step of an instance that needs double. The scene keeps it as `origin`.
+     * What is subtracted from all places, in double; null for 0 0 0. By default 'auto': chosen where float32 rounds places at
+     * an instance by more than a quarter of its step, if it needs double or all lie far from 0. The scene keeps it as `origin`.
      */
     origin?: 'auto' | ArrayLike<number> | null;
 }
