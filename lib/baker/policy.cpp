@@ -8,6 +8,7 @@ namespace espalier::baker {
 
 LostTriangles lost_triangles(const BakeReport& report) {
     const Findings& findings = report.findings;
+    const std::string of_lattice = "without area on the lattice of step " + short_number_text(report.lattice.step);
     const struct {
         const char* words;
         const Finding& finding;
@@ -16,7 +17,7 @@ LostTriangles lost_triangles(const BakeReport& report) {
         {"not finite", findings.not_finite, findings.not_finite.count},
         {"with an index out of range", findings.index_out_of_range, findings.index_out_of_range.count},
         {"without area", findings.zero_area, findings.zero_area.count - findings.equal_corners},
-        {"without area on the lattice", findings.collapsed, findings.collapsed.count},
+        {of_lattice.c_str(), findings.collapsed, findings.collapsed.count},
     };
     LostTriangles lost;
     lost.of = report.source.triangles - findings.equal_corners;

@@ -23,11 +23,11 @@ std::string step_text(const Source& source, const BakeReport& report) {
     if (source.is_float64)
         return "the lattice step " + short_number_text(report.lattice.step) +
                " is finer than the spacing of float32 this far from the origin, to which lattice points are rounded: "
-               "choose an origin near the mesh, or let the baker choose one.";
+               "choose an origin near the mesh, or let the baker choose one, unless the blob is deformable.";
     return "the lattice step " + short_number_text(report.lattice.step) +
            " is finer than the spacing of the source's own floats at its coordinates: fewer bits or a coarser "
            "tolerance "
-           "loses nothing, and moving the asset closer to the origin gains accuracy.";
+           "loses nothing, and an origin near the asset gains accuracy.";
 }
 
 /// Returns why the baked surface is not closed, though the source is, and what keeps it closed.

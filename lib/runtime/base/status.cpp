@@ -12,8 +12,7 @@ const char* describe(OpenStatus status) noexcept {
         case OpenStatus::trailing_bytes:
             return "there are more bytes than the header states";
         case OpenStatus::not_a_blob:
-            return "these bytes are not an Espalier blob: they do not begin with ESPL (open_scene opens scenes, "
-                   "which begin with ESPS)";
+            return "these bytes are not an Espalier blob, which begins with ESPL; a scene begins with ESPS";
         case OpenStatus::unsupported_version:
             return "the format version is not one that this library reads: bake again, or update the library";
         case OpenStatus::unsupported_profile:
@@ -40,8 +39,7 @@ const char* describe(OpenStatus status) noexcept {
         case OpenStatus::other_blob:
             return "the remap file belongs to another blob, or the array has another size than it";
         case OpenStatus::not_a_scene:
-            return "these bytes are not an Espalier scene: they do not begin with ESPS (open opens blobs, which begin "
-                   "with ESPL)";
+            return "these bytes are not an Espalier scene, which begins with ESPS; a blob begins with ESPL";
         case OpenStatus::bad_instance:
             return "an instance of the scene breaks the format's rules";
         case OpenStatus::too_few_meshes:
