@@ -1,5 +1,7 @@
 """Arrays of any type and strides, shapes that broadcast, and what is refused."""
 
+import os
+
 import numpy as np
 
 import espalier
@@ -60,6 +62,7 @@ def test_wrong_arguments_raise(blob, points):
             (ValueError, "places", lambda: espalier.bake_scene([blob], np.zeros((4, 16)))),
             (ValueError, "the number of the blob of each place, as there are 2 blobs",
              lambda: espalier.bake_scene([blob, blob], espalier.transform())),
+            (TypeError, "a list of blobs", lambda: espalier.bake_scene(blob, espalier.transform())),
             (TypeError, "not a Scene", lambda: espalier.pairs.distance(espalier.bake_scene([blob], espalier.transform()), blob))):
         raises(error, message, call)
 
@@ -78,7 +81,7 @@ def test_points_are_no_shapes(blob):
 
 def test_matrices_that_are_no_transforms_say_why():
     for why, matrix in (("scales unequally, by 1, 2, 1", np.diag([1, 2, 1, 1])), ("mirrors", np.diag([-1, 1, 1, 1])),
-                        ("shears", [[1, 0.5, 0, 0], [0, 0.75**0.5, 0, 0], [0, 0, 1, 0]]),
+                        ("shears", [[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]),
                         ("fourth row", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]),
                         ("not finite", np.diag([1, np.nan, 1, 1])), ("not finite", np.diag([1e300, 1e300, 1e300, 1]))):
         with np.errstate(over="ignore"):
@@ -99,8 +102,10 @@ def test_arguments_of_bakes_are_named(mesh, tmp_path):
     assert espalier.bake(mesh[0], triangles, drop_bad_triangles=True).triangle_count == len(triangles) - 1
     path = tmp_path / "flat.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
-    raises(espalier.BakeError, "flat.obj: ", espalier.bake_file, path)
+    raises(espalier.BakeError, "flat.obj", espalier.bake_file, path)
     raises(FileNotFoundError, "none/x.espl'$", espalier.bake(*mesh).save, tmp_path / "none" / "x.espl")
+    raises(espalier.BakeError, "flat.obj", espalier.bake_file, os.fsencode(path))
+    raises(TypeError, "no option 'tol'; its options are bits, .*, format, unit", espalier.bake_file, path, tol=1)
     path.write_bytes(b"espalier")
     raises(espalier.OpenError, "flat.obj: ", espalier.open_blob, path)
     raises(espalier.OpenError, "flat.obj: ", espalier.open_scene, str(path))

@@ -314,8 +314,12 @@ def test_scenes_place_the_source_and_have_an_origin(far, near, tmp_path, points)
     np.testing.assert_array_equal(view.origin, scene.origin)
     view.insert(espalier.transform(translation=PLACE + [11, 0, 0], dtype=np.float64))
     assert view.colliding_pairs(scene).items["instance"].tolist() == [1]
-    for other in (bodies, view.seen_from(PLACE + 4000)):
-        assert other.colliding_pairs(scene).status == other.candidate_pairs(scene).status == espalier.Status.INVALID_ARGUMENT
+    for other in (bodies, view.seen_from(PLACE + 4000)):  # which take that view themselves
+        assert other.colliding_pairs(scene).items["instance"].tolist() == [1]
+        assert other.candidate_pairs(scene).items["instance"].tolist() == [1]
+    coarse = espalier.MovingScene([near], 4, 0)  # whose views count from multiples of 128
+    odd = espalier.bake_scene([near], espalier.transform(translation=PLACE, dtype=np.float64), origin=PLACE)
+    assert coarse.colliding_pairs(odd).status == coarse.candidate_pairs(odd).status == espalier.Status.INVALID_ARGUMENT
     by_hand = espalier.bake_scene([far], espalier.transform(), origin=PLACE)
     assert tuple(by_hand.origin) == tuple(PLACE)
     with pytest.warns(espalier.BakeWarning, match="instance 0 lies where float32 is coarser"):
@@ -341,6 +345,26 @@ def test_meshes_that_float32_holds_far_from_0():
             assert each.overlaps(espalier.Sphere(beside, 0.1)).no and each.overlaps(espalier.Sphere(beside, 0.3)).yes
             assert abs(each.raycast(place + [0.3, 0.1, 7.2], [0, 0, -1])["t"] - 5.2) < NEAR
         assert blob.contains(whole + [0, -2.2, 0]).no and blob.contains(whole + [0, -1.8, 0]).yes
+
+
+def test_moving_scenes_beside_what_float32_holds(near):
+    prop = espalier.bake(*cube(np.zeros(3), 0.05))
+    town = espalier.bake_scene([prop], espalier.transform(translation=[[300.0625, 0, 0], [300.5625, 0, 0]]))
+    moving = espalier.MovingScene([prop], 4)
+    moving.insert(espalier.transform(translation=[300.1125, 0, 0]))
+    assert moving.colliding_pairs(town).items["instance"].tolist() == moving.candidate_pairs(town).items["instance"].tolist() == [0]
+    far = espalier.bake(*cube(np.array([300.0, 0, 0]), 0.5))
+    assert far.origin.any()
+    moving = espalier.MovingScene([far, near], 4, tiles=[town])
+    for mesh in (0, 2):
+        with pytest.warns(UserWarning, match=f"mesh {mesh} counts from its origin .* insert it at its `origin`"):
+            moving.insert(espalier.transform(), mesh)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        moving.insert(espalier.transform(translation=far.origin), 0)
+        moving.insert(espalier.transform(), 1)
+    with pytest.warns(UserWarning, match="its instances move by the difference"):
+        moving.set_mesh(0, near)
 
 
 def test_other_numbers_than_float64(far):

@@ -222,8 +222,10 @@ test('scenes place the source and have an origin', async () => {
     assert.deepStrictEqual([...view.origin], [...scene.origin]);
     view.insert({ translation: at(11, 0, 0) });
     assert.deepStrictEqual([...view.collidingPairs({ baked: scene }).items.instance], [1]);
-    for (const other of [bodies, bodies.seenFrom(at(4000, 0, 0))])
-        assert.strictEqual(other.collidingPairs({ baked: scene }).status, Status.INVALID_ARGUMENT);
+    for (const other of [bodies, bodies.seenFrom(at(4000, 0, 0))])  // which take that view themselves
+        assert.deepStrictEqual([...other.collidingPairs({ baked: scene }).items.instance], [1]);
+    const odd = await library.bakeScene([cube], { translation: [...PLACE] }, { origin: PLACE });
+    assert.strictEqual(bodies.collidingPairs({ baked: odd }).status, Status.INVALID_ARGUMENT);
     const without = await library.bakeScene([far], {}, { origin: null });
     assert.match(without.report.warnings[0], /instance 0 lies where float32 is coarser/);
     assert.deepStrictEqual([...(await library.bakeScene([far], {}, { origin: PLACE })).origin], [...PLACE]);

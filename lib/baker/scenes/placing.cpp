@@ -135,10 +135,12 @@ std::optional<std::size_t> find_too_far(std::span<const PlacedBox> instances, co
 }
 
 Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
-    const auto is_far = [](const PlacedBox& instance) {
-        return is_too_coarse(farthest_coordinate(instance.box, {}), instance.step);
+    const auto is_near = [&](const Vec3d& origin) {
+        return std::ranges::none_of(instances, [&](const PlacedBox& instance) {
+            return is_too_coarse(farthest_coordinate(instance.box, origin), instance.step);
+        });
     };
-    if (std::ranges::none_of(instances, is_far)) return {};
+    if (is_near({})) return {};
     WorldBox all = instances.front().box;
     double side = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -152,12 +154,18 @@ Vec3d choose_scene_origin(std::span<const PlacedBox> instances) {
     const auto origin_on = [&](double grid) {
         return origin_near_middle({all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}, grid);
     };
-    // Of instances that float32 holds only those gain that are all far away: places near them are rounded less.
-    if (!find_too_far(instances, {}) && !(side > 0.0 && origin_on(power_above(side)) != Vec3d{})) return {};
+    const double largest = farthest_coordinate(all, {});
+    if (!find_too_far(instances, {})) {
+        // float32 holds all instances, and only places near them are rounded: from here on a thousandth as far, or as
+        // is enough. A round number is the origin of most views of moving scenes too. About 0 it is 0.
+        const double least = power_above(side);
+        for (double grid = std::ldexp(power_above(largest), -10); grid > least; grid /= 2)
+            if (const Vec3d origin = origin_on(grid); is_near(origin)) return origin;
+        return origin_on(least);
+    }
     double spacing = side > 0.0 ? power_above(side / 64) : 0.0;
     for (const PlacedBox& instance : instances)
         if (std::isfinite(instance.step)) spacing = std::max(spacing, power_above(instance.step));
-    const double largest = farthest_coordinate(all, {});
     // A moving scene that reaches this far has views on a grid of 2^-23 of the coordinate at the finest.
     const Vec3d of_view = origin_on(std::max(spacing, std::ldexp(power_above(largest), -22)));
     return find_too_far(instances, of_view) ? origin_on(spacing) : of_view;

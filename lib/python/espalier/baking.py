@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -91,9 +91,7 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
           max_leaf_triangles: int = 62, threads: int = 1, deformable: bool = False, range: Optional[ArrayLike] = None,
           poses: Sequence[ArrayLike] = (), **unknown: Any) -> Blob:
     # stack_level: whose line warnings name, counted from here.
-    if unknown:
-        names = ", ".join(_bake.__kwdefaults__)
-        raise TypeError(f"a bake has no option {next(iter(unknown))!r}; its options are {names}")
+    _refuse_unknown(unknown, ())
     given = [option is not None for option in (bits, tolerance, step_exponent)]
     if sum(given) > 1:
         raise ValueError("give one of bits, tolerance and step_exponent")
@@ -123,10 +121,10 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
     }
     arrays, given_meshes = [], []
     for number, each in enumerate(meshes):
-        if not isinstance(each, Mesh) and not (isinstance(each, (tuple, list)) and len(each) == 2):
-            raise TypeError(f"meshes must be Mesh objects or pairs of positions and triangles, not {type(each).__name__}; "
+        if not isinstance(each, Mesh) and not (isinstance(each, (tuple, list)) and len(each) in (2, 3)):
+            raise TypeError(f"meshes must be Mesh objects, or positions, triangles and materials, not {type(each).__name__}; "
                             "of a MeshFile give its `meshes`")
-        mesh = each if isinstance(each, Mesh) else Mesh(each[0], each[1], mesh=number)
+        mesh = each if isinstance(each, Mesh) else Mesh(*each, mesh=number)
         given_meshes.append(mesh)
         name = f" of mesh {number}" if len(meshes) > 1 else ""
         materials = None if mesh.materials is None else integer_array(mesh.materials, "materials" + name)
@@ -145,6 +143,13 @@ def _bake(meshes: Sequence[Union[Mesh, tuple[ArrayLike, ArrayLike]]], stack_leve
     for message in baked[1]["warnings"]:
         warnings.warn(message, BakeWarning, stacklevel=stack_level)
     return blob
+
+
+def _refuse_unknown(options: Iterable[str], others: Sequence[str]) -> None:
+    names = [*_bake.__kwdefaults__, *others]
+    for name in options:
+        if name not in names:
+            raise TypeError(f"a bake has no option {name!r}; its options are {', '.join(names)}")
 
 
 def bake(positions: ArrayLike, triangles: ArrayLike, materials: Optional[ArrayLike] = None, **options: Any) -> Blob:
@@ -187,6 +192,7 @@ def bake_file(path: Path, **options: Any) -> Blob:
     materials: stores the numbers of materials. `blob.names` has the names of materials and meshes by their numbers.
     Raises MeshFileError and BakeError, and warns with MeshFileWarning and BakeWarning.
     """
+    _refuse_unknown(options, _READER_OPTIONS)
     of_reader = {name: options.pop(name) for name in _READER_OPTIONS if name in options}
     of_reader["keep_vertices"] = bool(options.get("deformable", False))
     of_reader["require_vertices"] = not options.get("drop_bad_triangles", False)
@@ -194,8 +200,8 @@ def bake_file(path: Path, **options: Any) -> Blob:
     try:
         blob = _bake(file.meshes, 3, **options)
     except BakeError as error:
-        if str(error).startswith(os.fspath(path)):
+        if os.fsdecode(path) in str(error):
             raise
-        raise BakeError(error.status, f"{os.fspath(path)}: {error}", error.place) from None
+        raise BakeError(error.status, f"{os.fsdecode(path)}: {error}", error.place) from None
     blob.names = file.names
     return blob

@@ -13,7 +13,7 @@ class OpenError(ValueError):
 
     def __init__(self, status: int, source: Any = "") -> None:
         self.status = status
-        self.path = os.fspath(source) if isinstance(source, (str, os.PathLike)) else ""
+        self.path = os.fsdecode(source) if isinstance(source, (str, os.PathLike)) else ""
         super().__init__((f"{self.path}: " if self.path else "") + _core.describe_open(status))
 
     def __reduce__(self) -> Any:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import warnings
 from threading import RLock
-from typing import Any, NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -105,8 +106,8 @@ class MovingScene(SceneQueries):
         multiple of 128 steps nearest to `place`. An instance keeps the place that it was given through a view, and
         others, from elsewhere, round it once more, by less than a ten-millionth of the distance.
         Handles, pairs and the bounds of the world do not depend on the view, and a change through one changes all. Pairs
-        with a baked scene that has an origin need a view with that `origin`. Raises ValueError for a place that is not in
-        the world.
+        with a baked scene take the view with its `origin` by themselves. Raises ValueError for a place that is not in the
+        world.
         """
         x, y, z = (float(coordinate) for coordinate in np.asarray(place, np.float64).reshape(3))
         view = MovingScene.__new__(MovingScene)
@@ -173,8 +174,16 @@ class MovingScene(SceneQueries):
         for queries and for the caller. Keep the handles: they name instances until these are removed.
         A refused instance has a status from 16 on, the others go on: INVALID_ARGUMENT for a number without a mesh or a
         transform that is not valid, OUT_OF_RANGE for a place outside of the world, NO_ROOM in a full scene.
+        Warns of a blob or tile with an `origin` at the translation 0, which is not where its source lies.
         """
-        return self._core.insert(*instance_rows(places, meshes, masks, users))
+        rows, numbers = instance_rows(places, meshes, masks, users)
+        parts: list[Union[Blob, Scene]] = [*self._blobs, *self._tiles]
+        for number in np.unique(numbers[(rows[:, 4:7] == 0).all(axis=1), 0]) if self._origin is None else ():
+            if number < len(parts) and parts[number]._origin is not None:
+                warnings.warn(f"mesh {number} counts from its origin {tuple(parts[number].origin.tolist())}, and at the translation 0 "
+                              "it does not lie where its source does: insert it at its `origin`, or bake it with origin=None",
+                              UserWarning, stacklevel=2)
+        return self._core.insert(rows, numbers)
 
     def remove(self, handles: ArrayLike) -> NDArray[np.uint8]:
         """Removes instances and returns the Status of each: OK, or STALE_HANDLE. handles: (...), of HANDLE."""
@@ -216,6 +225,9 @@ class MovingScene(SceneQueries):
             raise TypeError(f"a Blob is needed, not {type(blob).__name__}")
         if not 0 <= mesh < len(self._blobs):
             raise IndexError(f"the scene has no mesh {mesh}")
+        if not np.array_equal(blob.origin, self._blobs[mesh].origin):
+            warnings.warn(f"mesh {mesh} counted from {tuple(self._blobs[mesh].origin.tolist())} and now counts from "
+                          f"{tuple(blob.origin.tolist())}: its instances move by the difference", UserWarning, stacklevel=2)
         with self._changing:
             status = Status(self._core.set_mesh(mesh, blob._core))
             if status != Status.OK:
@@ -235,14 +247,14 @@ class MovingScene(SceneQueries):
         """Returns the pairs of instances that may touch: those whose boxes do, and whose masks share a bit.
 
         baked: a scene that stays; the pairs are then those of an instance of each, as BAKED_PAIR. If it has an origin,
-        this must be a view with the same one: `seen_from(baked.origin)`; others get INVALID_ARGUMENT.
+        there must be a view with the same one, at a multiple of 128 steps; else the status is INVALID_ARGUMENT.
         Without it: of this scene with itself, as INSTANCE_PAIR, a < b. Both name slots of this scene.
         only_moved: only pairs of which an instance was moved or inserted since end_step().
         start: the pair to begin at, by default the first one.
         """
         if baked is None:
             return _pairs(_core.candidate_pairs(self._core, only_moved, _start(start, 2)))
-        return _pairs(_core.candidate_pairs_with_baked(self._core, _scene(baked), only_moved, _start(start, 3)))
+        return _pairs(_core.candidate_pairs_with_baked(*self._beside(baked), only_moved, _start(start, 3)))
 
     def colliding_pairs(self, baked: Optional[Scene] = None, *, only_moved: bool = False,
                         work_limit: Optional[int] = None, start: Optional[Sequence[int]] = None) -> Pairs:
@@ -254,7 +266,19 @@ class MovingScene(SceneQueries):
         visits = _visits(work_limit)
         if baked is None:
             return _pairs(_core.colliding_pairs(self._core, only_moved, _start(start, 2), visits))
-        return _pairs(_core.colliding_pairs_with_baked(self._core, _scene(baked), only_moved, _start(start, 3), visits))
+        return _pairs(_core.colliding_pairs_with_baked(*self._beside(baked), only_moved, _start(start, 3), visits))
+
+    def _beside(self, baked: Scene) -> tuple[_core.MovingScene, _core.Scene]:
+        """Returns both as the library takes them: this one in the view, if there is one, that counts as the other does."""
+        if not isinstance(baked, Scene):
+            raise TypeError(f"baked must be a Scene, not {type(baked).__name__}")
+        if baked._origin is None:
+            return self._core, baked._core
+        try:
+            view = self.seen_from(baked._origin)
+        except ValueError:
+            return self._core, baked._core
+        return (view if np.array_equal(view.origin, baked._origin) else self)._core, baked._core
 
     def snapshot(self) -> bytes:
         """Returns the bytes of the scene without its blobs, with which open_moving_scene() continues."""
@@ -291,12 +315,6 @@ def _handle_rows(handles: ArrayLike) -> NDArray[np.uint32]:
     if "slot" not in names or "generation" not in names:
         raise TypeError(f"handles must be those that insert() returned, of espalier.HANDLE, not {array.dtype}")
     return np.stack([array["slot"], array["generation"]], axis=-1).astype(np.uint32, casting="same_kind", copy=False)
-
-
-def _scene(baked: Any) -> _core.Scene:
-    if not isinstance(baked, Scene):
-        raise TypeError(f"baked must be a Scene, not {type(baked).__name__}")
-    return baked._core
 
 
 def _start(start: Optional[Sequence[int]], length: int) -> tuple[int, ...]:

@@ -132,7 +132,10 @@ def bake_scene(blobs: Sequence[Any], places: ArrayLike, meshes: Optional[ArrayLi
     Raises BakeError with the reason. Warns with BakeWarning of instances that share the edges of their borders, as the
     pieces of a ground do, but are rounded apart, and of an origin from which float32 is too coarse.
     """
-    if meshes is None and len(blobs) > 1:
+    if isinstance(blobs, (Blob, Scene, bytes, bytearray, memoryview)):
+        raise TypeError("blobs must be a list of blobs, not one")
+    blobs = list(blobs)
+    if meshes is None and len(blobs) > 1 and np.size(places) > 0:
         raise ValueError(f"meshes must have the number of the blob of each place, as there are {len(blobs)} blobs")
     rows, numbers = instance_rows(places, 0 if meshes is None else meshes, masks, users)
     cores = [blob._core if isinstance(blob, (Blob, Scene)) else blob for blob in blobs]

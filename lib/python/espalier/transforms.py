@@ -51,11 +51,14 @@ def _why_no_transform(matrix: NDArray[np.float64]) -> str:
         return "its fourth row is not 0, 0, 0, 1"
     linear = matrix[:3, :3]
     scales = np.linalg.norm(linear, axis=0)
+    products = linear.T @ linear
+    if np.abs(products - np.diag(np.diag(products))).max() > 1e-4 * scales.max()**2:
+        return "it shears: apply it to the mesh before its bake"
     if scales.max() > 1.0001 * scales.min():
         return f"it scales unequally, by {', '.join(f'{scale:.6g}' for scale in scales)}: scale the mesh before its bake"
     if np.linalg.det(linear) < 0.0:
         return "it mirrors: mirror the mesh before its bake"
-    return "it shears, or float32 does not hold its scale: apply it to the mesh before its bake"
+    return "float32 does not hold its scale: apply it to the mesh before its bake"
 
 
 def to_local(transforms: ArrayLike, points: ArrayLike) -> NDArray[np.float32]:

@@ -98,7 +98,7 @@ export class MovingScene {
      * it is given are rounded once to float32, from its `origin`: the multiple of 128 steps nearest to `place`. Those in
      * results are Float64Arrays. An instance keeps the place that it was given through a view; others, from elsewhere, round
      * it once more, by less than a ten-millionth of the distance. Handles and pairs do not depend on the view, and a change
-     * through one changes all. Pairs with a baked scene that has an origin need a view with that `origin`. Throws RangeError
+     * through one changes all. Pairs with a baked scene take the view with its `origin` by themselves. Throws RangeError
      * for a place that is not in the world.
      */
     seenFrom(place: Vectors): MovingScene;

@@ -288,9 +288,28 @@ export class MovingScene extends withSceneQueries(Held, { sorts: true }) {
         });
     }
 
+    /// Returns the view that counts from an origin; null where this one does, or none can.
+    #viewBeside(origin) {
+        const isThere = (scene) => origin.every((x, k) => x === scene.origin[k]);
+        const isInWorld = origin.every((x) => Math.abs(x) < 2 ** (this.stepExponent + 30) - 2 ** (this.stepExponent + 6));
+        if (origin.every((x) => x === 0) || isThere(this) || !isInWorld) return null;
+        const view = this.seenFrom(origin);
+        if (isThere(view)) return view;
+        view.free();
+        return null;
+    }
+
     #pairs(name, { baked = null, ...options } = {}, limits) {
         refuseFilter(options, 'pairs of instances');
         if (baked !== null && !(baked instanceof Scene)) throw new TypeError('baked must be a scene that was baked or opened');
+        const view = baked === null ? null : this.#viewBeside(baked.origin);
+        if (view !== null) {
+            try {
+                return view.#pairs(name, { baked, ...options }, limits);
+            } finally {
+                view.free();
+            }
+        }
         return this.batch([], (batch) => {
             const scene = this.#scene;
             const ofBaked = baked === null ? [] : [baked.viewIn(batch.instance)];
