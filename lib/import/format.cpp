@@ -98,9 +98,9 @@ bool is_package(std::string_view begin) {
 /// ISO 10303-21 in another schema than that of buildings, which assimp reads.
 bool is_step_of_solids(std::string_view begin) {
     if (!begin.starts_with("ISO-10303-21")) return false;
-    const std::size_t schema = begin.find("FILE_SCHEMA");
-    const std::string_view rest = begin.substr(std::min(schema, begin.size()));
-    return !rest.empty() && rest.substr(0, rest.find(';')).find("IFC") == std::string_view::npos;
+    // At the start of a line: a comment or a name may have the word too.
+    const std::size_t schema = begin.find("\nFILE_SCHEMA"), end = begin.find(';', std::min(schema, begin.size()));
+    return end != std::string_view::npos && begin.substr(schema, end - schema).find("IFC") == std::string_view::npos;
 }
 
 }  // namespace
