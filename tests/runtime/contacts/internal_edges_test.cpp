@@ -259,7 +259,7 @@ private:
         if (flat_angle_ == 0.0 || contact.feature == Feature::face) return;
         const bool is_face_normal = std::abs(std::abs(reference::dot(normal, plot.normal())) - 1.0) < 1e-6;
         corrected += is_face_normal ? 1u : 0u;
-        if (!plot.is_flat()) return;
+        if (!plot.is_flat() || is_at_border(place)) return;
         // Where all edges are flat, every contact has the direction of the surface, and is below the body.
         double cosine = -1.0;
         // Behind one slope and in front of the plane of another a body may leave either. A tile does not know on which
@@ -285,6 +285,22 @@ private:
                                 });
         const double over = is_at_seam ? std::max(distance + radius, 0.0) * std::tan(flat_angle_ / 57.0) : 0.0;
         REQUIRE(gap_seen_along(normal, body.core, plot.corners) <= error_ + over);
+    }
+
+    /// Whether the ground ends at a place, as it does at a corner of a triangle whose edges are all flat: a body that
+    /// is over none of the triangles there leaves the corner across the border.
+    [[nodiscard]] bool is_at_border(const Point& place) const {
+        return std::ranges::any_of(near_, [&](std::uint32_t t) {
+            const auto& [corners, triangle, kinds, separation] = plots_[t];
+            const EdgeKind of_edge[] = {kinds.ab, kinds.bc, kinds.ca};
+            for (unsigned i = 0; i < 3; ++i) {
+                const Point &a = triangle[i], &b = triangle[(i + 1) % 3];
+                if (of_edge[i] == EdgeKind::boundary &&
+                    reference::squared_distance(place, {a, b, b}) <= error_ * error_)
+                    return true;
+            }
+            return false;
+        });
     }
 
     [[nodiscard]] std::size_t tile_of(std::uint32_t plot) const {
