@@ -33,7 +33,7 @@ printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
 claim "every warning of a bake is on stderr and in the JSON with its kind and quiet silences none"
 run 0 bake box.obj -o x.espl --json -q
 warns_of
-run 0 bake far_box.obj -o x.espl --json -q --bits 24
+run 0 bake far_box.obj -o x.espl --json -q --bits 24 --origin none
 warns_of step_below_float_spacing rays_rounded_coarsely
 run 0 bake box.obj -o x.espl --json -q --unit km
 warns_of unexpected_size
