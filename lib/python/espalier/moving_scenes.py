@@ -177,12 +177,8 @@ class MovingScene(SceneQueries):
         Warns of a blob or tile with an `origin` at the translation 0, which is not where its source lies.
         """
         rows, numbers = instance_rows(places, meshes, masks, users)
-        parts: list[Union[Blob, Scene]] = [*self._blobs, *self._tiles]
-        for number in np.unique(numbers[(rows[:, 4:7] == 0).all(axis=1), 0]) if self._origin is None else ():
-            if number < len(parts) and parts[number]._origin is not None:
-                warnings.warn(f"mesh {number} counts from its origin {tuple(parts[number].origin.tolist())}, and at the translation 0 "
-                              "it does not lie where its source does: insert it at its `origin`, or bake it with origin=None",
-                              UserWarning, stacklevel=2)
+        if self._origin is None:
+            _warn_at_zero([*self._blobs, *self._tiles], rows, numbers[:, 0])
         return self._core.insert(rows, numbers)
 
     def remove(self, handles: ArrayLike) -> NDArray[np.uint8]:
@@ -315,6 +311,17 @@ def _handle_rows(handles: ArrayLike) -> NDArray[np.uint32]:
     if "slot" not in names or "generation" not in names:
         raise TypeError(f"handles must be those that insert() returned, of espalier.HANDLE, not {array.dtype}")
     return np.stack([array["slot"], array["generation"]], axis=-1).astype(np.uint32, casting="same_kind", copy=False)
+
+
+def _warn_at_zero(parts: Sequence[Union[Blob, Scene]], rows: NDArray[Any], meshes: NDArray[np.uint32]) -> None:
+    """Warns of a mesh with an origin that is placed where that would have to be 0."""
+    for number, part in enumerate(parts):
+        if part._origin is None or rows.dtype.kind not in "iuf":
+            continue
+        if (rows[meshes == number, 4:7] == 0).all(axis=1).any():
+            origin = tuple(part.origin.tolist())
+            warnings.warn(f"mesh {number} counts from its origin {origin}, and at the translation 0 it does not lie where its "
+                          "source does: insert it at its `origin`, or bake it with origin=None", UserWarning, stacklevel=3)
 
 
 def _start(start: Optional[Sequence[int]], length: int) -> tuple[int, ...]:
