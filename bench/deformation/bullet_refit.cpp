@@ -1,4 +1,4 @@
-#include "../bullet.hpp"
+#include "../peers/bullet.hpp"
 #include "subject.hpp"
 
 namespace espalier::bench {

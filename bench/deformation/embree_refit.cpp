@@ -1,4 +1,4 @@
-#include "../embree.hpp"
+#include "../peers/embree.hpp"
 #include "subject.hpp"
 
 namespace espalier::bench {

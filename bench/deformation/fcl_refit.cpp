@@ -1,4 +1,4 @@
-#include "../fcl.hpp"
+#include "../peers/fcl.hpp"
 #include "subject.hpp"
 
 namespace espalier::bench {

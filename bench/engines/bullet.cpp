@@ -3,7 +3,7 @@
 
 #include <engines/bullet_shape.hpp>
 
-#include "../bullet.hpp"
+#include "../peers/bullet.hpp"
 #include "bullet_world.hpp"
 #include "drop.hpp"
 #include "support/meshes/mesh.hpp"

@@ -3,7 +3,7 @@
 
 #include <engines/ode_geom.hpp>
 
-#include "../ode.hpp"
+#include "../peers/ode.hpp"
 
 namespace espalier::bench {
 

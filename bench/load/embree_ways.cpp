@@ -1,6 +1,6 @@
 // Ways through Embree's builders, on one thread.
 
-#include "../embree.hpp"
+#include "../peers/embree.hpp"
 #include "ways.hpp"
 
 namespace espalier::bench {

@@ -1,6 +1,6 @@
 #include <fcl/fcl.h>
 
-#include "../fcl.hpp"
+#include "../peers/fcl.hpp"
 #include "broad_phase.hpp"
 
 namespace espalier::bench::moving {

@@ -1,4 +1,4 @@
-#include "../ode.hpp"
+#include "../peers/ode.hpp"
 #include "broad_phase.hpp"
 
 namespace espalier::bench::moving {

@@ -1,6 +1,6 @@
 #include <fcl/fcl.h>
 
-#include "../fcl.hpp"
+#include "../peers/fcl.hpp"
 #include "pairs.hpp"
 
 namespace espalier::bench {

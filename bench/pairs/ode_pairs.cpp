@@ -1,4 +1,4 @@
-#include "../ode.hpp"
+#include "../peers/ode.hpp"
 #include "pairs.hpp"
 
 namespace espalier::bench {

@@ -1,4 +1,4 @@
-#include "../bullet.hpp"
+#include "bullet.hpp"
 #include "system.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>

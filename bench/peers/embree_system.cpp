@@ -1,4 +1,4 @@
-#include "../embree.hpp"
+#include "embree.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

@@ -1,4 +1,4 @@
-#include "../fcl.hpp"
+#include "fcl.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

@@ -1,6 +1,6 @@
 #include <malloc.h>
 
-#include "../ode.hpp"
+#include "ode.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {

@@ -1,7 +1,7 @@
 #include "points.hpp"
 
 #include "../../tests/support/base/vectors.hpp"
-#include "../embree.hpp"
+#include "../peers/embree.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "../embree.hpp"
+#include "../peers/embree.hpp"
 #include "scenes.hpp"
 
 namespace espalier::bench {

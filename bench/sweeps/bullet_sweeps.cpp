@@ -1,6 +1,6 @@
 #include "sweeps.hpp"
 
-#include "../bullet.hpp"
+#include "../peers/bullet.hpp"
 
 namespace espalier::bench {
 namespace {

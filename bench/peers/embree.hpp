@@ -6,7 +6,7 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
-#include "base.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

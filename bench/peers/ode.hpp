@@ -5,7 +5,7 @@
 
 #include <ode/ode.h>
 
-#include "base.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

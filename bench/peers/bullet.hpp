@@ -3,7 +3,7 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include "base.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 

@@ -8,7 +8,7 @@
 #include <fcl/math/bv/OBB.h>
 #include <fcl/math/bv/OBBRSS.h>
 
-#include "base.hpp"
+#include "../base.hpp"
 
 namespace espalier::bench {
 
