@@ -13,8 +13,8 @@ namespace {
 /// Requires ids, and a triangle that there is.
 OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
     const std::uint32_t number = number_of(data, triangle);
-    const std::uint32_t factor = corner_factor(data);
-    const std::uint32_t id = number / factor;
+    const bool has_corners = corner_factor(data) == 3;
+    const std::uint32_t id = has_corners ? number / 3 : number;  // a division by what is known takes no division
 
     std::uint32_t low = 0;  // the last source that begins at or before the id
     std::uint32_t high = data.source_count;
@@ -25,7 +25,7 @@ OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
     const std::byte* source = data.sources + std::size_t{low} * format::source::bytes;
     static_assert(format::source::first_at == 0);
     return {load_u32(source + format::source::file_at), load_u32(source + format::source::mesh_at),
-            id - load_u32(source), number % factor};
+            id - load_u32(source), number - (has_corners ? 3 * id : id)};
 }
 
 OriginalHit refusal(QueryStatus status) { return {0, 0, 0, 0.0f, 0.0f, status}; }

@@ -92,12 +92,13 @@ struct IdWalk {
 
     /// Begins with the block's first number.
     void begin() {
-        first_ = newest = fields.take(static_cast<unsigned>(std::bit_width(mask)));
+        first_ = fields.take(static_cast<unsigned>(std::bit_width(mask)));
         begin_run();
     }
 
     /// Makes the block's first number all recent ones.
     void begin_run() {
+        newest = first_;
         for (std::uint32_t& number : numbers_) number = first_;
     }
 
@@ -117,46 +118,42 @@ struct IdWalk {
         add(load_u8(kind + format::ids::from_at), load_u32(kind) + field, load_u8(kind + format::ids::replaced_at));
     }
 
-    /// Finds and takes steps, which there must be. A step waits for the bits of the one before it alone: they are
-    /// loaded for two at once, and the recent numbers follow behind.
+    /// Finds and takes steps, which there must be. The bits of a step are loaded before it is known where it begins,
+    /// which then takes a shift: steps wait for one another's length alone, and the recent numbers follow behind.
     void take_steps(std::uint32_t count) {
-        constexpr unsigned most_bits = format::ids::max_kind_bits + 32;
+        const auto most_bits = blob.id_kind_bits + static_cast<unsigned>(std::bit_width(mask));
         const std::uint32_t kind_mask = (1u << blob.id_kind_bits) - 1u;
-        std::uint64_t bits = 0;
-        const auto take_one = [&] {
+        std::uint64_t bits = fields.ahead();
+        for (; count != 0; --count) {
+            const std::uint64_t loaded = fields.ahead();
             kind = id_kind(blob, static_cast<std::uint32_t>(bits) & kind_mask);
             const unsigned prefix = load_u8(kind + format::ids::prefix_at),
-                           width = load_u8(kind + format::ids::width_at);
+                           width = load_u8(kind + format::ids::width_at), length = prefix + width;
             const auto field = static_cast<std::uint32_t>(bits >> prefix & ((std::uint64_t{1} << width) - 1u));
-            bits >>= prefix + width;
-            fields.bit += prefix + width;
+            fields.bit += length;
+            bits = length + most_bits <= StepFields::bits_ahead ? loaded >> length : fields.ahead();
             add(load_u8(kind + format::ids::from_at), load_u32(kind) + field, load_u8(kind + format::ids::replaced_at));
-            return prefix + width;
-        };
-        while (count != 0) {
-            bits = fields.ahead();
-            const bool leaves_one = take_one() <= StepFields::bits_ahead - most_bits;
-            --count;
-            if (!leaves_one || count == 0) continue;
-            take_one();
-            --count;
         }
     }
 
 private:
-    /// Adds to the recent number at place `from`. That at place `replaced` gives way, and those before it move back: as
-    /// places of `numbers_`, four bits each.
+    /// Adds to the recent number `from`, in place of which or of another, `replaced`, the newest one moves back. That
+    /// one is not read from where it was just written: each step would wait for it.
     void add(unsigned from, std::uint32_t distance, unsigned replaced) {
-        const unsigned at = 4 * replaced;
-        const std::uint32_t own = places_ >> at & 7u, before = places_ & ((1u << at) - 1u);
-        newest = (numbers_[places_ >> 4 * from & 7u] + distance) & mask;
-        places_ = static_cast<std::uint32_t>(places_ & ~((std::uint64_t{16} << at) - 1u)) | before << 4 | own;
+        constexpr unsigned unused = 4 * 7;  // the newest one's place among the older ones
+        const std::uint32_t older = numbers_[places_ >> (4 * from + unused) % 32 & 7u];
+        const std::uint32_t is_newest = 0u - (from == 0 ? 1u : 0u);
+        const std::uint32_t number = (newest & is_newest) | (older & ~is_newest);
+        const std::uint32_t own = places_ >> (4 * replaced + unused) % 32 & 7u, before = (1u << 4 * replaced) - 1u;
         numbers_[own] = newest;
+        places_ ^= (places_ ^ (places_ << 4 | own)) & before;
+        newest = (number + distance) & mask;
     }
 
     std::uint32_t first_ = 0;
-    std::uint32_t numbers_[format::ids::recent_numbers];
-    std::uint32_t places_ = 0x76543210;  ///< of the recent numbers, that of the newest in the lowest bits
+    std::uint32_t numbers_[format::ids::recent_numbers];  ///< the older ones, and a place that nobody reads
+    /// Where they lie, four bits each, that of the newest of them in the lowest.
+    std::uint32_t places_ = 0x76543210;
 };
 
 /// The number of a triangle that there is. At most 32 steps in a blob with runs.
