@@ -70,8 +70,13 @@ def test_wrong_arguments_raise(blob, points):
 def test_points_are_no_shapes(blob):
     scene, at = espalier.bake_scene([blob], espalier.transform()), [3.0, 0.0, 5.0]
     moving = espalier.MovingScene([blob], 4, -20)
-    for shape in (espalier.Segment(at, at), espalier.Box(at, at), espalier.Ray(at, at), espalier.Triangle([at, at, at])):
-        name = type(shape).__name__
+    class Own(espalier.Segment):
+        pass
+
+    segment = espalier.Segment(at, at)
+    for shape in (segment, espalier.Box(at, at), espalier.Ray(at, at), espalier.Triangle([at, at, at]), Own(at, at),
+                  [segment, segment], (segment,)):
+        name = "Segment" if type(shape) in (list, tuple) else type(shape).__name__
         for call in (scene.closest_point, moving.closest_point, blob.signed_distance, blob.contains, blob.winding_number,
                      lambda points: blob.distance_bounds(points, 0.1), lambda points: blob.closest_triangles(points, 4),
                      lambda points: blob.raycast(points, at)):

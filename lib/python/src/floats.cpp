@@ -29,17 +29,25 @@ std::size_t count_of(const std::vector<py::ssize_t>& shape) {
     return static_cast<std::size_t>(count);
 }
 
-/// A shape of this package is a tuple of arrays, which numpy would take as rows of one array.
-void refuse_shape(py::handle given, const char* name) {
-    if (!PyTuple_Check(given.ptr()) || PyTuple_CheckExact(given.ptr())) return;
-    const py::handle type = py::type::handle_of(given);
-    if (!py::str(type.attr("__module__")).equal(py::str("espalier.shapes"))) return;
+/// Whether it is a shape of this package or of a class that derives from one: a tuple of arrays.
+bool is_shape(py::handle given) {
+    if (!PyTuple_Check(given.ptr()) || PyTuple_CheckExact(given.ptr())) return false;
+    for (const py::handle type : py::type::handle_of(given).attr("__mro__"))
+        if (py::str(type.attr("__module__")).equal(py::str("espalier.shapes"))) return true;
+    return false;
+}
+
+/// numpy would take a shape, or a list of shapes, as rows of one array.
+void refuse_shapes(py::handle given, const char* name) {
+    const bool is_list = PyList_Check(given.ptr()) || PyTuple_CheckExact(given.ptr());
+    if (is_list && py::len(given) > 0) given = PySequence_Fast_GET_ITEM(given.ptr(), 0);
+    if (!is_shape(given)) return;
     throw py::type_error(std::string(name) + " must be an array of numbers, not a " +
-                         py::str(type.attr("__name__")).cast<std::string>());
+                         py::str(py::type::handle_of(given).attr("__name__")).cast<std::string>());
 }
 
 py::array array_of(py::handle given, const char* name) {
-    refuse_shape(given, name);
+    refuse_shapes(given, name);
     const py::array array = py::array::ensure(given);
     if (!array) {
         PyErr_Clear();
