@@ -2,8 +2,8 @@
 # run_platform.sh PLATFORM QUESTIONS BUILD_FOLDER CMAKE GENERATOR
 # Builds both libraries for the platform, bakes the blobs and asks them there (under an emulator if need be), and compares
 # bytes and answers with golden.txt; asks the blobs of old format versions too. PLATFORM is another machine (i686 armhf
-# aarch64 riscv64 s390x wasm32 wasm32_simd128) or system (windows), as released or by other options, as in s390x-O1, or a
-# compiler and its options for this machine, as in gcc-O2 and clang-O3-native.
+# aarch64 riscv64 s390x powerpc wasm32 wasm32_simd128) or system (windows), as released or by other options, as in
+# powerpc-O1, or a compiler and its options for this machine, as in gcc-O2 and clang-O3-native.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
@@ -26,6 +26,7 @@ machine=${platform%%-*}
 case $machine in
     i686) use_machine i686-linux-gnu i686-linux-gnu-g++ ;;
     armhf) use_machine arm-linux-gnueabihf arm-linux-gnueabihf-g++ qemu-arm ;;
+    powerpc) use_machine powerpc-linux-gnu powerpc-linux-gnu-g++ qemu-ppc ;;
     aarch64 | riscv64 | s390x) use_machine "$machine-linux-gnu" "$machine-linux-gnu-g++" "qemu-$machine" ;;
     wasm32 | wasm32_simd128)
         if [[ $machine == wasm32_simd128 ]]; then export CXXFLAGS=-msimd128; fi

@@ -4,7 +4,7 @@ build_packages=(g++ cmake ninja-build)
 tool_packages=(libassimp-dev libcli11-dev libdraco-dev libexpat1-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev zlib1g-dev)
 test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev libgmp-dev python3)
 # Tests run these or compile with them; configuring and building do not need them.
-late_test_packages=(jq python3-jsonschema assimp-testmodels gltfpack qemu-user g++-i686-linux-gnu g++-s390x-linux-gnu)
+late_test_packages=(jq python3-jsonschema assimp-testmodels gltfpack qemu-user g++-powerpc-linux-gnu)
 package_test_packages=(make pkgconf dpkg-dev file gzip gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 firmware_packages=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm)
 python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-pytest python3-matplotlib python3-pip python3-setuptools
