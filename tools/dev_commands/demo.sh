@@ -14,7 +14,7 @@ demo() {
     install_missing "${build_packages[@]}" python3 "${tool_packages[@]}"  # Python writes the single file
     check_cmake
     build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF -DESPALIER_UNITY=ON \
-        "-DESPALIER_SETS=$(instruction_sets_here)"
+        -DESPALIER_PRECOMPILE_HEADERS=ON "-DESPALIER_SETS=$(instruction_sets_here)"
     "$cmake/tools/demo/espalier_demo_mesh" "$mesh"
     "$cmake/tools/espalier" bake "$mesh" -o "$blob" --tolerance 0.0005 --quiet
     "$cmake/tools/espalier" verify "$blob" --deep >/dev/null
