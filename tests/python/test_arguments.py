@@ -75,7 +75,7 @@ def test_points_are_no_shapes(blob):
 
     segment = espalier.Segment(at, at)
     for shape in (segment, espalier.Box(at, at), espalier.Ray(at, at), espalier.Triangle([at, at, at]), Own(at, at),
-                  [segment, segment], (segment,)):
+                  [segment, segment], ([segment],)):
         name = "Segment" if type(shape) in (list, tuple) else type(shape).__name__
         for call in (scene.closest_point, moving.closest_point, blob.signed_distance, blob.contains, blob.winding_number,
                      lambda points: blob.distance_bounds(points, 0.1), lambda points: blob.closest_triangles(points, 4),

@@ -37,13 +37,17 @@ bool is_shape(py::handle given) {
     return false;
 }
 
-/// numpy would take a shape, or a list of shapes, as rows of one array.
+/// numpy would take a shape as rows of one array, and lists of shapes too, however deep.
 void refuse_shapes(py::handle given, const char* name) {
-    const bool is_list = PyList_Check(given.ptr()) || PyTuple_CheckExact(given.ptr());
-    if (is_list && py::len(given) > 0) given = PySequence_Fast_GET_ITEM(given.ptr(), 0);
-    if (!is_shape(given)) return;
+    constexpr int deepest = 64;  // numpy's arrays have fewer axes, and a list may hold itself
+    py::object first = py::reinterpret_borrow<py::object>(given);
+    for (int depth = 0; depth < deepest && (PyList_Check(first.ptr()) || PyTuple_CheckExact(first.ptr())) &&
+                        PySequence_Fast_GET_SIZE(first.ptr()) > 0;
+         ++depth)
+        first = py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(first.ptr(), 0));
+    if (!is_shape(first)) return;
     throw py::type_error(std::string(name) + " must be an array of numbers, not a " +
-                         py::str(py::type::handle_of(given).attr("__name__")).cast<std::string>());
+                         py::str(py::type::handle_of(first).attr("__name__")).cast<std::string>());
 }
 
 py::array array_of(py::handle given, const char* name) {
