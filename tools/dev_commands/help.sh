@@ -8,7 +8,7 @@ Every day
   check       Builds the runtime and the baker, runs their unit tests, and compiles the single file
               (100 seconds from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
-  test        Tests what an ordinary change can break, from the kernels to the installed package (10 minutes from nothing).
+  test        Tests what an ordinary change can break, from the kernels to the installed package (10 to 20 minutes from nothing).
               test --strict fails at a compiler warning, too, as continuous integration does.
   prove       Runs the other tests, in parts, and writes what passed into docs/proven.md:
               prove PART... | --since COMMIT | --all | --drawn | --list

@@ -1,4 +1,4 @@
-# Linux on IBM Z: the big-endian machine that we test on. Debian: g++-s390x-linux-gnu, qemu-user.
+# Linux on IBM Z: a big-endian machine of 64 bits. Debian: g++-s390x-linux-gnu, qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR s390x)
 set(CMAKE_CXX_COMPILER s390x-linux-gnu-g++)

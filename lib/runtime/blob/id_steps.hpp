@@ -131,6 +131,7 @@ struct IdWalk {
                            width = load_u8(kind + format::ids::width_at), length = prefix + width;
             const auto field = static_cast<std::uint32_t>(bits >> prefix & ((std::uint64_t{1} << width) - 1u));
             fields.bit += length;
+            // mutant(<= -> <) equivalent: both have all bits of the next step then
             bits = length + most_bits <= StepFields::bits_ahead ? loaded >> length : fields.ahead();
             add(load_u8(kind + format::ids::from_at), load_u32(kind) + field, load_u8(kind + format::ids::replaced_at));
         }
