@@ -92,13 +92,12 @@ struct IdWalk {
 
     /// Begins with the block's first number.
     void begin() {
-        first_ = fields.take(static_cast<unsigned>(std::bit_width(mask)));
+        first_ = newest = fields.take(static_cast<unsigned>(std::bit_width(mask)));
         begin_run();
     }
 
     /// Makes the block's first number all recent ones.
     void begin_run() {
-        newest = first_;
         for (std::uint32_t& number : numbers_) number = first_;
     }
 
@@ -138,23 +137,19 @@ struct IdWalk {
     }
 
 private:
-    /// Adds to the recent number `from`, in place of which or of another, `replaced`, the newest one moves back. That
-    /// one is not read from where it was just written: each step would wait for it.
+    /// Adds to the recent number at place `from`. That at place `replaced` gives way, and those before it move back: as
+    /// places of `numbers_`, four bits each.
     void add(unsigned from, std::uint32_t distance, unsigned replaced) {
-        constexpr unsigned unused = 4 * 7;  // the newest one's place among the older ones
-        const std::uint32_t older = numbers_[places_ >> (4 * from + unused) % 32 & 7u];
-        const std::uint32_t is_newest = 0u - (from == 0 ? 1u : 0u);
-        const std::uint32_t number = (newest & is_newest) | (older & ~is_newest);
-        const std::uint32_t own = places_ >> (4 * replaced + unused) % 32 & 7u, before = (1u << 4 * replaced) - 1u;
+        const std::uint32_t own = places_ >> 4 * replaced & 7u;
+        const std::uint32_t moved = (16u << 4 * replaced) - 1u;  // its place and those before it
+        newest = (numbers_[places_ >> 4 * from & 7u] + distance) & mask;
+        places_ ^= (places_ ^ (places_ << 4 | own)) & moved;
         numbers_[own] = newest;
-        places_ ^= (places_ ^ (places_ << 4 | own)) & before;
-        newest = (number + distance) & mask;
     }
 
     std::uint32_t first_ = 0;
-    std::uint32_t numbers_[format::ids::recent_numbers];  ///< the older ones, and a place that nobody reads
-    /// Where they lie, four bits each, that of the newest of them in the lowest.
-    std::uint32_t places_ = 0x76543210;
+    std::uint32_t numbers_[format::ids::recent_numbers];
+    std::uint32_t places_ = 0x76543210;  ///< of the recent numbers, that of the newest in the lowest bits
 };
 
 /// The number of a triangle that there is. At most 32 steps in a blob with runs.
