@@ -14,7 +14,7 @@ namespace {
 OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
     const std::uint32_t number = number_of(data, triangle);
     const bool has_corners = corner_factor(data) == 3;
-    const std::uint32_t id = has_corners ? number / 3 : number;  // a division by what is known takes no division
+    const std::uint32_t id = has_corners ? number / 3 : number;  // by a constant, which needs no division
 
     std::uint32_t low = 0;  // the last source that begins at or before the id
     std::uint32_t high = data.source_count;
