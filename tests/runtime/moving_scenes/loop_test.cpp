@@ -2,6 +2,7 @@
 // public calls.
 #include "support/testing.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "made_scene.hpp"
@@ -158,7 +159,9 @@ TEST_CASE("scene: contacts of every body equal the loop over all instances") {
         compare_body(ConvexHull{arguments.vertices});
         return found;
     };
-    check_scenes(21, scaled(8), scaled(50), compare);
+    // One call of three has a filter, which may leave out all: a sanitizer's scale would make no other.
+    const std::uint64_t count = std::max<std::uint64_t>(scaled(8), 2);
+    check_scenes(21, count, 6 * count, compare);
 }
 
 }  // namespace
