@@ -18,8 +18,10 @@ INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 CONDITION = re.compile(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b\s*(.*?)\s*(//.*)?$")
 NAMESPACE = re.compile(r"(?:inline )?namespace\s*([\w:]*)\s*\{\s*(//.*)?$")
 LITERAL = re.compile(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])+\'|//.*')
-# What a fragment (.inl) includes where it is parsed alone.
-ALONE = re.compile(r"^#ifndef ESPALIER_IN_INSTRUCTION_SET.*?^#endif\n", re.MULTILINE | re.DOTALL)
+# A header of fragments, which is written once for each instruction set (lib/runtime/lanes/for_each_set.hpp), and what begins a set.
+FRAGMENTS = re.compile(r"^#ifndef (ESPALIER_\w+_HPP)\n#define \1\n(.*^ESPALIER_BEGIN_SET$.*)^#endif\n\Z", re.MULTILINE | re.DOTALL)
+OF_SET = re.compile(r"#(define|undef) ESPALIER_(LANES|BEGIN_SET|END_SET|PER_SET|\w+_HPP)(?: (.*))?$")
+SCALAR = {"LANES": "1", "BEGIN_SET": "namespace espalier::detail::scalar {", "END_SET": "}"}
 # What is left of code for an instruction set when all of it stood before; Clang warns of it.
 EMPTY_REGION = re.compile(r"^ESPALIER_BEGIN_TARGET.*\nnamespace .*\n(//.*\n|\n)*\}.*\nESPALIER_END_TARGET\n", re.MULTILINE)
 
@@ -130,10 +132,21 @@ def version():
     return re.search(r'library_version = "([^"]+)"', (LIBRARY / "espalier/espalier.hpp").read_text()).group(1)
 
 
-def classify(path):
+def text_for(path, of_set):
+    """The text of a file, of fragments for an instruction set: without its include guard, and with the set's region."""
+    text = path.read_text()
+    if not FRAGMENTS.search(text):
+        return text
+    text = FRAGMENTS.sub(r"\2", text)
+    for name, value in of_set.items():
+        text = re.sub(rf"\bESPALIER_{name}\b", re.sub(r" (?=namespace|ESPALIER|\})", r"\n", value), text)
+    return text
+
+
+def classify(path, of_set=SCALAR):
     """Each line with what it is: includes, condition, directive, opens or closes (a namespace) or code; and the match."""
     depth, namespaces, continued = 0, [], False
-    for line in ALONE.sub("", path.read_text()).splitlines():
+    for line in text_for(path, of_set).splitlines():
         if continued or line.lstrip().startswith("#"):
             kind, match = "directive", None
             if not continued:
@@ -178,7 +191,9 @@ def declared_names(path, only_private=False):
 
 def included_headers(path, found):
     """Adds the headers of the runtime that a file includes, also through others, to `found` and returns it."""
-    for _, kind, match in classify(path):
+    for line, kind, match in classify(path):
+        if line.startswith("#define ESPALIER_PER_SET "):
+            kind, match = "includes", INCLUDE.match(line.replace("#define ESPALIER_PER_SET", "#include"))
         if kind == "includes" and match.group(1).startswith("runtime/") and match.group(1) not in found:
             found.add(match.group(1))
             included_headers(LIBRARY / match.group(1), found)
@@ -199,6 +214,7 @@ class SingleFile:
         self.conditions = []  # of the preprocessor, around the line that is being written
         self.namespaces = []  # around the same line
         self.written = collections.defaultdict(list)  # what, in which namespace: under which conditions
+        self.of_set = {}  # what the instruction set at hand defines, and the fragments that it has of its own
 
     def namespace(self):
         return "::".join(name or "unnamed" for name in self.namespaces)
@@ -215,8 +231,8 @@ class SingleFile:
             return [condition, *(f"if {part.strip()}" for part in condition[3:].split("&&"))]
         return [condition]
 
-    def add_once(self, name, path):
-        key = (name, self.namespace())
+    def add_once(self, name, path, place=None):
+        key = (name, place or self.namespace())
         if self.is_written(key):
             return
         # Elsewhere it may stand under a condition that is another one, and that may hold too.
@@ -235,7 +251,15 @@ class SingleFile:
         self.lines.append(f"// ---- {path.relative_to(LIBRARY)}")
         definitions = []
         waits = condition is not None
-        for line, kind, match in classify(path):
+        for line, kind, match in classify(path, self.of_set if "BEGIN_SET" in self.of_set else SCALAR):
+            if of_set := OF_SET.match(line):
+                name, value = of_set.group(2, 3)
+                self.of_set.pop(name, None)
+                if of_set.group(1) == "define":
+                    self.of_set[name] = value or ""
+                continue
+            if line == "#include ESPALIER_PER_SET":
+                kind, match = "includes", INCLUDE.match(f"#include {self.of_set['PER_SET']}")
             if waits and kind != "includes" and line.strip() and not line.startswith("//"):
                 self.add_definitions(definitions)
                 definitions = []
@@ -284,7 +308,18 @@ class SingleFile:
                 self.conditions.append(f"{directive} {condition} after {before}")
 
     def include(self, name, line, path):
-        if name.startswith(("espalier/", "runtime/")):
+        if name == "runtime/lanes/for_each_set.hpp":
+            self.add(LIBRARY / name)
+        elif name == "runtime/lanes/end_set.hpp":
+            self.of_set = {"PER_SET": self.of_set.get("PER_SET")}
+        elif name == "runtime/lanes/set.hpp":
+            if "BEGIN_SET" not in self.of_set:
+                self.include("runtime/lanes/scalar.hpp", line, path)
+        elif name.startswith("runtime/") and (fragments := FRAGMENTS.search((LIBRARY / name).read_text())):
+            region = self.of_set.get("BEGIN_SET", SCALAR["BEGIN_SET"])
+            if fragments.group(1).removeprefix("ESPALIER_") not in self.of_set:
+                self.add_once(name, LIBRARY / name, re.search(r"detail::\w+", region).group(0))
+        elif name.startswith(("espalier/", "runtime/")):
             if name.endswith(".h"):
                 self.lines.append(f'#include "{pathlib.PurePath(name).name}"')
             elif name.startswith("runtime/") or not self.skips_public_headers:

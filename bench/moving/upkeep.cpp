@@ -110,7 +110,7 @@ std::uint64_t count_box_tests(const detail::SceneBlock& block, bool only_moved) 
     SceneCounters counters;
     const auto ignore = [](std::span<const InstancePair>) {};
     const detail::JoinedSlots joined = only_moved ? detail::JoinedSlots::moved : detail::JoinedSlots::all;
-    detail::scalar::count_join(last_step, joined, 0, ignore, counters);
+    detail::count_join(last_step, joined, 0, ignore, counters);
     return counters.box_tests;
 }
 

@@ -25,7 +25,7 @@ EXCUSED_PARTS = {
         "runtime/blob/vertex_word.hpp", "runtime/blob/duplicate_references.hpp",
         "runtime/blob/id_steps.hpp", "espalier/format/leaves.hpp", "espalier/format/nodes.hpp",
         "espalier/format/sections.hpp", "runtime/lanes/scalar.hpp", "runtime/lanes/axes.inl",
-        "runtime/lanes/leaves.inl", "runtime/lanes/strip_corners_portable.inl", "runtime/rays/leaf_filter.inl"],
+        "runtime/lanes/leaves.inl", "runtime/lanes/strip_corners_portable.inl", "runtime/rays/leaf_filter.hpp"],
     "quantiser": [
         "baker/quantise/lattice.hpp", "baker/quantise/lattice.cpp", "baker/error/fit_lattice.cpp",
         "baker/quantise/snap.cpp", "baker/base/float_rounding.hpp",
@@ -33,27 +33,27 @@ EXCUSED_PARTS = {
         "baker/encode/plain_leaf.cpp", "baker/encode/strip_leaf.cpp", "baker/encode/predicted_strip_leaf.cpp",
         "baker/collapse/numbered_entries.hpp", "baker/collapse/predicted_strip.cpp", "baker/quantise/closed.cpp"],
     "traversal": [
-        "runtime/traversal/traverse.inl", "runtime/rays/slab_test.inl", "runtime/rays/plain_slab_test.inl",
-        "runtime/traversal/node_boxes.inl", "runtime/lanes/prepared_ray.hpp",
-        "runtime/traversal/box_nodes.hpp", "runtime/proximity/point_nodes.inl", "runtime/proximity/point_bounds.inl",
-        "runtime/proximity/squared_distance.inl", "runtime/traversal/plane_nodes.hpp", "runtime/pairs/nodes.inl",
-        "runtime/pairs/trees.inl", "runtime/pairs/stacks.inl", "runtime/pairs/walk.inl",
+        "runtime/traversal/traverse.hpp", "runtime/rays/slab_test.hpp", "runtime/rays/plain_slab_test.hpp",
+        "runtime/traversal/node_boxes.hpp", "runtime/lanes/prepared_ray.hpp",
+        "runtime/traversal/box_nodes.hpp", "runtime/proximity/point_nodes.hpp", "runtime/proximity/point_bounds.hpp",
+        "runtime/proximity/squared_distance.hpp", "runtime/traversal/plane_nodes.hpp", "runtime/pairs/nodes.hpp",
+        "runtime/pairs/trees.hpp", "runtime/pairs/stacks.hpp", "runtime/pairs/walk.hpp",
         "runtime/traversal/first_reference.cpp"],
     "rounding": [
         "runtime/lattice/round_ray.hpp", "runtime/lattice/round_point.hpp", "runtime/lattice/rounder.hpp",
         "runtime/lattice/outward.hpp", "runtime/rays/rounded_ray.cpp", "runtime/lattice/rounding.cpp",
         "runtime/sweeps/rounding.cpp"],
     "small": [
-        "runtime/rays/small_code/walk.inl", "runtime/rays/small_code/seen_ray.hpp",
+        "runtime/rays/small_code/walk.hpp", "runtime/rays/small_code/seen_ray.hpp",
         "runtime/rays/small_code/seen_boxes.hpp", "runtime/rays/small_code/seen_planes.hpp",
         "runtime/rays/small_code/seen_triangles.hpp", "runtime/traversal/small_boxes.hpp"],
     "queries": [
-        "runtime/rays/closest.inl", "runtime/rays/in_order.inl", "runtime/answers/best_k.hpp",
-        "runtime/rays/batch/group.inl", "runtime/rays/batch/ray_in_batch.inl", "runtime/rays/batch/batch.inl",
-        "runtime/answers/found.hpp", "runtime/answers/answer.hpp", "runtime/traversal/query.inl",
-        "runtime/traversal/find.inl", "runtime/proximity/point_queries.inl", "runtime/pairs/search.inl",
-        "runtime/pairs/beam.inl", "runtime/traversal/walk.cpp", "runtime/traversal/find_triangle.cpp",
-        "runtime/traversal/scalar_walk.hpp", "runtime/asset/original.cpp", "runtime/asset/remap.cpp",
+        "runtime/rays/closest.hpp", "runtime/rays/in_order.hpp", "runtime/rays/single.hpp", "runtime/answers/best_k.hpp",
+        "runtime/rays/batch/group.hpp", "runtime/rays/batch/ray_in_batch.hpp", "runtime/rays/batch/groups.hpp",
+        "runtime/answers/found.hpp", "runtime/answers/answer.hpp", "runtime/traversal/query.hpp",
+        "runtime/traversal/find.hpp", "runtime/proximity/point_search.hpp", "runtime/pairs/search.hpp",
+        "runtime/pairs/beam.hpp", "runtime/traversal/walk.cpp", "runtime/traversal/find_triangle.cpp",
+        "runtime/traversal/any_visitor.hpp", "runtime/asset/original.cpp", "runtime/asset/remap.cpp",
         "runtime/rays/small_code/queries.cpp"],
     "scenes": [
         "runtime/scenes/open.cpp", "runtime/scenes/instances.cpp", "runtime/scenes/instances.hpp",
@@ -71,8 +71,8 @@ EXCUSED_PARTS = {
 }
 # Only one instruction set runs these: the programs here have one lane, four and the code for microcontrollers, and other
 # tests compare all sets.
-SINGLE_SETS = re.compile(r"runtime/(instruction_sets/.*|lanes/((avx2|avx512|neon|simd128|sse42|select)\.hpp|predicted_points\.inl)"
-                         r"|rays/slab_test_avx2\.inl)")
+SINGLE_SETS = re.compile(r"runtime/(lanes/((avx2|avx512|neon|simd128|sse42|select)\.hpp|predicted_points\.inl)"
+                         r"|rays/slab_test_avx2\.hpp)")
 
 LIBRARIES = ("runtime", "baker", "espalier")
 NUMBERS_OF_A_FILE = 1000

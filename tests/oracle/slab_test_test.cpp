@@ -11,74 +11,14 @@
 #include <limits>
 #include <vector>
 
-#include <runtime/lanes/prepared_ray.hpp>
-#include <runtime/lanes/scalar.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/rays/queries.hpp>
-#if ESPALIER_X86
-#include <runtime/lanes/avx2.hpp>
-#include <runtime/lanes/sse42.hpp>
-#elif ESPALIER_NEON
-#include <runtime/lanes/neon.hpp>
-#elif ESPALIER_SIMD128
-#include <runtime/lanes/simd128.hpp>
-#endif
+#define ESPALIER_PER_SET "oracle/slab_children.hpp"
+#include <runtime/lanes/for_each_set.hpp>
 
 #include "rational.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
-
-namespace espalier::detail {
-namespace scalar {
-namespace {
-#include <runtime/rays/prepare_ray_portable.inl>
-#include <runtime/rays/slab_test.inl>
-#include <runtime/rays/plain_slab_test.inl>
-#include "slab_children.inl"
-}  // namespace
-}  // namespace scalar
-#if ESPALIER_X86
-ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
-namespace sse42 {
-namespace {
-#include <runtime/rays/prepare_ray.inl>
-#include <runtime/rays/slab_test.inl>
-#include <runtime/rays/plain_slab_test.inl>
-#include "slab_children.inl"
-}  // namespace
-}  // namespace sse42
-ESPALIER_END_TARGET
-ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
-namespace avx2 {
-namespace {
-#include <runtime/rays/slab_test_avx2.inl>
-#include <runtime/rays/prepare_ray.inl>
-#include <runtime/rays/plain_slab_test.inl>
-#include "slab_children.inl"
-}  // namespace
-}  // namespace avx2
-ESPALIER_END_TARGET
-#elif ESPALIER_NEON
-namespace neon {
-namespace {
-#include <runtime/rays/prepare_ray.inl>
-#include <runtime/rays/slab_test.inl>
-#include <runtime/rays/plain_slab_test.inl>
-#include "slab_children.inl"
-}  // namespace
-}  // namespace neon
-#elif ESPALIER_SIMD128
-namespace simd128 {
-namespace {
-#include <runtime/rays/prepare_ray.inl>
-#include <runtime/rays/slab_test.inl>
-#include <runtime/rays/plain_slab_test.inl>
-#include "slab_children.inl"
-}  // namespace
-}  // namespace simd128
-#endif
-}  // namespace espalier::detail
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -103,6 +43,9 @@ std::vector<Path<Node>> paths() {
         result.push_back({"avx2", detail::avx2::children<Node>});
         result.push_back({"avx2 as defined", detail::avx2::children_as_defined<Node>});
     }
+#if ESPALIER_HAS_AVX512
+    if (best >= detail::InstructionSet::avx512) result.push_back({"avx512", detail::avx512::children<Node>});
+#endif
 #elif ESPALIER_NEON
     result.push_back({"neon", detail::neon::children<Node>});
     result.push_back({"neon as defined", detail::neon::children_as_defined<Node>});

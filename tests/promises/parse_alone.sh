@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# parse_alone.sh CLANG LIBRARY_FOLDER: clang parses each header and each fragment (.inl) of the folder as a file by itself, as clangd
+# parse_alone.sh CLANG LIBRARY_FOLDER: clang parses each header of the folder as a file by itself, as clangd
 # does in an editor. Files of one kind of processor are parsed for that kind.
 set -euo pipefail
 export clang=$1 library=$2
@@ -10,7 +10,7 @@ options_for() {
     case $1 in
         *neon*) echo --target=aarch64-linux-gnu ;;
         *simd128*) echo --target=wasm32-wasi -msimd128 ;;
-        */lanes/* | *x86* | *prepare_ray.inl | *avx*) echo --target=x86_64-linux-gnu ;;
+        */lanes/* | *avx*) echo --target=x86_64-linux-gnu ;;
     esac
 }
 parse_alone() (
@@ -27,6 +27,6 @@ parse_alone() (
 export -f options_for parse_alone
 
 # The package for Python includes headers of Python, which are there only where it is built.
-mapfile -t files < <(find "$library" -path "$library/python" -prune -o \( -name '*.h' -o -name '*.hpp' -o -name '*.inl' \) -print)
+mapfile -t files < <(find "$library" -path "$library/python" -prune -o \( -name '*.h' -o -name '*.hpp' \) -print)
 [[ ${#files[@]} -gt 200 ]] || { echo "only ${#files[@]} headers in $library: is it lib?"; exit 1; }
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" bash -c 'parse_alone "$1"; [[ $? -eq 0 ]] || { echo "does not parse alone: $1"; exit 1; }' -

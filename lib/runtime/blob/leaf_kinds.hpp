@@ -5,7 +5,3 @@
 #include <runtime/blob/predicted_strip_leaf.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/strip_leaf.hpp>
-
-/// Every file that includes fragments (.inl) has included this header: where the macro is undefined, a fragment is
-/// parsed alone.
-#define ESPALIER_IN_INSTRUCTION_SET

@@ -1,7 +1,4 @@
 // What all instruction sets share: loads and stores as copies of bytes, arithmetic by operators of the language.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/lanes/alone.hpp>
-#endif
 
 template <class To, class From>
 inline To load_as(const From* from) {

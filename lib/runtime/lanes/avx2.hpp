@@ -3,7 +3,7 @@
 
 #include <runtime/lanes/intrinsics.hpp>
 
-#include <runtime/lanes/fragments.hpp>
+#include <runtime/lanes/vocabulary.hpp>
 #include <runtime/lanes/pivot_table.hpp>
 
 #define ESPALIER_AVX2 "avx2,fma,bmi,bmi2,lzcnt,popcnt"

@@ -247,6 +247,7 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
     return _mm512_cvtepi32_ps(_mm512_mask_blend_epi32(0xAAAA, even, _mm512_slli_epi64(odd, 32)));
 }
 
+using avx2::RayLanesOf;  // and with it the slab test of packed nodes, which is found by its argument
 using avx2::shift_left_each;
 using avx2::words_to_axes;
 #include <runtime/lanes/axes.inl>

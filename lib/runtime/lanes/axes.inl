@@ -1,7 +1,4 @@
 // How nodes become lanes: the constants of all three axes are made in one register, then spread.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/lanes/alone.hpp>
-#endif
 
 /// The shifts of all three axes, each in the place of a float's exponent: adding one multiplies by its power of two.
 inline AxisInts load_shifts(const PackedNode& node) {

@@ -1,8 +1,5 @@
 // What instruction sets of four lanes share. They have no permutation over several registers: values by vertex are in
 // memory, and the numbers of the vertices stay out of the lanes.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/lanes/alone.hpp>
-#endif
 
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const unsigned half = first / 4 % 2;

@@ -1,12 +1,5 @@
 // Leaves: which kind a blob has, one decoded for a function, and its vertices and triangles, `lanes` at a time. Lanes
 // of unused slots and vertices hold any number; look_up accepts them.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/blob/alone.hpp>
-static_assert(true);  // ends clangd's preamble, which cannot include this file
-#include <runtime/lanes/scalar.hpp>
-using scalar::CornerNumbers, scalar::Ints, scalar::lanes, scalar::StripCorners;
-using scalar::load_bytes, scalar::load_numbers, scalar::load_words, scalar::unpack, scalar::with_high_bytes;
-#endif
 
 /// Calls the function for the kind of leaf that the blob has.
 template <class Function>

@@ -5,7 +5,7 @@
 #if ESPALIER_NEON
 #include <arm_neon.h>
 
-#include <runtime/lanes/fragments.hpp>
+#include <runtime/lanes/vocabulary.hpp>
 
 namespace espalier::detail::neon {
 

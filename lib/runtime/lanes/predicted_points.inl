@@ -1,11 +1,6 @@
 // The vertices of a predicted strip for instruction sets that spread bits over a word (BMI2): a vertex is one word,
 // with 21 bits for each axis. Sums and differences of such words are those of all axes at once: no result is below 0 or
 // too large, as `open` proves, and what intermediate ones borrow from the next axis they give back.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <immintrin.h>
-
-#include <runtime/lanes/alone.hpp>
-#endif
 
 /// For each vertex, by the number of another: the pivot, the entry before and the corner opposite of the edge between
 /// both. All three are `none` where the vertex is not predicted.

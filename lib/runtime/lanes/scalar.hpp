@@ -1,14 +1,7 @@
 // The vocabulary of the lanes, one lane wide: for every machine.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include <runtime/base/bits.hpp>
-#include <runtime/base/vector.hpp>
-#include <runtime/blob/duplicate_references.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/lanes/prepared_ray.hpp>
+#include <runtime/lanes/vocabulary.hpp>
 
 namespace espalier::detail::scalar {
 

@@ -35,17 +35,50 @@
 #define ESPALIER_ONLY_SET scalar
 #endif
 
-/// Expands a macro for each instruction set of this program, as in each header that declares what all of them define.
-/// Not for AVX-512 where eight lanes are enough: then these of AVX2 take its place.
-#if ESPALIER_X86
-#define ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(scalar) declare(sse42) declare(avx2)
-#else
-#define ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(scalar) declare(ESPALIER_ONLY_SET)
-#endif
+/// Declares functions once for each instruction set of this program, in the namespace of each. `small` is the code of
+/// small cores, which has queries of one ray alone.
 #if ESPALIER_X86 && defined(__x86_64__)
-#define ESPALIER_FOR_ALL_SETS(declare) ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(avx512)
+#define ESPALIER_IN_EACH_SET(...) \
+    namespace small {             \
+    __VA_ARGS__                   \
+    }                             \
+    namespace scalar {            \
+    __VA_ARGS__                   \
+    }                             \
+    namespace sse42 {             \
+    __VA_ARGS__                   \
+    }                             \
+    namespace avx2 {              \
+    __VA_ARGS__                   \
+    }                             \
+    namespace avx512 {            \
+    __VA_ARGS__                   \
+    }
+#elif ESPALIER_X86
+#define ESPALIER_IN_EACH_SET(...) \
+    namespace small {             \
+    __VA_ARGS__                   \
+    }                             \
+    namespace scalar {            \
+    __VA_ARGS__                   \
+    }                             \
+    namespace sse42 {             \
+    __VA_ARGS__                   \
+    }                             \
+    namespace avx2 {              \
+    __VA_ARGS__                   \
+    }
 #else
-#define ESPALIER_FOR_ALL_SETS(declare) ESPALIER_FOR_SETS_WITH_PAIRS(declare)
+#define ESPALIER_IN_EACH_SET(...) \
+    namespace small {             \
+    __VA_ARGS__                   \
+    }                             \
+    namespace scalar {            \
+    __VA_ARGS__                   \
+    }                             \
+    namespace ESPALIER_ONLY_SET { \
+    __VA_ARGS__                   \
+    }
 #endif
 
 namespace espalier::detail {

@@ -5,7 +5,7 @@
 #if ESPALIER_SIMD128
 #include <wasm_simd128.h>
 
-#include <runtime/lanes/fragments.hpp>
+#include <runtime/lanes/vocabulary.hpp>
 
 namespace espalier::detail::simd128 {
 

@@ -3,7 +3,7 @@
 
 #include <runtime/lanes/intrinsics.hpp>
 
-#include <runtime/lanes/fragments.hpp>
+#include <runtime/lanes/vocabulary.hpp>
 
 #define ESPALIER_SSE42 "sse4.2,popcnt"
 

@@ -1,9 +1,4 @@
 // The windows of a strip one after the other, for instruction sets without a better way.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/blob/alone.hpp>
-#include <runtime/lanes/avx2.hpp>
-using avx2::CornerNumbers, avx2::lanes, avx2::load_numbers;
-#endif
 
 class StripCorners {
 public:

@@ -1,9 +1,4 @@
 // What the x86 instruction sets share.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <immintrin.h>
-
-#include <runtime/lanes/alone.hpp>
-#endif
 
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
 inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {

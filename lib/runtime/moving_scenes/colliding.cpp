@@ -139,7 +139,7 @@ struct CountedJoin {
     SceneCounters& counters;
     void operator()(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
                     const OnTouchingBoxes& visit) const {
-        scalar::count_join(block, joined, slot, visit, counters);
+        count_join(block, joined, slot, visit, counters);
     }
 };
 

@@ -3,6 +3,9 @@
 
 #include <runtime/base/bits.hpp>
 
+#define ESPALIER_PER_SET <runtime/moving_scenes/walks.hpp>
+#include <runtime/lanes/for_each_set.hpp>
+
 namespace espalier {
 
 namespace detail {

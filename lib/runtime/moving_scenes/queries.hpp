@@ -2,7 +2,6 @@
 #pragma once
 
 #include <espalier/scenes/moving_scene.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 
@@ -38,21 +37,6 @@ struct MovingTree {
                             answer.limit);
     }
 };
-
-#define ESPALIER_DECLARE_MOVING_WALKS(instruction_set)                                         \
-    namespace instruction_set {                                                                \
-    void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer);    \
-    void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer); \
-    Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer);        \
-    }
-ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_MOVING_WALKS)
-#undef ESPALIER_DECLARE_MOVING_WALKS
-#if ESPALIER_X86 && defined(__x86_64__)
-namespace avx512 {
-using avx2::moving_instances_in_order;  // a node has eight children
-using avx2::moving_instances_nearest_first;
-}  // namespace avx512
-#endif
 
 /// A moving scene as the queries of scenes take it: not open if it waits for a refit.
 class MovingSceneQuery {

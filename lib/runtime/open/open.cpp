@@ -14,7 +14,7 @@
 #include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier {
 namespace detail {
@@ -187,8 +187,8 @@ ESPALIER_NOINLINE bool are_optional_sections_sound(const BlobData& blob) {
 OpenStatus check_sections(BlobData& blob) {
     if (!is_zero(blob.leaves + blob.leaf_bytes, format::guard_bytes)) return OpenStatus::bad_section;
     if (blob.triangle_count != 0)
-        if (const OpenStatus status = scalar_walk::with_leaves_of(
-                blob, [&]<class Leaf>() { return check_tree_of<typename Leaf::Node>(blob); });
+        if (const OpenStatus status =
+                scalar::with_leaves_of(blob, [&]<class Leaf>() { return check_tree_of<typename Leaf::Node>(blob); });
             status != OpenStatus::ok)
             return status;
     return are_optional_sections_sound(blob) ? locate_sections(blob, true) : OpenStatus::bad_section;

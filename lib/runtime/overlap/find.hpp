@@ -12,8 +12,7 @@ QueryStatus find_overlaps_of(const BlobData& blob, const void* shape, Each& answ
     const QueryStatus status = round_volume(blob, *static_cast<const Shape*>(shape), volume);
     if (status == QueryStatus::not_found) return QueryStatus::ok;
     if (status != QueryStatus::ok || blob.triangle_count == 0) return status;
-    return ESPALIER_DISPATCH(find_overlaps_of_volume, blob, volume, answer, accuracy) ? QueryStatus::stopped
-                                                                                      : QueryStatus::ok;
+    return find_overlaps_of_volume(blob, volume, answer, accuracy) ? QueryStatus::stopped : QueryStatus::ok;
 }
 
 }  // namespace espalier::detail

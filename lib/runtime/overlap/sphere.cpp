@@ -1,4 +1,4 @@
-// Spheres find what they overlap by lanes of their own (proximity/point_queries.inl).
+// Spheres find what they overlap by lanes of their own (proximity/point_search.hpp).
 #include <espalier/overlap.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/proximity/point_queries.hpp>

@@ -1,10 +1,13 @@
-// Volumes with one lane. Apart from the other queries of that set: small code inlines more of what has one caller.
-#include <runtime/lanes/scalar.hpp>
+// The walk that most volumes share: the variant that suits the machine.
 #include <runtime/overlap/volume.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
 
-namespace espalier::detail::scalar {
-using scalar_walk::find_each;
-#include <runtime/proximity/overlap_candidates.inl>
-#include <runtime/overlap/volume_queries.inl>
-}  // namespace espalier::detail::scalar
+#define ESPALIER_PER_SET <runtime/overlap/volume_queries.hpp>
+#include <runtime/lanes/for_each_set.hpp>
+
+namespace espalier::detail {
+
+bool find_overlaps_of_volume(const BlobData& blob, const Volume& volume, Each& answer, const WalkAccuracy& accuracy) {
+    return ESPALIER_DISPATCH(find_overlaps_of_volume, blob, volume, answer, accuracy);
+}
+
+}  // namespace espalier::detail

@@ -7,7 +7,6 @@
 
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/plane_nodes.hpp>
@@ -57,15 +56,7 @@ struct VolumeOf : Volume {
     std::array<LatticePlane, most_planes> room;
 };
 
-#define ESPALIER_DECLARE_VOLUME_QUERY(instruction_set)                                     \
-    namespace instruction_set {                                                            \
-    bool find_overlaps_of_volume(const BlobData& blob, const Volume& volume, Each& answer, \
-                                 const WalkAccuracy& accuracy);                            \
-    }
-
 /// Finds the triangles that the shape overlaps, in storage order. True when the answer stopped it.
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_VOLUME_QUERY)
-
-#undef ESPALIER_DECLARE_VOLUME_QUERY
+bool find_overlaps_of_volume(const BlobData& blob, const Volume& volume, Each& answer, const WalkAccuracy& accuracy);
 
 }  // namespace espalier::detail

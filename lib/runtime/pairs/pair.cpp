@@ -5,7 +5,6 @@
 #include <runtime/answers/first_reference.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/pairs/contacts.hpp>
@@ -14,6 +13,9 @@
 #include <runtime/pairs/queries.hpp>
 #include <runtime/transforms/rotation.hpp>
 #include <runtime/traversal/find_triangle.hpp>
+
+#define ESPALIER_PER_SET <runtime/pairs/search_pairs.hpp>
+#include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
 

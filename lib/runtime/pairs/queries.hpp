@@ -31,18 +31,8 @@ struct PairSearch {
     PairCounters* counters = nullptr;         ///< counts the leaves
 };
 
-}  // namespace espalier::detail
-
 /// At each pair of boxes `work` goes down; at 0 the search ends. invalid_argument if no way leads to `from`.
-#define ESPALIER_DECLARE_PAIR_SEARCH(instruction_set)                                                         \
-    namespace instruction_set {                                                                               \
-    QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept; \
-    }
-
-namespace espalier::detail {
-
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_PAIR_SEARCH)
+ESPALIER_IN_EACH_SET(QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search,
+                                              std::uint64_t& work) noexcept;)
 
 }  // namespace espalier::detail
-
-#undef ESPALIER_DECLARE_PAIR_SEARCH

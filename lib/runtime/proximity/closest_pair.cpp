@@ -8,7 +8,7 @@
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/proximity/triangle_gap.hpp>
 #include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier::detail {
 namespace {
@@ -130,7 +130,7 @@ void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answe
     answer.limit = shape.radius * shape.radius * distance_slack;
     if constexpr (small_code) {
         NearShape near = {blob, shape, reach};
-        scalar_walk::find_nearest_first(blob, near, answer);
+        scalar::find_nearest_first(blob, near, answer);
     } else {
         for (int k = 0; k < 3; ++k) reach += shape.highest[k] - shape.lowest[k];
         ESPALIER_DISPATCH(find_nearest_pair, blob, shape, reach, answer);

@@ -1,10 +1,12 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
 #include <espalier/distance.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 #include <runtime/proximity/point_queries.hpp>
+
+#define ESPALIER_PER_SET <runtime/proximity/pair_search.hpp>
+#include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
 namespace detail {

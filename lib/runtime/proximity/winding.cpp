@@ -4,7 +4,7 @@
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/proximity/winding.hpp>
 #include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier::detail {
 namespace {
@@ -121,7 +121,7 @@ Winding winding_number(const BlobData& blob, const WindingRay& ray) noexcept {
     else way.low[axis] = -bounds_limit;
     WindingShape shape = {blob, ray, way};
     SumOfCrossings answer;
-    scalar_walk::find_in_order(blob, shape, answer);
+    scalar::find_in_order(blob, shape, answer);
     return answer.sum;
 }
 

@@ -8,21 +8,6 @@
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
-#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                \
-    namespace instruction_set {                                                                                      \
-    RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                        \
-    Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter); \
-    YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                             \
-    QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                     \
-    QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                \
-    YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);                             \
-    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);      \
-    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);           \
-    QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);   \
-    QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray,                             \
-                                          Visitor<const RayHit&> visit);                                             \
-    }
-
 namespace espalier::detail {
 
 struct RoundedRayData;
@@ -40,13 +25,16 @@ QueryStatus status_without_walk(const BlobData& blob, const Ray& world);
 QueryStatus refusal_of(const RoundedRayData& ray);
 inline QueryStatus status_without_walk(const BlobData&, const RayOnLattice&) { return QueryStatus::not_found; }
 
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_QUERIES)
-ESPALIER_DECLARE_RAY_QUERIES(small)
-
-namespace scalar {
-RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters);
-}
+ESPALIER_IN_EACH_SET(
+    RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);
+    Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter);
+    YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);
+    QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);
+    QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);
+    YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);
+    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
+    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
+    QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);
+    QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);)
 
 }  // namespace espalier::detail
-
-#undef ESPALIER_DECLARE_RAY_QUERIES

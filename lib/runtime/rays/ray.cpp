@@ -1,8 +1,10 @@
 // Rays: the variant of each query that suits the machine.
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/rays/queries.hpp>
+
+#define ESPALIER_PER_SET <runtime/rays/single.hpp>
+#include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
 
@@ -47,7 +49,7 @@ QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const Ra
 }
 
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
-    return scalar::closest_hit_counted(data_of(blob), ray, counters);
+    return scalar::find_closest_hit(data_of(blob), ray, nullptr, WalkAccuracy{-1, &counters});
 }
 
 }  // namespace espalier

@@ -4,7 +4,7 @@
 #include <espalier/lattice.hpp>
 #include <runtime/rays/queries.hpp>
 #include <runtime/rays/whole_segment.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier {
 
@@ -103,7 +103,7 @@ void find_hit(const BlobData& blob, WholeSegment& segment, bool any_will_do, Lat
     FoundCrossing first;
     Closest<FoundCrossing> answer(first);
     answer.limit = segment.limit();
-    scalar_walk::find_nearest_first(blob, shape, answer);
+    scalar::find_nearest_first(blob, shape, answer);
     if (!answer.found()) return;
     hit = {shape.end, TriangleId{first.index}, QueryStatus::ok, first.crossing.front ? Side::front : Side::back};
 }

@@ -76,12 +76,7 @@ struct ClosestRayVisitor {
     }
 };
 
-/// Searches the instances whose boxes the ray meets, the nearest first.
-#define ESPALIER_DECLARE_CLOSEST_RAY(instruction_set) \
-    namespace instruction_set {                       \
-    void search_nearest_first(ClosestRay& closest);   \
-    }
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_CLOSEST_RAY)
-#undef ESPALIER_DECLARE_CLOSEST_RAY
+/// Searches the instances whose boxes the ray meets, the nearest first, by the best instruction set of this machine.
+void search_by_best_set(ClosestRay& closest);
 
 }  // namespace espalier::detail

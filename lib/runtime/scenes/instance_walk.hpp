@@ -4,7 +4,6 @@
 #include <espalier/base/function_ref.hpp>
 #include <espalier/scene.hpp>
 #include <runtime/answers/answer.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/scenes/box_in_steps.hpp>
 #include <runtime/scenes/instances.hpp>
@@ -47,15 +46,6 @@ struct InstanceAnswer {
 /// The answer of the walks that all visitors share.
 using AnyInstanceAnswer = InstanceAnswer<InstanceVisitor>;
 
-#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                                \
-    namespace instruction_set {                                                         \
-    void instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer);    \
-    void instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer); \
-    Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer);        \
-    }
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_INSTANCE_WALKS)
-#undef ESPALIER_DECLARE_INSTANCE_WALKS
-
 /// The instances of a moving scene: the same walks over its tree. Only programs with moving scenes link them.
 struct MovingInstances {
     void (*nearest_to_passage)(const Passage& passage, AnyInstanceAnswer& answer);
@@ -64,39 +54,23 @@ struct MovingInstances {
     Transform (*transform_of)(const SceneData& scene, InstanceId instance);
 };
 
-inline void moving_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
-    answer.scene.moving->nearest_to_passage(passage, answer);
-}
-inline void moving_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
-    answer.scene.moving->nearest_to_point(point, answer);
-}
-
 /// Returns the transform of an instance, whose number must be below the count.
 inline Transform transform_at(const SceneData& scene, InstanceId instance) {
     if (scene.moving != nullptr) return scene.moving->transform_of(scene, instance);
     return transform_of(record_of(scene, instance));
 }
 
-/// Visits the instances whose boxes a Passage meets up to the limit, or whose boxes are within a squared distance of a
-/// RoundedPoint, in steps: the nearest first.
-template <class Region>
-void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Region& region, float limit,
-                             const InstanceVisitor& visit) {
-    if (scene.instance_count == 0) return;
-    AnyInstanceAnswer answer = {scene, mask, limit, visit};
-    if (scene.moving != nullptr) return moving_nearest_first(region, answer);
-    ESPALIER_DISPATCH(instances_nearest_first, region, answer);
-}
+/// Visits the instances whose boxes a passage meets up to the limit, or whose boxes are within a squared distance of a
+/// point, in steps: the nearest first.
+void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
+                             const InstanceVisitor& visit);
+void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const RoundedPoint& point, float limit,
+                             const InstanceVisitor& visit);
 
 /// Visits those whose boxes a passage meets, and `meeting` if there is one, in ascending order. Returns stop if the
 /// visitor does.
-inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
-                             const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr) {
-    if (scene.instance_count == 0) return Visit::next;
-    AnyInstanceAnswer answer = {scene, mask, limit, visit, meeting};
-    if (scene.moving != nullptr) return scene.moving->in_order(passage, answer);
-    return ESPALIER_DISPATCH(instances_in_order, passage, answer);
-}
+Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
+                      const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr);
 
 /// Visits those that the box around a shape that stays where it is meets.
 Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask,

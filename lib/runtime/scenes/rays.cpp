@@ -39,7 +39,7 @@ InScene<RayHit> cast(const BakedScene& scene, const SceneRay& ray, const SceneFi
         const ClosestRayVisitor<single_rays::closest_hit> visit = {closest};
         visit_nearest_instances(data, filter.mask(), closest.passage(), closest.limit(), visit);
     } else if (data.instance_count != 0) {
-        ESPALIER_DISPATCH(search_nearest_first, closest);
+        search_by_best_set(closest);
     }
     return closest.result();
 }

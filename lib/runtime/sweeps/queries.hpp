@@ -4,18 +4,10 @@
 #include <espalier/sweep.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/kernels/face.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
 #include <runtime/sweeps/start.hpp>
-
-#define ESPALIER_DECLARE_SWEEPS(instruction_set)                                                              \
-    namespace instruction_set {                                                                               \
-    FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const SweepOptions& options); \
-    FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const SweepOptions& options);     \
-    FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const SweepOptions& options);    \
-    }
 
 namespace espalier::detail {
 
@@ -32,10 +24,6 @@ inline bool comes_before(const FoundContact& a, const FoundContact& b) {
     if (a.step != b.step) return a.step < b.step;
     return a.gap < b.gap || (a.gap == b.gap && a.index < b.index);
 }
-
-// first_contact: the one that comes before all others which the options leave; no_contact when there is none. The blob
-// is not empty.
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SWEEPS)
 
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
 
@@ -130,5 +118,3 @@ SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundConta
 }
 
 }  // namespace espalier::detail
-
-#undef ESPALIER_DECLARE_SWEEPS

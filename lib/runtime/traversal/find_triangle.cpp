@@ -3,7 +3,7 @@
 #include <espalier/base/function_ref.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/traversal/find_triangle.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier::detail {
 namespace {
@@ -36,7 +36,7 @@ IntegerBounds bounds_of(const LatticeTriangle& triangle) {
 }
 
 LatticeTriangle find_triangle(const BlobData& blob, std::uint32_t index) {
-    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+    return scalar::with_leaves_of(blob, [&]<class Leaf>() {
         using Node = typename Leaf::Node;
         Node node = node_at<Node>(blob, 0);
         for (;;) {
@@ -48,7 +48,7 @@ LatticeTriangle find_triangle(const BlobData& blob, std::uint32_t index) {
         for (unsigned number = 0;; ++number) {
             count_leaf_step();
             LatticeTriangle triangle;
-            const bool is_found = scalar_walk::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
+            const bool is_found = scalar::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
                 const std::uint32_t skip = index - scalar::storage_index(leaf, 0);
                 if (skip >= leaf.triangle_count()) return false;
                 triangle = triangle_in(leaf, skip);
@@ -60,7 +60,7 @@ LatticeTriangle find_triangle(const BlobData& blob, std::uint32_t index) {
 }
 
 unsigned child_holding(const BlobData& blob, std::uint32_t node_index, std::uint32_t index) {
-    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+    return scalar::with_leaves_of(blob, [&]<class Leaf>() {
         count_node_step();
         const auto node = node_at<typename Leaf::Node>(blob, node_index);
         if (const unsigned above = node_child_above<Leaf>(blob, node, index); above != 0) return above - 1;
@@ -69,7 +69,7 @@ unsigned child_holding(const BlobData& blob, std::uint32_t node_index, std::uint
             return index - scalar::storage_index(leaf, 0) < leaf.triangle_count();
         };
         unsigned number = 0;
-        while (!scalar_walk::with_leaf<Leaf>(blob, node, number, holds)) ++number;
+        while (!scalar::with_leaf<Leaf>(blob, node, number, holds)) ++number;
         return node.node_children() + number;
     });
 }

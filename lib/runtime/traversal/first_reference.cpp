@@ -1,7 +1,7 @@
 #include <runtime/answers/first_reference.hpp>
 
 #include <runtime/traversal/find_triangle.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 
 namespace espalier::detail {
@@ -45,7 +45,7 @@ struct FirstReference {
 bool is_first_reference(const BlobData& blob, std::uint32_t index, ReachedChildren reached) {
     if constexpr (!reads_duplicate_references) return true;
     FirstReference first = {blob, reached, owner_of(blob, index), bounds_of(find_triangle(blob, index))};
-    scalar_walk::traverse_in_storage_order<PlainLeaf>(blob, first);
+    scalar::visit_in_storage_order<PlainLeaf>(blob, first);
     return first.found == index;
 }
 

@@ -4,7 +4,7 @@
 #include <runtime/lattice/outward.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/traversal/find_triangle.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 namespace espalier {
 namespace detail {
@@ -62,7 +62,7 @@ struct EveryNode {
             child.box = {{below(0), below(1), below(2)}, {above(0), above(1), above(2)}};
             child.is_leaf = i >= nodes;
             if (child.is_leaf) {
-                scalar_walk::with_leaf<LeafKind>(blob, node, i - nodes, [&](const LeafKind& leaf) {
+                scalar::with_leaf<LeafKind>(blob, node, i - nodes, [&](const LeafKind& leaf) {
                     child.first = TriangleId{scalar::storage_index(leaf, 0)};
                     child.count = leaf.triangle_count();
                 });
@@ -97,7 +97,7 @@ QueryStatus for_each_triangle(const Blob& blob, TriangleVisitor visit) noexcept 
     if (data.triangle_count == 0) return QueryStatus::ok;
     detail::AllTriangles shape = {data};
     detail::EachWithCorners answer(visit);
-    return detail::scalar_walk::find_in_order(data, shape, answer) ? QueryStatus::stopped : QueryStatus::ok;
+    return detail::scalar::find_in_order(data, shape, answer) ? QueryStatus::stopped : QueryStatus::ok;
 }
 
 Result<Triangle> triangle_at(const Blob& blob, TriangleId triangle) noexcept {
@@ -112,9 +112,9 @@ QueryStatus for_each_node(const Blob& blob, FunctionRef<NodeVisit(const TreeNode
     const detail::BlobData& data = detail::data_of(blob);
     if (data.bytes == nullptr) return QueryStatus::not_open;
     if (data.triangle_count == 0) return QueryStatus::ok;
-    return detail::scalar_walk::with_leaves_of(data, [&]<class Leaf>() {
+    return detail::scalar::with_leaves_of(data, [&]<class Leaf>() {
         detail::EveryNode<Leaf> visitor = {data, visit};
-        detail::scalar_walk::traverse_in_storage_order<Leaf>(data, visitor);
+        detail::scalar::visit_in_storage_order<Leaf>(data, visitor);
         return visitor.stopped ? QueryStatus::stopped : QueryStatus::ok;
     });
 }

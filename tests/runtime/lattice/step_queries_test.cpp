@@ -6,7 +6,7 @@
 
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/rays/whole_segment.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/find.hpp>
 
 #include "oracle/convex_hull.hpp"
 #include "support/exact/as_rationals.hpp"
@@ -294,11 +294,11 @@ TEST_CASE("lattice query: an end beyond the range is refused and an end at it is
 TEST_CASE("lattice query: places in a leaf have no more bits than its grid") {
     for (const TestBlob& test_blob : small_test_blobs()) {
         const detail::BlobData& blob = detail::data_of(test_blob.opened.blob);
-        detail::scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        detail::scalar::with_leaves_of(blob, [&]<class Leaf>() {
             for (std::uint32_t index = 0; index < blob.node_count; ++index) {
                 const auto node = detail::node_at<typename Leaf::Node>(blob, index);
                 for (unsigned number = 0; number < node.leaf_children(); ++number) {
-                    detail::scalar_walk::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
+                    detail::scalar::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
                         // Places in a plain leaf have a sign.
                         const int least = Leaf::counts_from_zero ? -(1 << (leaf.grid_bits() - 1)) : 0;
                         const int end = least + (1 << leaf.grid_bits());

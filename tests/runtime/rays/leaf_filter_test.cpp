@@ -4,17 +4,11 @@
 #include <cstdlib>
 
 #include <runtime/kernels/ray_triangle.hpp>
-#include <runtime/lanes/scalar.hpp>
+#include <runtime/rays/leaf_filter.hpp>
 #include <runtime/rays/queries.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/format/encoder.hpp"
-
-namespace espalier::detail::scalar {
-namespace {
-#include <runtime/rays/leaf_filter.inl>
-}  // namespace
-}  // namespace espalier::detail::scalar
 
 using namespace espalier;
 using namespace espalier::tests;

@@ -2,22 +2,12 @@
 // sweep_test.cpp runs all instruction sets.
 #include "support/testing.hpp"
 
-#include <runtime/lanes/scalar.hpp>
+#include <runtime/sweeps/box_bounds.hpp>
+#include <runtime/sweeps/capsule_bounds.hpp>
+#include <runtime/sweeps/hull_bounds.hpp>
 #include <runtime/sweeps/queries.hpp>
-#include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
-
-// mutant(nothing): the fragments are those that scalar.cpp compiles
-namespace espalier::detail::scalar {
-#include <runtime/proximity/squared_distance.inl>
-#include <runtime/proximity/point_bounds.inl>
-#include <runtime/sweeps/time_bounds.inl>
-#include <runtime/sweeps/swept_box.inl>
-#include <runtime/sweeps/beside_way.inl>
-#include <runtime/sweeps/capsule_bounds.inl>
-#include <runtime/sweeps/box_bounds.inl>
-#include <runtime/sweeps/hull_bounds.inl>
-}  // namespace espalier::detail::scalar
+#include <runtime/sweeps/swept_box.hpp>
 
 using namespace espalier;
 using namespace espalier::tests;

@@ -1,18 +1,10 @@
 // Claims about the parts of walks: what they keep on their stacks, packed into words, and what they do not look at.
 #include "support/testing.hpp"
 
-#include <runtime/lanes/scalar.hpp>
 #include <runtime/pairs/queries.hpp>
+#include <runtime/pairs/walk.hpp>
 
 #include "support/queries/test_pair_frame.hpp"
-
-namespace espalier::detail::scalar {
-namespace {
-#include <runtime/traversal/traverse.inl>
-#include <runtime/pairs/trees.inl>
-#include <runtime/pairs/walk.inl>
-}  // namespace
-}  // namespace espalier::detail::scalar
 
 using namespace espalier;
 

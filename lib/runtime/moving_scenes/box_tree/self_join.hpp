@@ -6,7 +6,6 @@
 #include <espalier/base/function_ref.hpp>
 #include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
 namespace espalier::detail {
@@ -26,23 +25,11 @@ enum class JoinedSlots : std::uint8_t {
 using SelfJoin =
     FunctionRef<void(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit)>;
 
-#define ESPALIER_DECLARE_SELF_JOIN(instruction_set)                                                           \
-    namespace instruction_set {                                                                               \
-    void join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit); \
-    }
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SELF_JOIN)
-#undef ESPALIER_DECLARE_SELF_JOIN
+/// The walk of SelfJoin, by the best instruction set of this machine.
+void join_by_best_set(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit);
 
-/// The walk by the best instruction set of this machine.
-inline void join_by_best_set(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
-                             const OnTouchingBoxes& visit) {
-    ESPALIER_DISPATCH(join, block, joined, slot, visit);
-}
-
-namespace scalar {
-/// The same walk, which adds its work to counters.
+/// The same walk without lanes, which adds its work to counters.
 void count_join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit,
                 SceneCounters& counters);
-}  // namespace scalar
 
 }  // namespace espalier::detail

@@ -1,28 +1,10 @@
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 #include <runtime/blob/deformable_blob.hpp>
-#include <runtime/lanes/fragments.hpp>
+#include <runtime/moving_scenes/box_tree/ends_around.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
-
-namespace {
-
-#if ESPALIER_SMALL_CODE
-struct ScaledRotation {
-    Coordinates axis;
-    float w;
-};
-ScaledRotation scaled_rotation(const Quaternion& rotation) {
-    const Quaternion q = with_greatest_of_one(rotation);
-    return {{q.x, q.y, q.z}, q.w};
-}
-Coordinates without_tiny(const Coordinates& v) { return without_below(v, least_coordinate_bits); }
-#endif
-
-#include <runtime/moving_scenes/box_tree/ends_around.inl>
-
-}  // namespace
 
 PartBounds bounds_of(const BlobData& mesh) {
     const float step = power_of_two(mesh.step_exponent);
@@ -58,12 +40,13 @@ void Coarseness::add(const PartBounds& bounds, const Transform& transform) {
 }
 
 Box box_around(const PartBounds& bounds, const Transform& transform) {
-    const BoxEnds<Coordinates> ends = ends_around<Coordinates>(bounds, transform);
+    const scalar::BoxEnds<Coordinates> ends = scalar::ends_around<Coordinates>(bounds, transform);
     return {ends.low.vector(), ends.high.vector()};
 }
 
 bool find_steps_box(const PartBounds& bounds, const Transform& transform, std::int32_t step_exponent, StepsBox& box) {
-    if (!to_steps(ends_around<Coordinates>(bounds, transform), step_exponent, box.low, box.high)) return false;
+    if (!scalar::to_steps(scalar::ends_around<Coordinates>(bounds, transform), step_exponent, box.low, box.high))
+        return false;
     for (std::int32_t& steps : box.high) steps = -steps;
     return true;
 }

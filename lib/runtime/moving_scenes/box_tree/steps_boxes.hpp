@@ -1,7 +1,6 @@
 // Boxes of many instances in whole steps of a world, eight at a time.
 #pragma once
 
-#include <runtime/lanes/select.hpp>
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 namespace espalier::detail {
@@ -24,24 +23,9 @@ struct EightPlaces {
     const Transform* transforms[EightStepsBoxes::count];
 };
 
-/// Finds the boxes of eight instances with the bits of find_steps_box(). Returns false, with boxes of no meaning, if
-/// one has no box or a scale or a rotation that is far from 1: then each has to be found alone.
-#define ESPALIER_DECLARE_STEPS_BOXES(instruction_set)                                                     \
-    namespace instruction_set {                                                                           \
-    bool find_steps_boxes(const EightPlaces& places, std::int32_t step_exponent, EightStepsBoxes& boxes); \
-    }
-ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_STEPS_BOXES)
-#undef ESPALIER_DECLARE_STEPS_BOXES
-#if ESPALIER_X86 && defined(__x86_64__)
-namespace avx512 {
-using avx2::find_steps_boxes;
-}  // namespace avx512
-#endif
-
-/// The same by the best instruction set of this machine.
-inline bool find_steps_boxes_by_best_set(const EightPlaces& places, std::int32_t step_exponent,
-                                         EightStepsBoxes& boxes) {
-    return ESPALIER_DISPATCH(find_steps_boxes, places, step_exponent, boxes);
-}
+/// Finds the boxes of eight instances with the bits of find_steps_box(), by the best instruction set of this machine.
+/// Returns false, with boxes of no meaning, if one has no box or a scale or a rotation that is far from 1: then each
+/// has to be found alone.
+bool find_steps_boxes_by_best_set(const EightPlaces& places, std::int32_t step_exponent, EightStepsBoxes& boxes);
 
 }  // namespace espalier::detail

@@ -1,8 +1,10 @@
 // Batches of rays: the variant that suits the machine.
 #include <espalier/ray.hpp>
-#include <runtime/lanes/select.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
+
+#define ESPALIER_PER_SET <runtime/rays/batch/groups.hpp>
+#include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
 

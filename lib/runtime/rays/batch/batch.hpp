@@ -7,12 +7,6 @@
 #include <espalier/ray.hpp>
 #include <runtime/lanes/select.hpp>
 
-#define ESPALIER_DECLARE_RAY_BATCHES(instruction_set)                                          \
-    namespace instruction_set {                                                                \
-    void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count); \
-    void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count);  \
-    }
-
 namespace espalier::detail {
 
 /// One ray after the other, by a query for single rays.
@@ -25,8 +19,7 @@ void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded,
     for (YesNo* const end = occluded + count; occluded != end; ++occluded) *occluded = any_hit(blob, *rays++, nullptr);
 }
 
-ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_BATCHES)
+ESPALIER_IN_EACH_SET(void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count);
+                     void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count);)
 
 }  // namespace espalier::detail
-
-#undef ESPALIER_DECLARE_RAY_BATCHES

@@ -9,8 +9,16 @@
 #include <runtime/rays/small_code/seen_boxes.hpp>
 #include <runtime/rays/small_code/seen_planes.hpp>
 #include <runtime/rays/small_code/seen_triangles.hpp>
-#include <runtime/traversal/scalar_walk.hpp>
 #include <runtime/traversal/small_boxes.hpp>
+
+// What this file has of its own; it needs no lanes.
+#define ESPALIER_LANES_CONTRACT_HPP
+#define ESPALIER_RAYS_LEAF_FILTER_HPP
+#define ESPALIER_TRAVERSAL_TRAVERSE_HPP
+
+#define ESPALIER_LANES 1
+#define ESPALIER_BEGIN_SET namespace espalier::detail::small {
+#define ESPALIER_END_SET }
 
 namespace espalier::detail::small {
 
@@ -34,7 +42,6 @@ ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const RayOnLattice& giv
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     return prepared.ray.prepare(blob);
 }
-#include <runtime/rays/prepare_ray_portable.inl>
 /// Limits of walks are places ahead.
 using Limit = std::int32_t;
 ESPALIER_NOINLINE inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
@@ -47,7 +54,12 @@ ESPALIER_ALWAYS_INLINE inline Limit window_limit(const SeenRay& ray) {
 
 using scalar::visit_leaf;
 using scalar::with_leaves_of;
-#include <runtime/rays/small_code/walk.inl>
+
+}  // namespace espalier::detail::small
+
+#include <runtime/rays/small_code/walk.hpp>
+
+namespace espalier::detail::small {
 
 template <class Node>
 ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const Node& node, const RayLanesOf<Node>& lanes, Limit limit,
@@ -106,13 +118,21 @@ inline bool is_hit(const Leaf& leaf, unsigned slot, const SeenRay& ray) {
 using scalar::owner_index;
 using scalar::storage_index;
 
-namespace {  // what is called once becomes part of its caller
-
-#include <runtime/traversal/query.inl>
-
-}  // namespace
-
-#include <runtime/rays/closest.inl>
-#include <runtime/rays/in_order.inl>
-
 }  // namespace espalier::detail::small
+
+// What is called once becomes part of its caller.
+#undef ESPALIER_BEGIN_SET
+#undef ESPALIER_END_SET
+#define ESPALIER_BEGIN_SET              \
+    namespace espalier::detail::small { \
+    namespace {
+#define ESPALIER_END_SET \
+    }                    \
+    }
+#include <runtime/traversal/query.hpp>
+#undef ESPALIER_BEGIN_SET
+#undef ESPALIER_END_SET
+#define ESPALIER_BEGIN_SET namespace espalier::detail::small {
+#define ESPALIER_END_SET }
+#include <runtime/rays/single.hpp>
+#include <runtime/lanes/end_set.hpp>

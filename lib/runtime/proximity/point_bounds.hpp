@@ -1,0 +1,91 @@
+// Bounds on the distance of triangles, in lanes.
+#ifndef ESPALIER_PROXIMITY_POINT_BOUNDS_HPP
+#define ESPALIER_PROXIMITY_POINT_BOUNDS_HPP
+
+#include <runtime/lanes/set.hpp>
+#include <runtime/proximity/squared_distance.hpp>
+
+ESPALIER_BEGIN_SET
+
+/// Three coordinates, or a triangle's corners, seen from the point: a triangle in each lane.
+struct Floats3 {
+    Floats x, y, z;
+};
+struct CornersFromPoint {
+    Floats3 a, b, c;
+};
+
+/// Boxes of triangles, seen from the point.
+struct BoxesFromPoint {
+    Floats low[3], high[3];
+    explicit BoxesFromPoint(const CornersFromPoint& t) {
+        const auto set = [&](int k, Floats a, Floats b, Floats c) {
+            low[k] = smaller(a, smaller(b, c));
+            high[k] = larger(a, larger(b, c));
+        };
+        set(0, t.a.x, t.b.x, t.c.x);
+        set(1, t.a.y, t.b.y, t.c.y);
+        set(2, t.a.z, t.b.z, t.c.z);
+    }
+    /// At least the sum of the absolute coordinates of any corner.
+    [[nodiscard]] Floats reach() const {
+        Floats sum = splat(0.0f);
+        for (int k = 0; k < 3; ++k) sum = add(sum, larger(high[k], negate(low[k])));
+        return sum;
+    }
+};
+
+inline Floats dot(const Floats3& a, const Floats3& b) {
+    return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply(a.z, b.z)));
+}
+inline Floats3 subtract(const Floats3& a, const Floats3& b) {
+    return {subtract(a.x, b.x), subtract(a.y, b.y), subtract(a.z, b.z)};
+}
+
+/// Any direction bounds the squared distance of a convex body from below: nothing of it is nearer than its corner that
+/// is least far along. `reach` is at least the sum of a corner's coordinates; it bounds what all of this can round.
+inline Floats lower_bound_along(const Floats3& direction, const CornersFromPoint& t, Floats reach) {
+    const Floats to_a = dot(direction, t.a), to_b = dot(direction, t.b), to_c = dot(direction, t.c);
+    const Floats least = larger(smaller(to_a, smaller(to_b, to_c)), negate(larger(to_a, larger(to_b, to_c))));
+    const auto absolute_of = [](Floats a) { return larger(a, negate(a)); };
+    const Floats length_bound = add(absolute_of(direction.x), add(absolute_of(direction.y), absolute_of(direction.z)));
+    const Floats rounding = multiply(multiply(length_bound, splat(0x1p-21f)), reach);
+    const Floats along = larger(subtract(least, rounding), splat(0.0f));
+    // No squared length of a direction that matters is as small as this.
+    return multiply(along, divide(along, larger(dot(direction, direction), splat(0x1p-60f))));
+}
+
+/// The point of the side from a to b that is closest, nearly.
+inline Floats3 closest_on_side(const Floats3& a, const Floats3& b) {
+    const Floats3 side = subtract(b, a);
+    // Sides are whole lattice steps: where they seem shorter the point is too far away to tell.
+    const Floats along = divide(negate(dot(a, side)), larger(dot(side, side), splat(1.0f)));
+    const Floats share = larger(smaller(along, splat(1.0f)), splat(0.0f));
+    return {multiply_add(share, side.x, a.x), multiply_add(share, side.y, a.y), multiply_add(share, side.z, a.z)};
+}
+
+/// A lower bound of the squared distance, from the plane and from the closest point of the sides: one of them is tight.
+/// `squared_to_sides` is about what the sides alone give.
+inline Floats lower_bound(const CornersFromPoint& t, Floats reach, Floats& squared_to_sides) {
+    Floats3 closest = closest_on_side(t.a, t.b);
+    Floats squared = dot(closest, closest);
+    const auto offer = [&](const Floats3& other) {
+        const Floats other_squared = dot(other, other);
+        closest = {where_at_most(other_squared, squared, other.x, closest.x),
+                   where_at_most(other_squared, squared, other.y, closest.y),
+                   where_at_most(other_squared, squared, other.z, closest.z)};
+        squared = smaller(other_squared, squared);
+    };
+    offer(closest_on_side(t.b, t.c));
+    offer(closest_on_side(t.c, t.a));
+    squared_to_sides = squared;
+    const Floats3 ab = subtract(t.b, t.a), ac = subtract(t.c, t.a);
+    const Floats3 normal = {multiply_subtract(ab.y, ac.z, multiply(ab.z, ac.y)),
+                            multiply_subtract(ab.z, ac.x, multiply(ab.x, ac.z)),
+                            multiply_subtract(ab.x, ac.y, multiply(ab.y, ac.x))};
+    return larger(lower_bound_along(closest, t, reach), lower_bound_along(normal, t, reach));
+}
+
+ESPALIER_END_SET
+
+#endif

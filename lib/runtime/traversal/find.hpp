@@ -1,0 +1,94 @@
+// Walks with a query. Names of walks are in brackets: the walk is that of this namespace, never one of the shape's.
+#ifndef ESPALIER_TRAVERSAL_FIND_HPP
+#define ESPALIER_TRAVERSAL_FIND_HPP
+
+#include <runtime/lanes/set.hpp>
+#include <runtime/traversal/any_visitor.hpp>
+#include <runtime/traversal/query.hpp>
+
+ESPALIER_BEGIN_SET
+
+/// The walks, of which small code has one copy for all visitors.
+template <class Leaf, class Visitor>
+ESPALIER_ALWAYS_INLINE inline Visit visit_in_storage_order(const BlobData& blob, Visitor& visitor) {
+    if constexpr (small_code) {
+        AnyVisitor<Leaf> any(visitor);
+        return (traverse_in_storage_order<Leaf>)(blob, any);
+    } else {
+        return (traverse_in_storage_order<Leaf>)(blob, visitor);
+    }
+}
+template <class Leaf>
+ESPALIER_SHARED_CODE inline void visit_any_nearest_first(const BlobData& blob, AnyVisitor<Leaf>& visitor) {
+    (traverse_nearest_first<Leaf>)(blob, visitor);
+}
+template <class Leaf, class Visitor>
+ESPALIER_ALWAYS_INLINE inline void visit_nearest_first(const BlobData& blob, Visitor& visitor) {
+    if constexpr (small_code) {
+        AnyVisitor<Leaf> any(visitor);
+        (visit_any_nearest_first)(blob, any);
+    } else {
+        (traverse_nearest_first<Leaf>)(blob, visitor);
+    }
+}
+
+/// Calls the function with a query, of no accuracy or of the one that is given.
+template <class Function, class Shape, class SomeAnswer>
+ESPALIER_ALWAYS_INLINE inline auto with_query(Function function, const BlobData&, Shape& shape, SomeAnswer& answer) {
+    Query<Shape&, SomeAnswer&, true> query = {shape, answer};
+    return function(query);
+}
+template <class Function, class Shape, class SomeAnswer>
+ESPALIER_ALWAYS_INLINE inline auto with_query(Function function, const BlobData& blob, Shape& shape, SomeAnswer& answer,
+                                              const WalkAccuracy& accuracy) {
+    if (takes_shortcut(accuracy.is_exact())) return with_query(function, blob, shape, answer);
+    Query<Shape&, SomeAnswer&, false> query = {shape, answer, {blob, accuracy}};
+    return function(query);
+}
+
+/// Triangles in storage order. True when the answer stopped the walk. An accuracy may follow.
+template <class Shape, class SomeAnswer, class... GivenAccuracy>
+inline bool find_in_order(const BlobData& blob, Shape& shape, SomeAnswer& answer, const GivenAccuracy&... accuracy) {
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        const auto walk = [&](auto& query) {
+            const bool is_stopped = (visit_in_storage_order<Leaf>)(blob, query) == Visit::stop;
+            return is_stopped || query.is_over();
+        };
+        return with_query(walk, blob, shape, answer, accuracy...);
+    });
+}
+
+/// Triangles in storage order, each once. True when the answer stopped the walk. The shape takes the answer as
+/// SomeAnswer.
+template <class SomeAnswer, class Shape>
+inline bool find_each(const BlobData& blob, Shape& shape, Each& answer, const WalkAccuracy& accuracy) {
+    auto& some_answer = static_cast<SomeAnswer&>(answer);
+    if constexpr (reads_duplicate_references) {
+        const auto reached = [&](const PlainNode& node, unsigned children) {
+            Shape again = shape;  // the walk's own may remember a node
+            alignas(register_alignment) float keys[PlainNode::max_children];
+            return again.cull(node, answer.limit, keys) & children;
+        };
+        answer.reached = reached;
+        return find_in_order(blob, shape, some_answer, accuracy);
+    } else {
+        return find_in_order(blob, shape, some_answer, accuracy);
+    }
+}
+
+/// The nearest first.
+template <class Leaf, class Shape, class SomeAnswer, class... GivenAccuracy>
+inline void find_nearest_first_in(const BlobData& blob, Shape& shape, SomeAnswer& answer,
+                                  const GivenAccuracy&... accuracy) {
+    const auto walk = [&](auto& query) { (visit_nearest_first<Leaf>)(blob, query); };
+    with_query(walk, blob, shape, answer, accuracy...);
+}
+template <class Shape, class SomeAnswer, class... GivenAccuracy>
+inline void find_nearest_first(const BlobData& blob, Shape& shape, SomeAnswer& answer,
+                               const GivenAccuracy&... accuracy) {
+    with_leaves_of(blob, [&]<class Leaf>() { find_nearest_first_in<Leaf>(blob, shape, answer, accuracy...); });
+}
+
+ESPALIER_END_SET
+
+#endif
