@@ -9,7 +9,7 @@
 #include <espalier/deformation.hpp>
 #include <runtime/blob/plain_leaf.hpp>
 #include <runtime/blob/deformable_blob.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 
 namespace espalier::platform {
 
@@ -25,7 +25,7 @@ inline void read_positions(const Blob& blob, std::span<Vec3> positions) {
             for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
                 const std::int32_t point[3] = {leaf.offset(0, vertex), leaf.offset(1, vertex), leaf.offset(2, vertex)};
                 positions[is_short ? detail::load_u16(source) : detail::load_u32(source)] =
-                    detail::to_world(data, point);
+                    detail::to_local(data, point);
                 source += is_short ? 2 : 4;
             }
         }

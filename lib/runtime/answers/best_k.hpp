@@ -89,7 +89,7 @@ private:
 
 /// The first hits of a ray. Until all are found, t is tau, counted from the caller's origin.
 using FirstHits = BestK<RayHit, &RayHit::t>;
-/// The closest triangles. Until all are found, they are unfinished (nearest_to_world.hpp).
+/// The closest triangles. Until all are found, they are unfinished (nearest_to_local.hpp).
 using ClosestFew = BestK<ClosestPoint, &ClosestPoint::distance>;
 
 }  // namespace espalier::detail

@@ -3,7 +3,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/deformable_blob.hpp>
 #include <runtime/blob/source_origin.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 
 namespace espalier {
 
@@ -11,9 +11,9 @@ using namespace detail;
 
 Box Blob::bounds() const noexcept {
     if (data_.triangle_count == 0) return {};
-    if (!is_deformable()) return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_world(data_, data_.extent)};
+    if (!is_deformable()) return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_local(data_, data_.extent)};
     const PoseBounds bounds = pose_bounds_of(data_);
-    return {to_world(data_, bounds.low), to_world(data_, bounds.high)};
+    return {to_local(data_, bounds.low), to_local(data_, bounds.high)};
 }
 
 Vec3d Blob::source_origin() const noexcept {

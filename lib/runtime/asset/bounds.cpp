@@ -11,7 +11,7 @@ using namespace detail;
 
 namespace {
 
-/// Lattice steps that a bound's unit is worth, times the step: in world units. Lengths below 2^29 units.
+/// Lattice steps that a bound's unit is worth, times the step: in local units. Lengths below 2^29 units.
 float unit_of(const BlobData& blob) { return power_of_two(blob.step_exponent - 4); }
 static_assert(format::bounds::units_per_step == 1 << 4);
 

@@ -142,16 +142,16 @@ struct CapsuleBody : Body {
 struct OrientedBoxBody : Body {
     BoxBody box;
 
-    QueryStatus round(const BlobData& blob, const OrientedBox& world, float margin) {
-        refer_to<OrientedBoxBody>(world);
+    QueryStatus round(const BlobData& blob, const OrientedBox& local, float margin) {
+        refer_to<OrientedBoxBody>(local);
         radius = 0.0f;
         float center[3], half[3][3], spread[3] = {};
         Rounder rounder(blob);
         for (int i = 0; i < 3; ++i) {
-            rounder.add_vector(world.half_axes[i], half[i]);
+            rounder.add_vector(local.half_axes[i], half[i]);
             for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
         }
-        rounder.add_point(world.center, center);
+        rounder.add_point(local.center, center);
         const float near = radius_in_steps(blob, margin);
         bool is_away = false;
         for (int k = 0; k < 3; ++k) {
@@ -181,15 +181,15 @@ struct OrientedBoxBody : Body {
     void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_box(box, triangle, side, reach, touches);
     }
-    static Vec3 middle_of(const OrientedBox& world) { return world.center; }
-    static float reach_of(const OrientedBox& world, const Vec3& way) { return reach_along(world.half_axes, way); }
-    static ClosestPoint nearest(const Blob& blob, const OrientedBox& world, float within) {
-        return closest_point(blob, world.center, within);
+    static Vec3 middle_of(const OrientedBox& local) { return local.center; }
+    static float reach_of(const OrientedBox& local, const Vec3& way) { return reach_along(local.half_axes, way); }
+    static ClosestPoint nearest(const Blob& blob, const OrientedBox& local, float within) {
+        return closest_point(blob, local.center, within);
     }
     static float least_reach_of(const OrientedBox&) { return 0.0f; }
-    static float most_reach_of(const OrientedBox& world) {
+    static float most_reach_of(const OrientedBox& local) {
         float sum = 0.0f;
-        for (const Vec3& half : world.half_axes) sum += sum_of_coordinates(half);
+        for (const Vec3& half : local.half_axes) sum += sum_of_coordinates(half);
         return sum;
     }
     static float reach_along(const Vec3 (&half_axes)[3], const Vec3& way) {
@@ -198,14 +198,14 @@ struct OrientedBoxBody : Body {
         return sum;
     }
     /// The box along the axes around it and the margin, with room for rounding.
-    static Box grown(const OrientedBox& world, float margin) {
+    static Box grown(const OrientedBox& local, float margin) {
         Vec3 reach;
-        for (const Vec3& half : world.half_axes) {
+        for (const Vec3& half : local.half_axes) {
             reach.x += absolute(half.x);
             reach.y += absolute(half.y);
             reach.z += absolute(half.z);
         }
-        const Vec3& c = world.center;
+        const Vec3& c = local.center;
         constexpr float more = 1.0f + 0x1p-20f;
         const auto far = [&](float at, float by) { return by * more + margin * more + absolute(at) * 0x1p-20f; };
         const Vec3 by = {far(c.x, reach.x), far(c.y, reach.y), far(c.z, reach.z)};
@@ -218,13 +218,13 @@ struct ConvexHullBody : Body {
     HullBody hull;
     bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
 
-    ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& world, float margin) {
-        if (world.vertices.empty()) return QueryStatus::not_found;
-        refer_to<ConvexHullBody>(world);
+    ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& local, float margin) {
+        if (local.vertices.empty()) return QueryStatus::not_found;
+        refer_to<ConvexHullBody>(local);
         radius = 0.0f;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
         Rounder rounder(blob);
-        for (const Vec3& vertex : world.vertices) {
+        for (const Vec3& vertex : local.vertices) {
             rounder.add_point(vertex, at);
             for (int k = 0; k < 3; ++k) {
                 low[k] = minimum(low[k], at[k]);
@@ -237,7 +237,7 @@ struct ConvexHullBody : Body {
         if (!(rounder.reach() < contact_hull_reach)) return QueryStatus::out_of_range;
         const int bits = fraction_bits_for(rounder.reach(), point_grid);
         unsigned count = 0;
-        for (const Vec3& vertex : world.vertices) {
+        for (const Vec3& vertex : local.vertices) {
             rounder.add_point(vertex, at);
             for (int k = 0; k < 3; ++k) hull.vertex[count][k] = static_cast<std::int32_t>(to_grid(at[k], bits));
             ++count;
@@ -252,33 +252,33 @@ struct ConvexHullBody : Body {
         has_faces = true;
         touch_hull(hull, triangle, side, reach, touches);
     }
-    static Vec3 middle_of(const ConvexHull& world) {
-        const float share = 1.0f / static_cast<float>(world.vertices.size());
+    static Vec3 middle_of(const ConvexHull& local) {
+        const float share = 1.0f / static_cast<float>(local.vertices.size());
         Vec3 middle;
-        for (const Vec3& vertex : world.vertices) middle = middle + vertex * share;
+        for (const Vec3& vertex : local.vertices) middle = middle + vertex * share;
         return middle;
     }
-    static float reach_of(const ConvexHull& world, const Vec3& way) {
-        const Vec3 middle = middle_of(world);
+    static float reach_of(const ConvexHull& local, const Vec3& way) {
+        const Vec3 middle = middle_of(local);
         float most = 0.0f;
-        for (const Vec3& vertex : world.vertices) most = maximum(most, dot(middle - vertex, way));
+        for (const Vec3& vertex : local.vertices) most = maximum(most, dot(middle - vertex, way));
         return most;
     }
-    static ClosestPoint nearest(const Blob& blob, const ConvexHull& world, float within) {
-        return closest_point(blob, middle_of(world), within);
+    static ClosestPoint nearest(const Blob& blob, const ConvexHull& local, float within) {
+        return closest_point(blob, middle_of(local), within);
     }
     static float least_reach_of(const ConvexHull&) { return 0.0f; }
-    static float most_reach_of(const ConvexHull& world) {
-        const Vec3 middle = middle_of(world);
+    static float most_reach_of(const ConvexHull& local) {
+        const Vec3 middle = middle_of(local);
         float most = 0.0f;
-        for (const Vec3& vertex : world.vertices) most = maximum(most, sum_of_coordinates(vertex - middle));
+        for (const Vec3& vertex : local.vertices) most = maximum(most, sum_of_coordinates(vertex - middle));
         return most;
     }
     /// The box along the axes around it and the margin, with room for rounding.
-    static Box grown(const ConvexHull& world, float margin) {
-        if (world.vertices.empty()) return {};
-        Vec3 low = world.vertices.front(), high = low;
-        for (const Vec3& v : world.vertices) {
+    static Box grown(const ConvexHull& local, float margin) {
+        if (local.vertices.empty()) return {};
+        Vec3 low = local.vertices.front(), high = low;
+        for (const Vec3& v : local.vertices) {
             low = {minimum(low.x, v.x), minimum(low.y, v.y), minimum(low.z, v.z)};
             high = {maximum(high.x, v.x), maximum(high.y, v.y), maximum(high.z, v.z)};
         }

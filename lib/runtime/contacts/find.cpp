@@ -8,7 +8,7 @@
 #include <runtime/contacts/surface_around.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/kernels/face.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 
 namespace espalier {
@@ -101,15 +101,15 @@ struct ContactsOf : Each {
         Touches touches;
         body.touch(triangle, side, body.radius + margin_steps, touches);
         if (touches.count == 0) return Visit::next;
-        deepest = minimum(deepest, to_world_distance(touches.nearest));
+        deepest = minimum(deepest, to_local_distance(touches.nearest));
         if (touches.is_beside && around.has_nearer(touches)) return Visit::next;
         const float steepness = contacts::dot(face_normal_of(triangle), touches.touch[0].normal);
         for (unsigned i = 0; i < touches.count; ++i) {
             const Touch& touch = touches.touch[i];
             Contact contact;
-            contact.point = to_world(blob, touch.point.x, touch.point.y, touch.point.z);
+            contact.point = to_local(blob, touch.point.x, touch.point.y, touch.point.z);
             contact.normal = touch.normal;
-            contact.distance = to_world_distance(touch.distance);
+            contact.distance = to_local_distance(touch.distance);
             contact.triangle = TriangleId{index};
             contact.feature = touch.feature;
             contact.side = (absolute(steepness) > steep ? steepness < 0.0f : is_behind) ? Side::back : Side::front;
@@ -130,7 +130,7 @@ private:
                contacts::dot(nearest_.face_normal, nearest_.point - body.shape_middle) > 0.7f * nearest_.distance;
     }
     /// Of the body's surface, from a distance of its core in steps. A huge radius is more steps than a float holds.
-    [[nodiscard]] float to_world_distance(float of_core) const {
+    [[nodiscard]] float to_local_distance(float of_core) const {
         return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - body.least_reach,
                        margin);  // decided before
     }

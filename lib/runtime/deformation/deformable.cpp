@@ -6,7 +6,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 #include <runtime/deformation/store.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 
 namespace espalier {
 
@@ -32,7 +32,7 @@ std::uint32_t Deformable::position_count() const noexcept {
 Box Deformable::range() const noexcept {
     if (!*this) return {};
     const BlobData& data = data_of(blob_);
-    return {{data.origin[0], data.origin[1], data.origin[2]}, to_world(data, data.extent)};
+    return {{data.origin[0], data.origin[1], data.origin[2]}, to_local(data, data.extent)};
 }
 
 std::size_t deformable_bytes(const Blob& blob) noexcept {

@@ -141,9 +141,9 @@ inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
 
 /// Returns a hit as the caller receives it: t within 4 ulp and in the ray's window.
 template <class Caller>
-inline RayHit to_ray_hit(const IntegerRay& ray, const Caller& world, const TriangleHit& hit, std::uint32_t index) {
+inline RayHit to_ray_hit(const IntegerRay& rounded, const Caller& ray, const TriangleHit& hit, std::uint32_t index) {
     RayHit result = to_ray_hit(hit, index);
-    result.t = to_t(ray, hit.whole_tau, world);
+    result.t = to_t(rounded, hit.whole_tau, ray);
     return result;
 }
 

@@ -115,9 +115,9 @@ inline void set_zero(LatticeRay& ray) {
 
 /// False when the ray can hit nothing.
 template <class Lanes>
-inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+inline bool prepare_ray(const BlobData& blob, const Ray& ray, PreparedRayIn<Lanes>& prepared) {
     RaySlope slope;
-    if (!round_ray(blob, world, prepared.ray, slope)) return false;
+    if (!round_ray(blob, ray, prepared.ray, slope)) return false;
     set_zero(prepared.ray);
     spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);

@@ -19,8 +19,8 @@ inline float next_above(float x) {
 }
 inline float next_below(float x) { return -next_above(-x); }
 
-/// An upper and a lower bound of a lattice coordinate, from 0 to 2^27 steps, in the world: of the exact one and of the
-/// one that to_world gives.
+/// An upper and a lower bound of a lattice coordinate, from 0 to 2^27 steps, in local space: of the exact one and of
+/// the one that to_local gives.
 inline float world_above(const BlobData& blob, int axis, std::int32_t steps) {
     auto whole = static_cast<float>(steps);
     if (steps > 1 << 24) whole = next_above(whole);

@@ -26,12 +26,12 @@ struct RoundedPoint {
 
 /// Rounds a point and a radius. Returns not_found if nothing can be within the radius, invalid_argument or out_of_range
 /// for arguments outside of the domain; the point is not usable then.
-ESPALIER_SHARED_CODE inline QueryStatus round_point(const BlobData& blob, const Vec3& world, float radius,
+ESPALIER_SHARED_CODE inline QueryStatus round_point(const BlobData& blob, const Vec3& local, float radius,
                                                     RoundedPoint& point) {
-    if (!is_radius(radius) || !is_finite(world)) return QueryStatus::invalid_argument;
+    if (!is_radius(radius) || !is_finite(local)) return QueryStatus::invalid_argument;
     float center[3];
     Rounder rounder(blob);
-    rounder.add_point(world, center);
+    rounder.add_point(local, center);
     float reach = rounder.reach();
     if (!(reach < 0x1p120f)) return QueryStatus::out_of_range;
     float gap[3];  // from the asset's box
@@ -72,9 +72,9 @@ ESPALIER_SHARED_CODE inline QueryStatus round_point(const BlobData& blob, const 
 
 /// Rounds the point of a query for what is nearest. Returns ok, not_found if nothing can be near, or why the query is
 /// refused.
-inline QueryStatus round_query(const BlobData& blob, const Vec3& world, float max_distance, RoundedPoint& point) {
+inline QueryStatus round_query(const BlobData& blob, const Vec3& local, float max_distance, RoundedPoint& point) {
     if (blob.bytes == nullptr) return QueryStatus::not_open;
-    const QueryStatus status = round_point(blob, world, max_distance, point);
+    const QueryStatus status = round_point(blob, local, max_distance, point);
     return status == QueryStatus::ok && blob.triangle_count == 0 ? QueryStatus::not_found : status;
 }
 

@@ -169,19 +169,19 @@ inline float slab_slack(float reach) { return (reach + 1.0f) * 0x1p-20f; }
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
 /// the asset is from the origin at most, along any axis, in lattice steps.
-ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& world, IntegerRay& ray, float& reach) {
+ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& ray, IntegerRay& rounded, float& reach) {
     // The window, by its bits. A number that is none is above infinity; t_min may be below 0, and t_max -0.
-    const auto t_min_bits = std::bit_cast<std::uint32_t>(world.t_min);
+    const auto t_min_bits = std::bit_cast<std::uint32_t>(ray.t_min);
     const std::uint32_t from = t_min_bits & ((t_min_bits >> 31) - 1u);
-    const std::uint32_t to = magnitude_bits(world.t_max);
-    if (t_min_bits > (infinity_bits | ~magnitude_mask) || std::bit_cast<std::uint32_t>(world.t_max) > ~magnitude_mask ||
+    const std::uint32_t to = magnitude_bits(ray.t_max);
+    if (t_min_bits > (infinity_bits | ~magnitude_mask) || std::bit_cast<std::uint32_t>(ray.t_max) > ~magnitude_mask ||
         to > infinity_bits || from > to)
         return false;
 
     float direction[3], origin[3];
-    static_assert(sizeof world.direction == sizeof direction);
-    ESPALIER_COPY_BYTES(direction, &world.direction, sizeof direction);
-    ESPALIER_COPY_BYTES(origin, &world.origin, sizeof origin);
+    static_assert(sizeof ray.direction == sizeof direction);
+    ESPALIER_COPY_BYTES(direction, &ray.direction, sizeof direction);
+    ESPALIER_COPY_BYTES(origin, &ray.origin, sizeof origin);
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t magnitude = magnitude_bits(direction[k]);
@@ -202,7 +202,7 @@ ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& worl
     std::int32_t longest_way = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const auto way = static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction[k], shift)));
-        ray.direction[k] = way;
+        rounded.direction[k] = way;
         // mutant(< -> <=) equivalent: 0 is its own opposite
         const std::int32_t length = way < 0 ? -way : way;
         if (length > longest_way) {
@@ -210,27 +210,28 @@ ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& worl
             longest_axis = k;
         }
     }
-    set_longest_axis(ray, longest_axis);
-    ray.tau_offset = 0.0f;
+    set_longest_axis(rounded, longest_axis);
+    rounded.tau_offset = 0.0f;
     std::uint32_t reach_bits = lattice_ray::reach_bits(origin, blob);
     if (reach_bits >= magnitude_bits(0x1p23f)) {
-        if (!lattice_ray::approach(blob, ray, origin)) return false;
+        if (!lattice_ray::approach(blob, rounded, origin)) return false;
         reach_bits = lattice_ray::reach_bits(origin, blob);
     }
     reach = std::bit_cast<float>(reach_bits);
-    ray.fraction_bits = fraction_bits_for(reach, point_grid);
+    rounded.fraction_bits = fraction_bits_for(reach, point_grid);
     for (int k = 0; k < 3; ++k) {
-        const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
-        ray.origin[k] = static_cast<std::int32_t>(rounded);
+        const float units = round_to_integer(origin[k] * power_of_two(rounded.fraction_bits));
+        rounded.origin[k] = static_cast<std::int32_t>(units);
     }
 
-    ray.t_exponent = blob.step_exponent + shift;
-    const float tau_min = lattice_ray::to_tau(std::bit_cast<float>(from), ray.t_exponent) - ray.tau_offset;
-    ray.tau_min = is_negative(tau_min) ? 0.0f : tau_min;
-    ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent) - ray.tau_offset;
-    ray.culling = world.culling;
+    rounded.t_exponent = blob.step_exponent + shift;
+    const float tau_min = lattice_ray::to_tau(std::bit_cast<float>(from), rounded.t_exponent) - rounded.tau_offset;
+    rounded.tau_min = is_negative(tau_min) ? 0.0f : tau_min;
+    rounded.tau_max = lattice_ray::to_tau(ray.t_max, rounded.t_exponent) - rounded.tau_offset;
+    rounded.culling = ray.culling;
     // -0 is not below 0.
-    return std::bit_cast<std::uint32_t>(ray.tau_max) <= 0x80000000u && magnitude_bits(ray.tau_min) != infinity_bits;
+    return std::bit_cast<std::uint32_t>(rounded.tau_max) <= 0x80000000u &&
+           magnitude_bits(rounded.tau_min) != infinity_bits;
 }
 inline void set_slope(LatticeRay& ray, float reach, RaySlope& slope) {
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
@@ -240,15 +241,15 @@ inline void set_slope(LatticeRay& ray, float reach, RaySlope& slope) {
     set_shear(ray, slope.inverse[ray.axis[2]], reach);
     slope.slack_steps = slab_slack(reach);
 }
-inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
+inline bool round_ray(const BlobData& blob, const Ray& ray, LatticeRay& rounded, RaySlope& slope) {
     float reach = 0.0f;
-    if (!round_ray(blob, world, ray, reach)) return false;
-    set_slope(ray, reach, slope);
+    if (!round_ray(blob, ray, rounded, reach)) return false;
+    set_slope(rounded, reach, slope);
     return true;
 }
-inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
+inline bool round_ray(const BlobData& blob, const Ray& ray, LatticeRay& rounded) {
     RaySlope slope;
-    return round_ray(blob, world, ray, slope);
+    return round_ray(blob, ray, rounded, slope);
 }
 
 /// The origin in lattice steps, exactly.
@@ -267,12 +268,12 @@ inline float hit_limit(const IntegerRay& ray, float whole_tau) {
 /// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
 /// the window that it was found in, that of a Ray or of a RayOnLattice.
 template <class Caller>
-inline float to_t(const IntegerRay& ray, float whole_tau, const Caller& world) {
+inline float to_t(const IntegerRay& rounded, float whole_tau, const Caller& ray) {
     // By their bits, as none is negative, but for a t_min, which is 0 then, and what is -0.
     const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
-    const std::uint32_t t = bits(scale_by_power_of_two(whole_tau, ray.t_exponent));
-    const std::uint32_t low = is_negative(world.t_min) ? 0 : bits(world.t_min);
-    if (static_cast<std::int32_t>(magnitude_bits(world.t_max)) < static_cast<std::int32_t>(t)) return world.t_max;
+    const std::uint32_t t = bits(scale_by_power_of_two(whole_tau, rounded.t_exponent));
+    const std::uint32_t low = is_negative(ray.t_min) ? 0 : bits(ray.t_min);
+    if (static_cast<std::int32_t>(magnitude_bits(ray.t_max)) < static_cast<std::int32_t>(t)) return ray.t_max;
     // mutant(< -> <=) equivalent: both sides are equal then
     return std::bit_cast<float>(t < low ? low : t);
 }

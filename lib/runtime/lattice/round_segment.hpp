@@ -23,9 +23,9 @@ struct RoundedSegment : UnitSegment {
 };
 
 /// Where `status` is not ok the segment is not written.
-ESPALIER_SHARED_CODE inline QueryStatus round_segment(const BlobData& blob, const Segment& world,
+ESPALIER_SHARED_CODE inline QueryStatus round_segment(const BlobData& blob, const Segment& local,
                                                       RoundedSegment& segment) {
-    const float coordinates[6] = {world.from.x, world.from.y, world.from.z, world.to.x, world.to.y, world.to.z};
+    const float coordinates[6] = {local.from.x, local.from.y, local.from.z, local.to.x, local.to.y, local.to.z};
     float steps[6];
     Rounder rounder(blob);
     for (int i = 0; i < 6; ++i) {

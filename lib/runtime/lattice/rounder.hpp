@@ -11,9 +11,9 @@
 
 namespace espalier::detail {
 
-/// A world coordinate in lattice steps from lattice point 0 0 0; infinite where float ends.
-ESPALIER_SHARED_CODE inline float to_steps(const BlobData& blob, int axis, float world) {
-    return (flush_subnormal(world) - blob.origin[axis]) * blob.steps_per_unit;
+/// A local coordinate in lattice steps from lattice point 0 0 0; infinite where float ends.
+ESPALIER_SHARED_CODE inline float to_steps(const BlobData& blob, int axis, float local) {
+    return (flush_subnormal(local) - blob.origin[axis]) * blob.steps_per_unit;
 }
 
 /// Returns the nearest multiple of 2^-fraction_bits, ties to even, in units of it; |steps| * 2^fraction_bits < 2^62.
@@ -57,21 +57,21 @@ public:
     explicit Rounder(const BlobData& blob) : blob_(blob) {}
 
     /// Moves a point into lattice steps, and extends the reach to it.
-    ESPALIER_SHARED_CODE void add_point(const Vec3& world, float* steps) {
-        const float from[3] = {world.x, world.y, world.z};
+    ESPALIER_SHARED_CODE void add_point(const Vec3& local, float* steps) {
+        const float from[3] = {local.x, local.y, local.z};
         for (int k = 0; k < 3; ++k) {
             steps[k] = to_steps(blob_, k, from[k]);
             extend(distance(k, steps[k]));
         }
     }
     /// Moves a difference of two points into lattice steps, and extends the reach to its coordinates.
-    void add_vector(const Vec3& world, float* steps) {
-        steps[0] = add_length(world.x);
-        steps[1] = add_length(world.y);
-        steps[2] = add_length(world.z);
+    void add_vector(const Vec3& local, float* steps) {
+        steps[0] = add_length(local.x);
+        steps[1] = add_length(local.y);
+        steps[2] = add_length(local.z);
     }
-    ESPALIER_SHARED_CODE float add_length(float world) {
-        const float steps = flush_subnormal(flush_subnormal(world) * blob_.steps_per_unit);
+    ESPALIER_SHARED_CODE float add_length(float local) {
+        const float steps = flush_subnormal(flush_subnormal(local) * blob_.steps_per_unit);
         extend(absolute(steps));
         return steps;
     }

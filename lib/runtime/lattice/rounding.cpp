@@ -12,7 +12,7 @@ namespace {
 constexpr float half_ulp = 0x1p-24f;                // of a number, relative to it, at most
 constexpr float square_root_of_3 = 0x1.bb67b2p+0f;  // rounded up, with room for the roundings of the bound itself
 
-/// How far along an axis, in lattice steps, is how far at most, in the world.
+/// How far along an axis, in lattice steps, is how far at most, in local space.
 Result<float> in_world(const Blob& blob, float along_axis) {
     if (blob.triangle_count() == 0) return {0.0f, QueryStatus::ok};
     return {scale_by_power_of_two(along_axis * square_root_of_3, data_of(blob).step_exponent), QueryStatus::ok};
@@ -24,10 +24,10 @@ struct Coordinates {
     float largest = 0.0f;  ///< of all, regardless of sign
     bool are_finite = true;
 
-    void add(const Vec3& world) {
+    void add(const Vec3& local) {
         float steps[3];
-        are_finite = are_finite && is_finite(world);
-        rounder.add_point(world, steps);
+        are_finite = are_finite && is_finite(local);
+        rounder.add_point(local, steps);
         for (const float at : steps) largest = maximum(absolute(at), largest);
     }
 };

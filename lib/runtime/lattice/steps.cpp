@@ -1,4 +1,4 @@
-// Between the world and the lattice: exactly, in integers, so that no core needs floats for it.
+// Between local space and the lattice: exactly, in integers, so that no core needs floats for it.
 #include <espalier/format.hpp>
 #include <espalier/lattice.hpp>
 #include <runtime/base/bits.hpp>
@@ -31,12 +31,12 @@ struct FineSteps {
 };
 
 /// False beyond 2^80 steps.
-bool to_fine_steps(float world, int step_exponent, FineSteps& fine) {
-    if (order_of(world) == 0) return true;
-    const int shift = exponent_of(world) - 23 - step_exponent + FineSteps::fine_bits;
+bool to_fine_steps(float local, int step_exponent, FineSteps& fine) {
+    if (order_of(local) == 0) return true;
+    const int shift = exponent_of(local) - 23 - step_exponent + FineSteps::fine_bits;
     if (shift > 80 + FineSteps::fine_bits - 23) return false;
-    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(world) & 0x007FFFFFu) | 0x00800000u);
-    const Int128 whole = is_negative(world) ? -mantissa : mantissa;
+    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(local) & 0x007FFFFFu) | 0x00800000u);
+    const Int128 whole = is_negative(local) ? -mantissa : mantissa;
     if (shift >= 0) {
         fine.units = shift < 64 ? whole << shift : (whole << 63) << (shift - 63);
     } else {
@@ -68,20 +68,20 @@ bool floor_steps(float from, float to, int step_exponent, int halves, std::int32
 
 }  // namespace
 
-Result<LatticePoint> to_lattice(const Lattice& lattice, const Vec3& world) noexcept {
-    if (!is_lattice(lattice) || !detail::is_finite(world)) return {{}, QueryStatus::invalid_argument};
+Result<LatticePoint> to_lattice(const Lattice& lattice, const Vec3& local) noexcept {
+    if (!is_lattice(lattice) || !detail::is_finite(local)) return {{}, QueryStatus::invalid_argument};
     LatticePoint nearest;
     const auto round = [&](float from, float to, std::int32_t& rounded) {
         return floor_steps(from, to, lattice.step_exponent, 1, rounded);
     };
-    if (!round(lattice.origin.x, world.x, nearest.x) || !round(lattice.origin.y, world.y, nearest.y) ||
-        !round(lattice.origin.z, world.z, nearest.z))
+    if (!round(lattice.origin.x, local.x, nearest.x) || !round(lattice.origin.y, local.y, nearest.y) ||
+        !round(lattice.origin.z, local.z, nearest.z))
         return {{}, QueryStatus::out_of_range};
     return {nearest, QueryStatus::ok};
 }
 
-Result<LatticeBox> to_lattice(const Lattice& lattice, const Box& world) noexcept {
-    if (!is_lattice(lattice) || !detail::is_finite(world.min) || !detail::is_finite(world.max))
+Result<LatticeBox> to_lattice(const Lattice& lattice, const Box& local) noexcept {
+    if (!is_lattice(lattice) || !detail::is_finite(local.min) || !detail::is_finite(local.max))
         return {{}, QueryStatus::invalid_argument};
     LatticeBox around;
     bool is_empty = false;
@@ -93,9 +93,9 @@ Result<LatticeBox> to_lattice(const Lattice& lattice, const Box& world) noexcept
         high = -high;
         return true;
     };
-    if (!enclose(lattice.origin.x, world.min.x, world.max.x, around.min.x, around.max.x) ||
-        !enclose(lattice.origin.y, world.min.y, world.max.y, around.min.y, around.max.y) ||
-        !enclose(lattice.origin.z, world.min.z, world.max.z, around.min.z, around.max.z))
+    if (!enclose(lattice.origin.x, local.min.x, local.max.x, around.min.x, around.max.x) ||
+        !enclose(lattice.origin.y, local.min.y, local.max.y, around.min.y, around.max.y) ||
+        !enclose(lattice.origin.z, local.min.z, local.max.z, around.min.z, around.max.z))
         return {{}, QueryStatus::out_of_range};
     return {is_empty ? LatticeBox{{0, 0, 0}, {-1, -1, -1}} : around, QueryStatus::ok};
 }

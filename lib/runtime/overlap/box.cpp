@@ -21,11 +21,11 @@ void set_sides(Rounded<Box>& box, int k, std::int64_t low, std::int64_t high) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept {
-    if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
-    if (is_empty(world)) return QueryStatus::not_found;
-    const float min[3] = {world.min.x, world.min.y, world.min.z};
-    const float max[3] = {world.max.x, world.max.y, world.max.z};
+QueryStatus round_volume(const BlobData& blob, const Box& local, Rounded<Box>& box) noexcept {
+    if (is_nan(local.min) || is_nan(local.max)) return QueryStatus::invalid_argument;
+    if (is_empty(local)) return QueryStatus::not_found;
+    const float min[3] = {local.min.x, local.min.y, local.min.z};
+    const float max[3] = {local.max.x, local.max.y, local.max.z};
     for (int k = 0; k < 3; ++k) {
         // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
         const float last = blob.extent_steps[k] + 1.0f;

@@ -88,11 +88,11 @@ void set_side_planes(Rounded<Capsule>& capsule) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Capsule& world, Rounded<Capsule>& capsule) noexcept {
-    if (!is_radius(world.radius)) return QueryStatus::invalid_argument;
-    const QueryStatus status = round_segment(blob, {world.from, world.to}, capsule.segment);
+QueryStatus round_volume(const BlobData& blob, const Capsule& local, Rounded<Capsule>& capsule) noexcept {
+    if (!is_radius(local.radius)) return QueryStatus::invalid_argument;
+    const QueryStatus status = round_segment(blob, {local.from, local.to}, capsule.segment);
     if (status != QueryStatus::ok) return status;
-    capsule.radius = radius_in_steps(blob, world.radius);
+    capsule.radius = radius_in_steps(blob, local.radius);
     capsule.bounded = capsule.radius < static_cast<float>(bounds_limit);
     if (capsule.bounded) {
         set_bounds(capsule);

@@ -200,13 +200,13 @@ void enclose(Rounded<Cone>& cone, float radius) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Cone& world, Rounded<Cone>& cone) {
-    if (!is_finite(world.apex) || !is_finite(world.axis) || !is_radius(world.radius) || !is_finite(world.radius))
+QueryStatus round_volume(const BlobData& blob, const Cone& local, Rounded<Cone>& cone) {
+    if (!is_finite(local.apex) || !is_finite(local.axis) || !is_radius(local.radius) || !is_finite(local.radius))
         return QueryStatus::invalid_argument;
     float apex[3], axis[3];
     Rounder place(blob), length(blob);
-    place.add_point(world.apex, apex);
-    length.add_vector(world.axis, axis);
+    place.add_point(local.apex, apex);
+    length.add_vector(local.axis, axis);
     if (!(place.reach() < shape_reach) || !(length.reach() < shape_reach)) return QueryStatus::out_of_range;
     cone.fraction_bits = fraction_bits_for(place.reach(), volume_grid);
     cone.apex = to_grid(apex, cone.fraction_bits);
@@ -216,9 +216,9 @@ QueryStatus round_volume(const BlobData& blob, const Cone& world, Rounded<Cone>&
     cone.axis = to_grid(axis, cone.fraction_bits - cone.axis_exponent);
     if (is_zero(cone.axis)) return QueryStatus::invalid_argument;
     cone.base_height = Int128(dot<std::int64_t>(cone.axis, cone.axis)) << (cone.axis_exponent + axis_bits);
-    cone.radius = parts_of(world.radius);
+    cone.radius = parts_of(local.radius);
     cone.radius.exponent += cone.fraction_bits - blob.step_exponent;
-    enclose(cone, radius_in_steps(blob, world.radius));
+    enclose(cone, radius_in_steps(blob, local.radius));
     return QueryStatus::ok;
 }
 

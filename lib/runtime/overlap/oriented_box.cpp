@@ -36,17 +36,17 @@ void enclose(Rounded<OrientedBox>& box) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded<OrientedBox>& box) noexcept {
-    if (!is_finite(world.center)) return QueryStatus::invalid_argument;
-    for (const Vec3& half : world.half_axes)
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept {
+    if (!is_finite(local.center)) return QueryStatus::invalid_argument;
+    for (const Vec3& half : local.half_axes)
         if (!is_finite(half)) return QueryStatus::invalid_argument;
     float center[3], half[3][3], spread[3] = {};
     Rounder rounder(blob);
     for (int i = 0; i < 3; ++i) {
-        rounder.add_vector(world.half_axes[i], half[i]);
+        rounder.add_vector(local.half_axes[i], half[i]);
         for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
     }
-    rounder.add_point(world.center, center);
+    rounder.add_point(local.center, center);
     bool is_away = false;
     for (int k = 0; k < 3; ++k) {
         rounder.extend(rounder.distance(k, center[k]) + spread[k]);

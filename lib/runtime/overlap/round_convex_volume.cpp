@@ -1,4 +1,4 @@
-// Planes moved into lattice units in integers: with floats the offset of an asset far from the world's origin would
+// Planes moved into lattice units in integers: with floats the offset of an asset far from its local origin would
 // lose most of its digits.
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/rounder.hpp>
@@ -66,11 +66,11 @@ bool round_half_space(const BlobData& blob, const FloatParts* normal, float worl
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounded<ConvexVolume>& set) noexcept {
-    if (world.planes.size() > max_planes) return QueryStatus::invalid_argument;
+QueryStatus round_volume(const BlobData& blob, const ConvexVolume& local, Rounded<ConvexVolume>& set) noexcept {
+    if (local.planes.size() > max_planes) return QueryStatus::invalid_argument;
     set.plane_count = 0;
     bool is_empty = false;
-    for (const Plane& plane : world.planes) {
+    for (const Plane& plane : local.planes) {
         if (!is_finite(plane.normal) || is_nan(plane.offset)) return QueryStatus::invalid_argument;
         const auto parts = [](float x) { return parts_of(flush_subnormal(x)); };
         const FloatParts normal[3] = {parts(plane.normal.x), parts(plane.normal.y), parts(plane.normal.z)};

@@ -20,7 +20,7 @@ struct Rounded<Box> : VolumeOf<Box, 0> {
     std::int64_t center[3];
     std::int64_t half[3];  ///< >= 0
 };
-QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept;
+QueryStatus round_volume(const BlobData& blob, const Box& local, Rounded<Box>& box) noexcept;
 [[nodiscard]] bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept;
 
 template <>
@@ -33,14 +33,14 @@ struct Rounded<Capsule> : VolumeOf<Capsule, 6> {
     RoundedSegment segment;
     float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
 };
-QueryStatus round_volume(const BlobData& blob, const Capsule& world, Rounded<Capsule>& capsule) noexcept;
+QueryStatus round_volume(const BlobData& blob, const Capsule& local, Rounded<Capsule>& capsule) noexcept;
 [[nodiscard]] bool meets(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) noexcept;
 
 /// A convex set of half-spaces, bounded or not: normals whose largest coordinate is in [2^23, 2^24]; offsets within
 /// 2^52.
 template <>
 struct Rounded<ConvexVolume> : VolumeOf<ConvexVolume, max_planes> {};
-QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounded<ConvexVolume>& set) noexcept;
+QueryStatus round_volume(const BlobData& blob, const ConvexVolume& local, Rounded<ConvexVolume>& set) noexcept;
 [[nodiscard]] bool meets(const Rounded<ConvexVolume>& set, const LatticeTriangle& triangle) noexcept;
 
 /// A box of any orientation, sheared and flat ones too: all points center + a * half[0] + b * half[1] + c * half[2]
@@ -56,7 +56,7 @@ struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
     WideVector face[3];  ///< normals of the faces: products of two half axes
     Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
 };
-QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded<OrientedBox>& box) noexcept;
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;
 [[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
 
 /// A triangle, also one without area.
@@ -65,7 +65,7 @@ struct Rounded<Triangle> : VolumeOf<Triangle, 5> {
     int fraction_bits;         ///< 0..6
     IntegerTriangle triangle;  ///< in units of 2^-fraction_bits steps
 };
-QueryStatus round_volume(const BlobData& blob, const Triangle& world, Rounded<Triangle>& corners) noexcept;
+QueryStatus round_volume(const BlobData& blob, const Triangle& local, Rounded<Triangle>& corners) noexcept;
 [[nodiscard]] bool meets(const Rounded<Triangle>& corners, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

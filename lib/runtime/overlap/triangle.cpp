@@ -42,9 +42,9 @@ void enclose(Rounded<Triangle>& corners) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Triangle& world, Rounded<Triangle>& corners) noexcept {
-    if (!is_finite(world.a) || !is_finite(world.b) || !is_finite(world.c)) return QueryStatus::invalid_argument;
-    const Vec3 corner[3] = {world.a, world.b, world.c};
+QueryStatus round_volume(const BlobData& blob, const Triangle& local, Rounded<Triangle>& corners) noexcept {
+    if (!is_finite(local.a) || !is_finite(local.b) || !is_finite(local.c)) return QueryStatus::invalid_argument;
+    const Vec3 corner[3] = {local.a, local.b, local.c};
     float steps[3][3];
     Rounder rounder(blob);
     for (int i = 0; i < 3; ++i) rounder.add_point(corner[i], steps[i]);

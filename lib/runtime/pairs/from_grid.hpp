@@ -3,7 +3,7 @@
 
 #include <espalier/types.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/pairs/frame.hpp>
 #include <runtime/transforms/rotation.hpp>
 
@@ -11,7 +11,7 @@ namespace espalier::detail {
 
 /// Returns a place of the grid in a's space.
 inline Vec3 point_in_units(const PairFrame& frame, const Vec3& place) {
-    return to_world(*frame.a, scale_by_power_of_two(place.x, frame.shift), scale_by_power_of_two(place.y, frame.shift),
+    return to_local(*frame.a, scale_by_power_of_two(place.x, frame.shift), scale_by_power_of_two(place.y, frame.shift),
                     scale_by_power_of_two(place.z, frame.shift));
 }
 

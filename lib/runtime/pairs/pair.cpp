@@ -6,7 +6,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lattice/rounder.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/pairs/contacts.hpp>
 #include <runtime/pairs/first_contact.hpp>
 #include <runtime/pairs/from_grid.hpp>

@@ -1,6 +1,6 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
 #include <espalier/distance.hpp>
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 #include <runtime/proximity/point_queries.hpp>
@@ -50,10 +50,10 @@ ESPALIER_NOINLINE void finish_pair(const BlobData& blob, const DistantShape& sha
     float on_surface[3], on_shape[3];
     point_of(found.triangle, distance.u, distance.v, on_surface);
     find_point_on(shape, distance.along, on_surface, on_shape);
-    pair.point = to_world(blob, on_surface[0], on_surface[1], on_surface[2]);
-    pair.on_shape = to_world(blob, on_shape[0], on_shape[1], on_shape[2]);
+    pair.point = to_local(blob, on_surface[0], on_surface[1], on_surface[2]);
+    pair.on_shape = to_local(blob, on_shape[0], on_shape[1], on_shape[2]);
     pair.face_normal = face_normal_of(found.triangle);
-    pair.distance = to_world_distance(blob, distance.squared, 0.0f, max_distance);
+    pair.distance = to_local_distance(blob, distance.squared, 0.0f, max_distance);
     pair.u = distance.u;
     pair.v = distance.v;
     pair.triangle = TriangleId{found.index};

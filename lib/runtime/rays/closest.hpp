@@ -74,9 +74,9 @@ struct ClosestHit {
         return Visit::next;
     }
     /// Completes the best hit, once all of them are found.
-    ESPALIER_PART_OF_CALLER void finish(const LatticeRay& ray, const Caller& world) const {
+    ESPALIER_PART_OF_CALLER void finish(const LatticeRay& rounded, const Caller& ray) const {
         divide_hit(*best, std::bit_cast<float>(volume_bits));
-        best->t = to_t(ray, best->t, world);
+        best->t = to_t(rounded, best->t, ray);
     }
 };
 
@@ -115,16 +115,16 @@ inline NoApproximation approximation(const BlobData&) { return {}; }
 
 /// Prepares the ray. Returns ok, or why there is nothing to walk.
 template <class Caller, class Prepared>
-ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& world, Prepared& prepared) {
-    return blob.triangle_count != 0 ? prepare(blob, world, prepared) : status_without_walk(blob, world);
+ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& ray, Prepared& prepared) {
+    return blob.triangle_count != 0 ? prepare(blob, ray, prepared) : status_without_walk(blob, ray);
 }
 
 /// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
 template <class Leaf, class Caller, class... Counted>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& world,
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& ray,
                                                            const TriangleFilter* filter, const Counted&... counted) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    const QueryStatus status = begin(blob, world, prepared);
+    const QueryStatus status = begin(blob, ray, prepared);
     RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
     if (status != QueryStatus::ok) {
         if (!takes_shortcut() || status != QueryStatus::not_found) hit.status = status;  // no narrow store for a copy
@@ -133,15 +133,15 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob,
     Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
         {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
     traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
-    if (query.answer.found()) query.answer.finish(prepared.ray, world);
+    if (query.answer.found()) query.answer.finish(prepared.ray, ray);
     return hit;
 }
 
 template <class Caller, class... Counted>
-ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& ray,
                                                       const TriangleFilter* filter, const Counted&... counted) {
     return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return closest_hit_in<Leaf>(blob, world, filter, counted...);
+        return closest_hit_in<Leaf>(blob, ray, filter, counted...);
     });
 }
 

@@ -73,52 +73,51 @@ namespace {
 
 /// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
 template <class Leaf, class Caller, class OnHit>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& world, KeepsHit keeps,
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& ray, KeepsHit keeps,
                                                         OnHit on_hit) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);
+    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
     Query<EveryHitShape<Leaf>, EveryHit<OnHit>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
                                                                {on_hit, keeps, window_limit(prepared.ray)}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
 template <class Caller, class OnHit>
-ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, KeepsHit keeps,
+ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& ray, KeepsHit keeps,
                                                     OnHit on_hit) {
-    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return every_hit_in<Leaf>(blob, world, keeps, on_hit);
-    });
+    return with_leaves_of(
+        blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return every_hit_in<Leaf>(blob, ray, keeps, on_hit); });
 }
 
 /// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
 template <class Leaf, class SomeAnswer, class Caller, class... Filter>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& world, Filter... filter) {
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& ray, Filter... filter) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);
+    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
     RayQuery<Leaf, SomeAnswer> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray), filter...}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
 template <class SomeAnswer, class Caller, class... Filter>
-ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& world, Filter... filter) {
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& ray, Filter... filter) {
     return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return any_hit_in<Leaf, SomeAnswer>(blob, world, filter...);
+        return any_hit_in<Leaf, SomeAnswer>(blob, ray, filter...);
     });
 }
 
 template <class Caller>
-ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& ray,
                                                       const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
-        if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
-    return find_any_hit<AnyKeptHit<Caller>>(blob, world, filter);
+        if (filter == nullptr) return find_any_hit<AnyHit>(blob, ray);
+    return find_any_hit<AnyKeptHit<Caller>>(blob, ray, filter);
 }
 
 template <class Caller>
-ESPALIER_NOINLINE QueryStatus list_every_hit(const BlobData& blob, const Caller& world, KeepsHit keeps,
+ESPALIER_NOINLINE QueryStatus list_every_hit(const BlobData& blob, const Caller& ray, KeepsHit keeps,
                                              const Visitor<const RayHit&>& visit) {
-    const YesNo is_stopped = visit_every_hit(blob, world, keeps, [&](const LatticeRay& ray, const FoundHit& found) {
-        if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
+    const YesNo is_stopped = visit_every_hit(blob, ray, keeps, [&](const LatticeRay& rounded, const FoundHit& found) {
+        if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, rounded))
             return Visit::next;
-        return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
+        return visit(to_ray_hit(rounded, ray, found.hit, owner_of(blob, found.index)));
     });
     return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
 }

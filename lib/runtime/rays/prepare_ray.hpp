@@ -12,9 +12,9 @@ ESPALIER_BEGIN_SET
 
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
-ESPALIER_ALWAYS_INLINE inline QueryStatus prepare(const BlobData& blob, const Caller& world,
+ESPALIER_ALWAYS_INLINE inline QueryStatus prepare(const BlobData& blob, const Caller& ray,
                                                   PreparedRayIn<Lanes>& prepared) {
-    return prepare_ray(blob, world, prepared) ? QueryStatus::ok : status_without_walk(blob, world);
+    return prepare_ray(blob, ray, prepared) ? QueryStatus::ok : status_without_walk(blob, ray);
 }
 
 #elif ESPALIER_LANES == 16
@@ -62,7 +62,7 @@ inline constexpr QueryStatus not_ordinary = QueryStatus::invalid_argument;
 
 /// round_ray, spread_ray and meets_asset. What only leaves need comes last: many rays pass the box by.
 template <class Lanes>
-ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob, const Ray& world, LatticeRay& ray,
+ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob, const Ray& ray, LatticeRay& rounded,
                                                            Lanes& lanes_) {
     // For each axis: what follows is of no meaning. GCC loads such a constant, where it would build one of equal
     // elements.
@@ -84,14 +84,14 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
         return __builtin_bit_cast(AxisInts, Words{sum, sum, sum, 0} - exponents);
     };
 
-    const AxisInts direction = three(&world.direction.x);
+    const AxisInts direction = three(&ray.direction.x);
     const AxisInts lengths = direction & magnitudes;
     const AxisInts longest = largest_of(lengths);
     AxisInts integers = round_to_integers(floats(direction) * floats(to_24_bits(longest))) & xyz;
     const AxisInts at_rest = (integers == 0) & std::bit_cast<std::int32_t>(1.0f / still);  // see or_if_zero
     const Axes inverse = 1.0f / floats(bits(ESPALIER_CONVERT_VECTOR(integers, Axes)) | at_rest);
 
-    const AxisInts eye = three(&world.origin.x);
+    const AxisInts eye = three(&ray.origin.x);
     const AxisInts normal = eye & ((eye & magnitudes) > each(0x007FFFFF));
     const Axes origin = (floats(normal) - load_as<Axes>(blob.origin)) * blob.steps_per_unit;
     const Axes to_high = load_as<Axes>(blob.extent_steps) - origin;
@@ -101,19 +101,19 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
 
     const int exponent = (longest[0] >> 23) - 127;
     const int fraction_bits = (fraction_scale[0] >> 23) - 127;
-    const auto t_min = std::bit_cast<std::uint32_t>(world.t_min);
-    const auto t_max = std::bit_cast<std::uint32_t>(world.t_max);
+    const auto t_min = std::bit_cast<std::uint32_t>(ray.t_min);
+    const auto t_max = std::bit_cast<std::uint32_t>(ray.t_max);
     if (exponent < -100 || exponent > 127 || fraction_bits <= 0 || t_min != 0 || t_max > infinity_bits)
         return not_ordinary;
 
     // A finite t_max is scaled in its exponent, while that stays in the middle of its range.
     const int t_exponent = blob.step_exponent - exponent + 23;
-    ray.tau_min = 0.0f;
-    ray.tau_max = world.t_max;
+    rounded.tau_min = 0.0f;
+    rounded.tau_max = ray.t_max;
     if (t_max != infinity_bits) {
         const int biased = static_cast<int>(t_max >> 23) - t_exponent;
         if (t_max < 0x00800000u || biased < 64 || biased > 250) return not_ordinary;
-        ray.tau_max = std::bit_cast<float>((static_cast<std::uint32_t>(biased) << 23) | (t_max & 0x007FFFFFu));
+        rounded.tau_max = std::bit_cast<float>((static_cast<std::uint32_t>(biased) << 23) | (t_max & 0x007FFFFFu));
     }
 
     const float reach_steps = floats(reach)[0];
@@ -123,31 +123,31 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
         spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
     if (!meets_asset_in_lanes(blob, inverse, low, lanes_)) return QueryStatus::not_found;
 
-    store_axes(ray.zero, minus_origin);
-    ray.tau_offset = 0.0f;
+    store_axes(rounded.zero, minus_origin);
+    rounded.tau_offset = 0.0f;
     // Each fills its register together with the number behind it.
     integers[3] = t_exponent;
     fine[3] = fraction_bits;
-    store_axes(ray.direction, integers);
-    store_axes(ray.origin, fine);
+    store_axes(rounded.direction, integers);
+    store_axes(rounded.origin, fine);
     // Where rounding makes two components equally long this may choose the other one, which only changes the filter.
     const auto axis = static_cast<unsigned>(std::countr_zero(bits_of(lengths == longest)));
-    set_longest_axis(ray, axis);
+    set_longest_axis(rounded, axis);
     alignas(16) float steps[4];
     store_axes(steps, inverse);
-    set_shear(ray, steps[axis], reach_steps);
-    ray.culling = world.culling;
+    set_shear(rounded, steps[axis], reach_steps);
+    rounded.culling = ray.culling;
     return QueryStatus::ok;
 }
 
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
-ESPALIER_NOINLINE QueryStatus prepare(const BlobData& blob, const Caller& world, PreparedRayIn<Lanes>& prepared) {
+ESPALIER_NOINLINE QueryStatus prepare(const BlobData& blob, const Caller& ray, PreparedRayIn<Lanes>& prepared) {
     if constexpr (std::is_same_v<Caller, Ray>) {
-        const QueryStatus status = prepare_ordinary(blob, world, prepared.ray, prepared.in_lanes);
+        const QueryStatus status = prepare_ordinary(blob, ray, prepared.ray, prepared.in_lanes);
         if (status != not_ordinary) return status;
     }
-    return prepare_ray(blob, world, prepared) ? QueryStatus::ok : status_without_walk(blob, world);
+    return prepare_ray(blob, ray, prepared) ? QueryStatus::ok : status_without_walk(blob, ray);
 }
 
 #endif

@@ -20,18 +20,18 @@ constexpr QueryStatus nothing_in(const BlobData& blob) {
 QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray);
 /// Returns why a query walks nothing: not_open, the refusal of the ray, or not_found if the blob has no triangles, the
 /// ray passes it, or the window is empty.
-QueryStatus status_without_walk(const BlobData& blob, const Ray& world);
+QueryStatus status_without_walk(const BlobData& blob, const Ray& ray);
 /// Returns ok, or why queries refuse a rounded ray: out_of_range, or invalid_argument.
 QueryStatus refusal_of(const RoundedRayData& ray);
 inline QueryStatus status_without_walk(const BlobData&, const RayOnLattice&) { return QueryStatus::not_found; }
 
 ESPALIER_IN_EACH_SET(
-    RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);
-    Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter);
-    YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);
-    QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);
-    QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);
-    YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);
+    RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter);
+    Filled first_hits(const BlobData& blob, const Ray& ray, std::span<RayHit> hits, const TriangleFilter* filter);
+    YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter);
+    QueryStatus every_hit(const BlobData& blob, const Ray& ray, Visitor<const RayHit&> visit);
+    QueryStatus every_crossing(const BlobData& blob, const Ray& ray, Visitor<const RayHit&> visit);
+    YesNo may_hit(const BlobData& blob, const Ray& ray, const WalkAccuracy& accuracy);
     RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
     YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
     QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);

@@ -1,6 +1,6 @@
 // What a scene returns of itself and of its instances.
 #include <runtime/blob/source_origin.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier {
@@ -12,7 +12,7 @@ Box BakedScene::bounds() const noexcept {
     if (data_.instance_count == 0) return {};
     const BlobData& tree = data_.tree;
     const float* const extent = tree.extent_steps;  // a MovingScene has no other
-    return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_world(tree, extent[0], extent[1], extent[2])};
+    return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_local(tree, extent[0], extent[1], extent[2])};
 }
 
 Vec3d BakedScene::source_origin() const noexcept {

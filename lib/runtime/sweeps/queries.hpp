@@ -4,7 +4,7 @@
 #include <espalier/sweep.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/kernels/face.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
 #include <runtime/sweeps/start.hpp>
@@ -107,7 +107,7 @@ SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundConta
     point_of(found.triangle, contact.u, contact.v, point);
     SweepHit hit;
     hit.t = share_of_way(tick_at_skin(sweep, found.step, contact.normal, skin));
-    hit.point = to_world(blob, point[0], point[1], point[2]);
+    hit.point = to_local(blob, point[0], point[1], point[2]);
     hit.normal = contact.normal;
     hit.face_normal = face_normal_of(found.triangle);
     hit.triangle = TriangleId{found.index};

@@ -79,17 +79,17 @@ struct RoundedEnds {
     std::int64_t radius;
 };
 /// Rounds them and the displacement to one grid. Where the status is not ok, nothing is written.
-inline QueryStatus round_ends(const BlobData& blob, const Capsule& world, const Vec3& displacement, LatticeSweep& sweep,
+inline QueryStatus round_ends(const BlobData& blob, const Capsule& local, const Vec3& displacement, LatticeSweep& sweep,
                               RoundedEnds& ends) {
-    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) || !is_finite(world.radius) ||
-        !is_radius(world.radius))
+    if (!is_finite(local.from) || !is_finite(local.to) || !is_finite(displacement) || !is_finite(local.radius) ||
+        !is_radius(local.radius))
         return QueryStatus::invalid_argument;
     float from[3], to[3], way[3];
     Rounder rounder(blob);
-    rounder.add_point(world.from, from);
-    rounder.add_point(world.to, to);
+    rounder.add_point(local.from, from);
+    rounder.add_point(local.to, to);
     rounder.add_vector(displacement, way);
-    const float radius = rounder.add_length(world.radius);
+    const float radius = rounder.add_length(local.radius);
     if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
     const int bits = fraction_bits_for(rounder.reach(), point_grid);
     sweep.fraction_bits = bits;
@@ -101,10 +101,10 @@ inline QueryStatus round_ends(const BlobData& blob, const Capsule& world, const 
 // Where the status is not ok, the sweep is not usable. These are out of line, so that their variables are not on the
 // stack during the walk.
 
-ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Capsule& local, const Vec3& displacement,
                                                  CapsuleSweep& sweep) {
     RoundedEnds ends;
-    const QueryStatus status = round_ends(blob, world, displacement, sweep, ends);
+    const QueryStatus status = round_ends(blob, local, displacement, sweep, ends);
     if (status != QueryStatus::ok) return status;
     const auto& [from, to, radius] = ends;
     sweep.from = from;
@@ -118,15 +118,15 @@ ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Cap
     return QueryStatus::ok;
 }
 
-inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
+inline QueryStatus round_sweep(const BlobData& blob, const Sphere& local, const Vec3& displacement,
                                CapsuleSweep& sweep) {
-    return round_sweep(blob, Capsule{world.center, world.center, world.radius}, displacement, sweep);
+    return round_sweep(blob, Capsule{local.center, local.center, local.radius}, displacement, sweep);
 }
 
-ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Box& local, const Vec3& displacement,
                                                  BoxSweep& sweep) {
     RoundedEnds ends;
-    const QueryStatus status = round_ends(blob, {world.min, world.max, 0.0f}, displacement, sweep, ends);
+    const QueryStatus status = round_ends(blob, {local.min, local.max, 0.0f}, displacement, sweep, ends);
     if (status != QueryStatus::ok) return status;
     sweep.low = ends.from;
     sweep.high = ends.to;
@@ -151,13 +151,13 @@ inline void set_hull(HullSweep& sweep, const float* way, int bits) {
 }
 
 /// Rounds the vertices one by one.
-ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const ConvexHull& world,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const ConvexHull& local,
                                                  const Vec3& displacement, HullSweep& sweep) {
-    if (world.vertices.size() > max_hull_vertices || !is_finite(displacement)) return QueryStatus::invalid_argument;
+    if (local.vertices.size() > max_hull_vertices || !is_finite(displacement)) return QueryStatus::invalid_argument;
     float at[3], way[3];
     Rounder rounder(blob);
     rounder.add_vector(displacement, way);
-    for (const Vec3& vertex : world.vertices) {
+    for (const Vec3& vertex : local.vertices) {
         if (!is_finite(vertex)) return QueryStatus::invalid_argument;
         rounder.add_point(vertex, at);
     }
@@ -165,7 +165,7 @@ ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Con
     const int bits = fraction_bits_for(rounder.reach(), point_grid);
     sweep.is_box = false;
     sweep.moving.point_count = 0;
-    for (const Vec3& vertex : world.vertices) {
+    for (const Vec3& vertex : local.vertices) {
         rounder.add_point(vertex, at);
         const Integer3 point = to_grid(at, bits);
         std::int32_t* const to = sweep.moving.point[sweep.moving.point_count++];
@@ -176,18 +176,18 @@ ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Con
 }
 
 /// Rounds the center and the half axes: the corners are exact sums of those.
-ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& world,
+ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& local,
                                                  const Vec3& displacement, HullSweep& sweep) {
-    if (!is_finite(world.center) || !is_finite(displacement)) return QueryStatus::invalid_argument;
+    if (!is_finite(local.center) || !is_finite(displacement)) return QueryStatus::invalid_argument;
     float center[3], half[3][3], way[3], spread[3] = {};
     Rounder rounder(blob);
     rounder.add_vector(displacement, way);
     for (int i = 0; i < 3; ++i) {
-        if (!is_finite(world.half_axes[i])) return QueryStatus::invalid_argument;
-        rounder.add_vector(world.half_axes[i], half[i]);
+        if (!is_finite(local.half_axes[i])) return QueryStatus::invalid_argument;
+        rounder.add_vector(local.half_axes[i], half[i]);
         for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
     }
-    rounder.add_point(world.center, center);
+    rounder.add_point(local.center, center);
     for (int k = 0; k < 3; ++k) rounder.extend(rounder.distance(k, center[k]) + spread[k]);
     if (!(rounder.reach() < hull_sweep_reach)) return QueryStatus::out_of_range;
     const int bits = fraction_bits_for(rounder.reach(), point_grid);

@@ -1,7 +1,7 @@
 #include <bit>
 
 #include <espalier/base/function_ref.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 #include <runtime/traversal/find.hpp>
 

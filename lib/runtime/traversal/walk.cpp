@@ -2,7 +2,7 @@
 #include <espalier/walk.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/lattice/outward.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 #include <runtime/traversal/find.hpp>
 

@@ -1,6 +1,6 @@
 #include "placement_check.hpp"
 
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/pairs/queries.hpp>
 
 #include "support/loops/pair_loop.hpp"
@@ -122,7 +122,7 @@ Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& tri
     float point[3];
     detail::point_of(triangle, weights.u, weights.v, point);
     const auto steps = [&](int axis) { return std::ldexp(point[axis], frame.shift); };
-    return detail::to_world(*frame.a, steps(0), steps(1), steps(2));
+    return detail::to_local(*frame.a, steps(0), steps(1), steps(2));
 }
 
 /// At the least distance, and within some ulp around it, by turns: the paths and the public functions.

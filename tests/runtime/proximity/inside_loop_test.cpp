@@ -1,7 +1,7 @@
 // Inside and outside: winding numbers and signed distances equal the loop over all triangles.
 #include "support/testing.hpp"
 
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/proximity/winding.hpp>
 
 #include "support/loops/triangle_loop.hpp"

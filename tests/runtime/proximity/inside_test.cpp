@@ -1,7 +1,7 @@
 // Claims about inside and outside as the header words them; that they equal the loop, inside_loop_test.cpp shows.
 #include "support/testing.hpp"
 
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/proximity/winding.hpp>
 
 #include "support/blobs/deformed_mesh.hpp"

@@ -1,6 +1,6 @@
 #include "approximate_checks.hpp"
 
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
@@ -146,7 +146,7 @@ void check_bounds(Asked& asked, bool awkward, Tally& tally) {
     REQUIRE(detail::round_point(detail::data_of(asked.blob), sphere.center, infinity, rounded) == QueryStatus::ok);
     const auto closest = asked.loop.closest_within(rounded);
     REQUIRE(closest.has_value());
-    const float distance = detail::to_world_distance(detail::data_of(asked.blob), closest->distance.squared,
+    const float distance = detail::to_local_distance(detail::data_of(asked.blob), closest->distance.squared,
                                                      rounded.distance_offset, infinity);
     if (bounds.lower < sphere.radius) REQUIRE(bounds.lower <= distance);
     REQUIRE(distance <= bounds.upper);

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include <espalier/distance.hpp>
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 
 #include "support/base/same_bits.hpp"

@@ -8,7 +8,7 @@
 #include <espalier/pair.hpp>
 #include <runtime/transforms/rotation.hpp>
 #include <espalier/walk.hpp>
-#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/pairs/frame.hpp>
 
 #include "support/base/answer_hash.hpp"

@@ -44,7 +44,7 @@ struct InstructionPath {
                        FunctionRef<Visit(TriangleId)> visit) const;
     bool closest_triangle(const detail::BlobData& blob, const detail::RoundedPoint& point,
                           detail::FoundNearest& best) const;
-    /// How many there are; they are not finished (nearest_to_world.hpp).
+    /// How many there are; they are not finished (nearest_to_local.hpp).
     std::size_t closest_triangles(const detail::BlobData& blob, const detail::RoundedPoint& point,
                                   std::span<ClosestPoint> nearest) const;
     bool may_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere, std::int32_t steps,

@@ -50,8 +50,8 @@ struct alignas(32) RayInBatch {
 
     /// Prepares the ray for its walk, which writes to `best`, or stops at any hit if that is null. Returns ok, or why
     /// it needs no walk.
-    QueryStatus begin(const BlobData& blob, const Ray& world, RayHit* best) {
-        const QueryStatus status = prepare(blob, world, prepared);
+    QueryStatus begin(const BlobData& blob, const Ray& ray, RayHit* best) {
+        const QueryStatus status = prepare(blob, ray, prepared);
         if (status != QueryStatus::ok) return status;
         query.answer.limit = window_limit(prepared.ray);
         query.answer.volume_bits = 0;
@@ -59,10 +59,10 @@ struct alignas(32) RayInBatch {
         if (best != nullptr) *best = miss_with(QueryStatus::not_found);
         return status;
     }
-    void answer(const Ray& world, const BatchAnswers& answers, std::size_t number) const {
+    void answer(const Ray& ray, const BatchAnswers& answers, std::size_t number) const {
         const bool is_found = query.answer.found();
         if (answers.any_will_do()) answers.occluded[number] = YesNo::of(is_found);
-        else if (is_found) query.answer.finish(prepared.ray, world);
+        else if (is_found) query.answer.finish(prepared.ray, ray);
     }
 };
 
@@ -73,9 +73,9 @@ struct ClosestInTurns : RayInBatch<Leaf> {
 
     NearestFirst<PlaceOf<Leaf>, RayQuery<Leaf, BatchHit>> walk;
 
-    QueryStatus begin(const BlobData& blob, const Ray& world, RayHit* best) {
+    QueryStatus begin(const BlobData& blob, const Ray& ray, RayHit* best) {
         walk.begin(0);
-        return RayInBatch<Leaf>::begin(blob, world, best);
+        return RayInBatch<Leaf>::begin(blob, ray, best);
     }
     ESPALIER_ALWAYS_INLINE bool advance(const BlobData& blob, unsigned mask) {
         return walk.advance(blob, this->query, mask);
@@ -92,9 +92,9 @@ struct AnyInTurns {
     StorageOrder<PlaceOf<Leaf>, RayQuery<Leaf, AnyHit>> walk;
     bool found;
 
-    QueryStatus begin(const BlobData& blob, const Ray& world, RayHit*) {
+    QueryStatus begin(const BlobData& blob, const Ray& ray, RayHit*) {
         walk.begin();
-        const QueryStatus status = prepare(blob, world, prepared);
+        const QueryStatus status = prepare(blob, ray, prepared);
         if (status == QueryStatus::ok) query.answer.limit = window_limit(prepared.ray);
         return status;
     }

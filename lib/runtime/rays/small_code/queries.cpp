@@ -33,9 +33,9 @@ struct PreparedRayIn {
     [[nodiscard]] const Lanes& lanes() const { return ray; }
 };
 template <class Lanes>
-ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const Ray& ray, PreparedRayIn<Lanes>& prepared) {
     float reach = 0.0f;
-    return round_ray(blob, world, prepared.ray, reach) && prepared.ray.prepare(blob);
+    return round_ray(blob, ray, prepared.ray, reach) && prepared.ray.prepare(blob);
 }
 template <class Lanes>
 ESPALIER_NOINLINE bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {

@@ -7,13 +7,13 @@
 #include <runtime/answers/found.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/kernels/face.hpp>
-#include <runtime/lattice/to_world.hpp>
+#include <runtime/lattice/to_local.hpp>
 
 namespace espalier::detail {
 
 /// The root of a squared distance in lattice steps, and `offset` of them more. That it is within max_distance was
 /// decided exactly: rounding must not say otherwise.
-ESPALIER_SHARED_CODE inline float to_world_distance(const BlobData& blob, float squared, float offset,
+ESPALIER_SHARED_CODE inline float to_local_distance(const BlobData& blob, float squared, float offset,
                                                     float max_distance) {
     const float distance = scale_by_power_of_two(square_root(squared) + offset, blob.step_exponent);
     return magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance;
@@ -36,8 +36,8 @@ ESPALIER_SHARED_CODE inline void set_unfinished(ClosestPoint& result, const Foun
     result.feature = found.distance.feature;
 }
 
-/// Computes the result in world units for the closest point to `world`, which was rounded to `point`.
-ESPALIER_SHARED_CODE inline void finish(const BlobData& blob, const RoundedPoint& point, const Vec3& world,
+/// Computes the result in local space for the closest point to `local`, which was rounded to `point`.
+ESPALIER_SHARED_CODE inline void finish(const BlobData& blob, const RoundedPoint& point, const Vec3& local,
                                         float max_distance, ClosestPoint& nearest) {
     LatticeTriangle triangle;
     const Vec3* corners[3] = {&nearest.point, &nearest.on_shape, &nearest.face_normal};
@@ -48,10 +48,10 @@ ESPALIER_SHARED_CODE inline void finish(const BlobData& blob, const RoundedPoint
     }
     float on_surface[3];
     point_of(triangle, nearest.u, nearest.v, on_surface);
-    nearest.point = to_world(blob, on_surface[0], on_surface[1], on_surface[2]);
-    nearest.on_shape = world;
+    nearest.point = to_local(blob, on_surface[0], on_surface[1], on_surface[2]);
+    nearest.on_shape = local;
     nearest.face_normal = face_normal_of(triangle);
-    nearest.distance = to_world_distance(blob, nearest.distance, point.distance_offset, max_distance);
+    nearest.distance = to_local_distance(blob, nearest.distance, point.distance_offset, max_distance);
     nearest.side = is_origin_behind(relative_to(point, triangle)) ? Side::back : Side::front;
     nearest.status = QueryStatus::ok;
 }
