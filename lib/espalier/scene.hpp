@@ -56,16 +56,19 @@ struct Instance {
 };
 
 class BakedScene;
+class MovingScene;
+class SceneView;
 
 namespace detail {
 
 struct MovingInstances;
 
-/// The facts that open_scene() proved about the bytes. All are zero in a scene that was never opened. A query of a
-/// MovingScene makes one for itself, whose tree has a lattice alone.
+/// The facts about a scene that its queries need: those that open_scene() proved about its bytes, or those of a
+/// MovingScene, whose tree has a lattice alone. All are zero in a scene that was never opened.
 struct SceneData {
     BlobData tree;  ///< nodes and lattice of the tree over the instances; its leaves are the records of instances
     const MovingInstances* moving = nullptr;  ///< the instances of a MovingScene, in place of the tree's
+    std::byte* block = nullptr;               ///< of a MovingScene; queries only read it
     const Blob* meshes = nullptr;
     const BakedScene* tiles = nullptr;
     std::uint32_t mesh_count = 0;
@@ -81,25 +84,18 @@ struct SceneData {
     std::int32_t origin[3] = {};   ///< of the view of a MovingScene, in steps of its world
 };
 
-constexpr const SceneData& data_of(const BakedScene& scene) noexcept;
-/// A MovingScene as queries take it.
-class MovingSceneQuery;
+constexpr const SceneData& data_of(const SceneView& scene) noexcept;
 
 }  // namespace detail
 
-/// A view of a baked scene. Copied freely. The bytes and the arrays of meshes and tiles must outlive it and stay
-/// unchanged. A default BakedScene was never opened: it has no instances, and queries refuse it with
-/// QueryStatus::not_open.
-class [[nodiscard]] BakedScene {
+/// A scene as queries take it. A BakedScene is one, and a MovingScene (scenes/moving_scene.hpp) converts to one.
+/// Copied freely: what it shows must outlive it and stay unchanged. Queries refuse the default view with not_open, and
+/// that of a MovingScene which waits for refit() with not_refitted.
+class [[nodiscard]] SceneView {
 public:
-    constexpr BakedScene() noexcept = default;
+    constexpr SceneView() noexcept = default;
 
-    /// Returns ok, not_opened, or why open_scene() refused the bytes.
-    [[nodiscard]] constexpr OpenStatus status() const noexcept {
-        if (data_.tree.bytes != nullptr) return OpenStatus::ok;
-        return data_.tree.refusal == OpenStatus::ok ? OpenStatus::not_opened : data_.tree.refusal;
-    }
-    /// Returns whether the scene is open.
+    /// Returns whether queries accept the scene.
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return data_.tree.bytes != nullptr; }
 
     [[nodiscard]] constexpr std::uint32_t instance_count() const noexcept { return data_.instance_count; }
@@ -107,17 +103,9 @@ public:
     [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {data_.meshes, data_.mesh_count}; }
     /// Returns the tiles, each an open scene.
     [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept;
-    /// Returns the size in bytes, meshes and tiles included.
-    [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.tree.size; }
-    /// Returns the largest distance between the surface of any instance and its source, in world units.
-    [[nodiscard]] constexpr float max_error() const noexcept { return data_.tree.max_error; }
     /// Returns a box around the boxes and the local origins of all instances, each coordinate rounded to float. Both
     /// corners are zero if there are no instances.
     [[nodiscard]] Box bounds() const noexcept;
-    /// Returns where 0 0 0 of the scene lies in the source, in float64: what bake_scene() subtracted from all places
-    /// (SceneBakeOptions::origin). 0 for most scenes. A tile keeps its own, which no query of the scene around it uses:
-    /// a transform leads from what counts from the origin of a mesh or tile to what counts from that of the scene.
-    [[nodiscard]] Vec3d source_origin() const noexcept;
 
     /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and
     /// do nothing else, such as the pieces of a ground. Rays are rounded once for all of them. Not found if there are
@@ -127,20 +115,41 @@ public:
         return {data_.common, data_.has_common ? QueryStatus::ok : QueryStatus::not_found};
     }
 
-private:
-    friend constexpr const detail::SceneData& detail::data_of(const BakedScene& scene) noexcept;
-    friend class detail::MovingSceneQuery;
-    friend BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
-                                 std::span<BakedScene> tiles) noexcept;
+protected:
+    friend constexpr const detail::SceneData& detail::data_of(const SceneView& scene) noexcept;
+    friend class MovingScene;
     detail::SceneData data_;
 };
 
-constexpr std::span<const BakedScene> BakedScene::tiles() const noexcept { return {data_.tiles, data_.tile_count}; }
+/// A baked scene, which open_scene() made. The bytes and the arrays of meshes and tiles must outlive it. A default
+/// BakedScene was never opened: it has no instances.
+class [[nodiscard]] BakedScene : public SceneView {
+public:
+    /// Returns ok, not_opened, or why open_scene() refused the bytes.
+    [[nodiscard]] constexpr OpenStatus status() const noexcept {
+        if (data_.tree.bytes != nullptr) return OpenStatus::ok;
+        return data_.tree.refusal == OpenStatus::ok ? OpenStatus::not_opened : data_.tree.refusal;
+    }
+    /// Returns the size in bytes, meshes and tiles included.
+    [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.tree.size; }
+    /// Returns the largest distance between the surface of any instance and its source, in world units.
+    [[nodiscard]] constexpr float max_error() const noexcept { return data_.tree.max_error; }
+    /// Returns where 0 0 0 of the scene lies in the source, in float64: what bake_scene() subtracted from all places
+    /// (SceneBakeOptions::origin). 0 for most scenes. A tile keeps its own, which no query of the scene around it uses:
+    /// a transform leads from what counts from the origin of a mesh or tile to what counts from that of the scene.
+    [[nodiscard]] Vec3d source_origin() const noexcept;
+
+private:
+    friend BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
+                                 std::span<BakedScene> tiles) noexcept;
+};
+
+constexpr std::span<const BakedScene> SceneView::tiles() const noexcept { return {data_.tiles, data_.tile_count}; }
 
 namespace detail {
 
 /// Returns the inner data of a scene: for the library's own parts and its tests. Its layout may change.
-constexpr const SceneData& data_of(const BakedScene& scene) noexcept { return scene.data_; }
+constexpr const SceneData& data_of(const SceneView& scene) noexcept { return scene.data_; }
 
 }  // namespace detail
 
@@ -214,38 +223,38 @@ struct [[nodiscard]] InScene {
 /// Refuses as raycast() of a blob does, but an origin that is too far away (out_of_range) only if it is so for an
 /// instance near the ray. Cost: expected O(log n) for n instances, and the queries of the few blobs whose boxes the ray
 /// passes; O(n) for a direction shorter than 2^-70, or than that times the largest scale.
-InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
 
 /// Returns the same for a ray that is rounded for a region of the caller's, so that several scenes meet one ray.
 /// Instances that lie in the region, moved by whole steps of its lattice, take `rounded`; so do tiles whose common
 /// lattice does. The others take `ray`. Both are of one ray. Refuses also what round_ray() refused (out_of_range,
 /// invalid_argument).
-InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                         const SceneFilter& filter = {}) noexcept;
 
 /// Writes to hits[i] what raycast() returns for rays[i]. Refuses spans of different sizes (invalid_argument).
-Filled raycast(const BakedScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
+Filled raycast(const SceneView& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
                const SceneFilter& filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle. Refuses as raycast() does.
-YesNo occluded(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
-YesNo occluded(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+YesNo occluded(const SceneView& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+YesNo occluded(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                const SceneFilter& filter = {}) noexcept;
 
 /// Calls the visitor with each hit in ascending order of instances, and of triangles within one. Status: ok; stopped by
 /// the visitor; or why the ray was refused.
-QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
+QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
                          const SceneFilter& filter = {}) noexcept;
-QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
 
 /// Returns the closest point of any surface within max_distance; of equally close ones that in the lowest instance,
 /// then the lowest triangle. Refuses as closest_point() of a blob does.
-InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance = infinity,
+InScene<ClosestPoint> closest_point(const SceneView& scene, Vec3 point, float max_distance = infinity,
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
 /// A mask comes after the distance.
 template <class Mask>
-requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point,
+requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const SceneView& scene, Vec3 point,
                                                                                Mask mask)
 = delete;
 
@@ -263,20 +272,20 @@ struct SceneSweepOptions {
 /// and of that the triangle that the shape is in deepest.
 ///
 /// Refuses as sweep() of a blob does. A Box is swept as the OrientedBox that it becomes in local space.
-InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Sphere& sphere, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Capsule& capsule, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const BakedScene& scene, const Box& box, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Box& box, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const BakedScene& scene, const OrientedBox& box, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const OrientedBox& box, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const BakedScene& scene, const ConvexHull& hull, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const ConvexHull& hull, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
 
 /// Returns the first contact with a triangle that the filter keeps.
 template <SweptShape Shape>
-InScene<SweepHit> sweep(const BakedScene& scene, const Shape& shape, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement,
                         const SceneFilter& filter) noexcept {
     return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
 }
@@ -284,7 +293,7 @@ InScene<SweepHit> sweep(const BakedScene& scene, const Shape& shape, Vec3 displa
 /// Calls the visitor with each instance whose box in the tree touches the box, widened by the slack of rounding, in
 /// ascending order; of a tile, with each instance in it whose box does. The boxes of the tree are larger than their
 /// instances: by up to a 127th of the scene's extent. For queries of your own.
-QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<InstanceId> visit,
+QueryStatus for_each_candidate(const SceneView& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask = 0xFFFFFFFF) noexcept;
 
 /// A shape that overlaps() and for_each_overlap() of a scene take.
@@ -323,8 +332,8 @@ struct AnySceneShape {
     explicit AnySceneShape(const Shape& any) noexcept;
 };
 
-YesNo overlaps(const BakedScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept;
-QueryStatus for_each_overlap(const BakedScene& scene, const AnySceneShape& shape, Visitor<InstanceId, TriangleId> visit,
+YesNo overlaps(const SceneView& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept;
+QueryStatus for_each_overlap(const SceneView& scene, const AnySceneShape& shape, Visitor<InstanceId, TriangleId> visit,
                              const SceneFilter& filter) noexcept;
 
 template <SceneShape Shape>
@@ -352,14 +361,14 @@ AnySceneShape::AnySceneShape(const Shape& any) noexcept
 
 /// Returns whether any triangle touches the shape. Refuses as overlaps() of a blob does.
 template <SceneShape Shape>
-[[nodiscard]] YesNo overlaps(const BakedScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
+[[nodiscard]] YesNo overlaps(const SceneView& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
     return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
 }
 
 /// Visits every triangle that touches the shape: in ascending order of instances, and within one in the order of
 /// for_each_overlap() of a blob. Returns ok, stopped, or a refusal.
 template <SceneShape Shape>
-QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
+QueryStatus for_each_overlap(const SceneView& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
                              const SceneFilter& filter = {}) noexcept {
     return detail::for_each_overlap(scene, detail::AnySceneShape(shape), visit, filter);
 }

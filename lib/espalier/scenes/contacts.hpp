@@ -11,7 +11,6 @@
 
 #include <espalier/contact.hpp>
 #include <espalier/scene.hpp>
-#include <espalier/scenes/moving_scene.hpp>
 #include <espalier/shapes.hpp>
 
 namespace espalier {
@@ -26,28 +25,15 @@ namespace espalier {
 /// find_contacts() of a blob: what is out of the range of an instance near the body is so for the scene (out_of_range).
 /// Refuses less room (invalid_argument). A contact has no status: an element of `contacts` does not convert to bool.
 /// Cost: expected O(log n) for n instances, the queries of the few near the body, and O(places) for each contact.
-Filled find_contacts(const BakedScene& scene, const Sphere& sphere, float margin, std::span<InScene<Contact>> contacts,
+Filled find_contacts(const SceneView& scene, const Sphere& sphere, float margin, std::span<InScene<Contact>> contacts,
                      std::span<Contact> room, const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const BakedScene& scene, const Capsule& capsule, float margin,
+Filled find_contacts(const SceneView& scene, const Capsule& capsule, float margin,
                      std::span<InScene<Contact>> contacts, std::span<Contact> room,
                      const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const BakedScene& scene, const OrientedBox& box, float margin,
+Filled find_contacts(const SceneView& scene, const OrientedBox& box, float margin,
                      std::span<InScene<Contact>> contacts, std::span<Contact> room,
                      const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const BakedScene& scene, const ConvexHull& hull, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
-
-/// The same of a moving scene: InstanceId::index is a slot. Also refuses one that waits for refit() (not_refitted).
-Filled find_contacts(const MovingScene& scene, const Sphere& sphere, float margin, std::span<InScene<Contact>> contacts,
-                     std::span<Contact> room, const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const MovingScene& scene, const Capsule& capsule, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const MovingScene& scene, const OrientedBox& box, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const MovingScene& scene, const ConvexHull& hull, float margin,
+Filled find_contacts(const SceneView& scene, const ConvexHull& hull, float margin,
                      std::span<InScene<Contact>> contacts, std::span<Contact> room,
                      const SceneFilter& filter = {}) noexcept;
 

@@ -1,8 +1,9 @@
 // Scenes whose instances move, in a block of memory that the caller owns.
 //
 // A MovingScene holds instances of meshes, which are inserted, moved and removed at any time. Every query of scene.hpp
-// takes it: rays, sweeps, overlaps, closest points and candidates. mesh_at() and bounds() are for baked scenes alone.
-// pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted as a mesh is:
+// and of contacts.hpp takes it, with the same arguments and answers: InstanceId::index is then a slot. They refuse a
+// scene that waits for refit() (not_refitted), and call visitors in the order of the tree, which is the same on every
+// machine, not in that of the slots. mesh_at() is for baked scenes alone. pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted as a mesh is:
 // queries then cover both what moves and what does not.
 //
 // Rays are rounded once for all instances on the common lattice, such as the pieces of a ground that come and go: no
@@ -104,6 +105,9 @@ public:
     /// Returns the bytes of the block, which a snapshot copies: at most as many as the memory has. Memory that a copy
     /// is written to needs room for them, as a block that was made with the same size has.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
+    /// Returns the scene as it is now, as queries take it: until the next change. O(1).
+    // NOLINTNEXTLINE(google-explicit-constructor): a moving scene is an argument of every query of scenes
+    operator SceneView() const noexcept;
     [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {meshes_, mesh_count_}; }
     [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept { return {tiles_, tile_count_}; }
 
@@ -227,65 +231,6 @@ Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noex
 YesNo is_on_common_lattice(const MovingScene& scene, InstanceId instance) noexcept;
 /// Returns the box of an instance in the tree, rounded outward to float. Refuses a stale handle. O(1).
 Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept;
-
-// The queries of scene.hpp, with the same arguments and answers; InstanceId::index is a slot. They also refuse a scene
-// that waits for refit() (not_refitted). Visitors are called in the order of the tree, which is the same on every
-// machine, and not in that of the slots.
-
-InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
-InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-                        const SceneFilter& filter = {}) noexcept;
-Filled raycast(const MovingScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
-               const SceneFilter& filter = {}) noexcept;
-YesNo occluded(const MovingScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
-YesNo occluded(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-               const SceneFilter& filter = {}) noexcept;
-QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
-                         const SceneFilter& filter = {}) noexcept;
-QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-                         Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
-InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance = infinity,
-                                    std::uint32_t mask = 0xFFFFFFFF) noexcept;
-/// A mask comes after the distance.
-template <class Mask>
-requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point,
-                                                                               Mask mask)
-= delete;
-InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const MovingScene& scene, const Box& box, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const MovingScene& scene, const OrientedBox& box, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const MovingScene& scene, const ConvexHull& hull, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-template <SweptShape Shape>
-InScene<SweepHit> sweep(const MovingScene& scene, const Shape& shape, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
-    return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
-}
-QueryStatus for_each_candidate(const MovingScene& scene, const Box& box, Visitor<InstanceId> visit,
-                               std::uint32_t mask = 0xFFFFFFFF) noexcept;
-
-namespace detail {
-
-YesNo overlaps(const MovingScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept;
-QueryStatus for_each_overlap(const MovingScene& scene, const AnySceneShape& shape,
-                             Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter) noexcept;
-
-}  // namespace detail
-
-template <SceneShape Shape>
-[[nodiscard]] YesNo overlaps(const MovingScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
-    return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
-}
-template <SceneShape Shape>
-QueryStatus for_each_overlap(const MovingScene& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
-                             const SceneFilter& filter = {}) noexcept {
-    return detail::for_each_overlap(scene, detail::AnySceneShape(shape), visit, filter);
-}
 
 }  // namespace espalier
 

@@ -1,9 +1,9 @@
 // espalier/c/scenes/moving_scene.h: scenes whose instances move.
+#include <bit>
 #include <cstdint>
 
 #include <runtime/c/abi.hpp>
 #include <runtime/c/scene_arguments.hpp>
-#include <runtime/moving_scenes/queries.hpp>
 
 using namespace espalier;
 using namespace espalier::detail;
@@ -147,7 +147,8 @@ espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* sc
 
 espalier_query_status espalier_moving_scene_view(const espalier_moving_scene* scene, espalier_scene* view) {
     if (!is_aligned<BakedScene>(view)) return ESPALIER_QUERY_INVALID_ARGUMENT;
-    *view = c(MovingSceneQuery(cpp(scene)).scene());
+    static_assert(sizeof(SceneView) == sizeof(BakedScene));  // C has one structure for both
+    *view = std::bit_cast<espalier_scene>(static_cast<SceneView>(cpp(scene)));
     if (!cpp(scene)) return ESPALIER_QUERY_NOT_OPEN;
     return cpp(scene).must_refit() ? ESPALIER_QUERY_NOT_REFITTED : ESPALIER_QUERY_OK;
 }

@@ -7,7 +7,7 @@
 namespace espalier::detail {
 
 /// Returns whether espalier_moving_scene_view() made a scene. Its instances have no records.
-inline bool is_view(const BakedScene& scene) { return data_of(scene).moving != nullptr || data_of(scene).must_refit; }
+inline bool is_view(const SceneView& scene) { return data_of(scene).moving != nullptr || data_of(scene).must_refit; }
 
 /// The triangles that a query takes into account. It must outlive the call.
 class Selection {

@@ -1,4 +1,4 @@
-// The queries of scenes, over instances that move.
+// A moving scene as queries of scenes take it: the walks over its tree.
 #include <runtime/moving_scenes/queries.hpp>
 
 #include <runtime/base/bits.hpp>
@@ -8,7 +8,7 @@
 
 namespace espalier {
 
-namespace detail {
+using namespace detail;
 
 namespace {
 
@@ -22,7 +22,7 @@ Visit in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     return ESPALIER_DISPATCH(moving_instances_in_order, passage, answer);
 }
 Transform transform_in_block(const SceneData& scene, InstanceId instance) {
-    const SceneBlock block = parts_of(const_cast<std::byte*>(scene.tree.bytes));
+    const SceneBlock block = parts_of(scene.block);
     return seen_transform(block.slots[instance.index], scene.origin, scene.tree.step_exponent);
 }
 
@@ -30,29 +30,31 @@ constexpr MovingInstances moving_instances = {nearest_to_passage, nearest_to_poi
 
 }  // namespace
 
-MovingSceneQuery::MovingSceneQuery(const MovingScene& scene) {
-    SceneData& data = scene_.data_;
-    const QueryStatus readiness = readiness_of(scene);
+MovingScene::operator SceneView() const noexcept {
+    SceneView view;
+    SceneData& data = view.data_;
+    const QueryStatus readiness = readiness_of(*this);
     data.must_refit = readiness == QueryStatus::not_refitted;
-    if (readiness != QueryStatus::ok) return;
-    const SceneBlock block = block_of(scene);
+    if (readiness != QueryStatus::ok) return view;
+    const SceneBlock block = block_of(*this);
     const BlockHead& head = *block.head;
     data.moving = &moving_instances;
-    data.meshes = scene.meshes().data();
-    data.tiles = scene.tiles().data();
-    data.mesh_count = static_cast<std::uint32_t>(scene.meshes().size());
-    data.tile_count = static_cast<std::uint32_t>(scene.tiles().size());
+    data.block = block_;
+    data.meshes = meshes().data();
+    data.tiles = tiles().data();
+    data.mesh_count = static_cast<std::uint32_t>(meshes().size());
+    data.tile_count = static_cast<std::uint32_t>(tiles().size());
     data.instance_count = head.live;
     data.coarsest_step = head.coarseness.coarsest_step;
     data.largest_scale = head.coarseness.largest_scale;
     data.farthest_origin = head.coarseness.farthest_origin;
-    const Result<Lattice> common = scene.common_lattice();
+    const Result<Lattice> common = common_lattice();
     data.has_common = common.status == QueryStatus::ok;
     data.common = common.value;
-    data.tree.bytes = static_cast<const std::byte*>(static_cast<const void*>(block.head));
+    data.tree.bytes = block_;
     data.tree.step_exponent = head.step_exponent;
-    for (int k = 0; k < 3; ++k) data.origin[k] = MovingSceneAccess::origin(scene)[k];
-    if (head.live == 0) return;
+    for (int k = 0; k < 3; ++k) data.origin[k] = origin_[k];
+    if (head.live == 0) return view;
     const StepsBox all = block.node(head.root).bounds();
     const float step = power_of_two(head.step_exponent);
     float farthest = 0.0f;
@@ -64,87 +66,7 @@ MovingSceneQuery::MovingSceneQuery(const MovingScene& scene) {
         farthest = maximum(maximum(absolute(data.tree.origin[k]), absolute(end)), farthest);
     }
     data.view_slack = (farthest + data.farthest_origin) * 0x1p-23f;
-}
-
-YesNo overlaps(const MovingScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept {
-    return overlaps(MovingSceneQuery(scene).scene(), shape, filter);
-}
-
-QueryStatus for_each_overlap(const MovingScene& scene, const AnySceneShape& shape,
-                             Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter) noexcept {
-    return for_each_overlap(MovingSceneQuery(scene).scene(), shape, visit, filter);
-}
-
-}  // namespace detail
-
-using detail::MovingSceneQuery;
-
-InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const SceneFilter& filter) noexcept {
-    return raycast(MovingSceneQuery(scene).scene(), ray, filter);
-}
-
-InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-                        const SceneFilter& filter) noexcept {
-    return raycast(MovingSceneQuery(scene).scene(), ray, rounded, filter);
-}
-
-Filled raycast(const MovingScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
-               const SceneFilter& filter) noexcept {
-    return raycast(MovingSceneQuery(scene).scene(), rays, hits, filter);
-}
-
-YesNo occluded(const MovingScene& scene, const Ray& ray, const SceneFilter& filter) noexcept {
-    return occluded(MovingSceneQuery(scene).scene(), ray, filter);
-}
-
-YesNo occluded(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-               const SceneFilter& filter) noexcept {
-    return occluded(MovingSceneQuery(scene).scene(), ray, rounded, filter);
-}
-
-QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
-                         const SceneFilter& filter) noexcept {
-    return for_each_hit(MovingSceneQuery(scene).scene(), ray, visit, filter);
-}
-
-QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
-                         Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter) noexcept {
-    return for_each_hit(MovingSceneQuery(scene).scene(), ray, rounded, visit, filter);
-}
-
-InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance,
-                                    std::uint32_t mask) noexcept {
-    return closest_point(MovingSceneQuery(scene).scene(), point, max_distance, mask);
-}
-
-InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), sphere, displacement, options);
-}
-
-InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), capsule, displacement, options);
-}
-
-InScene<SweepHit> sweep(const MovingScene& scene, const Box& box, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), box, displacement, options);
-}
-
-InScene<SweepHit> sweep(const MovingScene& scene, const OrientedBox& box, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), box, displacement, options);
-}
-
-InScene<SweepHit> sweep(const MovingScene& scene, const ConvexHull& hull, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep(MovingSceneQuery(scene).scene(), hull, displacement, options);
-}
-
-QueryStatus for_each_candidate(const MovingScene& scene, const Box& box, Visitor<InstanceId> visit,
-                               std::uint32_t mask) noexcept {
-    return for_each_candidate(MovingSceneQuery(scene).scene(), box, visit, mask);
+    return view;
 }
 
 }  // namespace espalier

@@ -1,4 +1,4 @@
-// The queries of scenes over a moving scene: the walks over its tree, and the scene as those queries take it.
+// The tree of a moving scene, as the walks of queries take it.
 #pragma once
 
 #include <espalier/scenes/moving_scene.hpp>
@@ -17,7 +17,7 @@ struct MovingTree {
     SceneBlock block;
     std::int32_t origin[3];
 
-    explicit MovingTree(const SceneData& seen) : scene(seen), block(parts_of(const_cast<std::byte*>(seen.tree.bytes))) {
+    explicit MovingTree(const SceneData& seen) : scene(seen), block(parts_of(seen.block)) {
         const StepsBox all = block.node(block.head->root).bounds();
         for (int k = 0; k < 3; ++k) origin[k] = lattice_point_below(all.low[k]);
     }
@@ -36,16 +36,6 @@ struct MovingTree {
                              is_rounded_in(slot, scene.origin, exponent)},
                             answer.limit);
     }
-};
-
-/// A moving scene as the queries of scenes take it: not open if it waits for a refit.
-class MovingSceneQuery {
-public:
-    explicit MovingSceneQuery(const MovingScene& scene);
-    [[nodiscard]] const BakedScene& scene() const { return scene_; }
-
-private:
-    BakedScene scene_;
 };
 
 }  // namespace espalier::detail

@@ -117,7 +117,7 @@ struct ContactSearch {
     }
 };
 
-Filled find_in(const BakedScene& scene, const AnyBody& body, float margin, std::span<InScene<Contact>> contacts,
+Filled find_in(const SceneView& scene, const AnyBody& body, float margin, std::span<InScene<Contact>> contacts,
                std::span<Contact> room, const SceneFilter& filter) {
     const bool is_sound =
         is_radius(margin) && is_finite(margin) && body.has_finite_radius && room.size() >= contacts.size();
@@ -143,7 +143,7 @@ Filled find_in(const BakedScene& scene, const AnyBody& body, float margin, std::
 }  // namespace
 
 #define ESPALIER_FIND_IN_SCENE(Body)                                                    \
-    Filled find_contacts(const BakedScene& scene, const Body& body, float margin,       \
+    Filled find_contacts(const SceneView& scene, const Body& body, float margin,       \
                          std::span<InScene<Contact>> contacts, std::span<Contact> room, \
                          const SceneFilter& filter) noexcept {                          \
         return find_in(scene, AnyBody(body), margin, contacts, room, filter);           \

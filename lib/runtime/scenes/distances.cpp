@@ -41,7 +41,7 @@ private:
 
 }  // namespace
 
-InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance,
+InScene<ClosestPoint> closest_point(const SceneView& scene, Vec3 point, float max_distance,
                                     std::uint32_t mask) noexcept {
     const bool is_sound = is_finite(point) && is_radius(max_distance);
     BestInScene<ClosestPoint> best(!scene     ? refusal_of(scene)

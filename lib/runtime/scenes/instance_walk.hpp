@@ -73,7 +73,7 @@ Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage&
                       const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr);
 
 /// Visits those that the box around a shape that stays where it is meets.
-Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask,
+Visit visit_meeting(const SceneView& scene, const ShapeBounds& bounds, std::uint32_t mask,
                     const InstanceVisitor& visit);
 
 /// Returns a limit for the query of an instance, a little above the best result so far. A result that is clamped to it

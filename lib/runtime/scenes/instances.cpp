@@ -8,7 +8,7 @@ namespace espalier {
 using namespace detail;
 using namespace format::scene;
 
-Box BakedScene::bounds() const noexcept {
+Box SceneView::bounds() const noexcept {
     if (data_.instance_count == 0) return {};
     const BlobData& tree = data_.tree;
     const float* const extent = tree.extent_steps;  // a MovingScene has no other
@@ -16,7 +16,7 @@ Box BakedScene::bounds() const noexcept {
 }
 
 Vec3d BakedScene::source_origin() const noexcept {
-    // The view of a moving scene has the bytes of a block.
+    // C passes views of moving scenes too, which have the bytes of a block.
     if (data_.tree.bytes == nullptr || data_.moving != nullptr ||
         (load_u32(data_.tree.bytes + features_at) & has_source_origin) == 0)
         return {};
@@ -36,7 +36,7 @@ struct FoundInstance {
 FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
     if (!scene) return {QueryStatus::not_open};
     const SceneData& all = data_of(scene);
-    if (all.moving != nullptr) return {};  // its instances have no records
+    if (all.moving != nullptr) return {};  // C passes views of moving scenes too, whose instances have no records
     if (id.index >= all.instance_count) return {};
     const std::byte* const outer = record_of(all, id);
     if (id.in_tile == no_instance.in_tile) return {QueryStatus::ok, outer, &all, outer};

@@ -33,7 +33,7 @@ inline std::uint32_t mesh_of(const std::byte* record) { return load_u32(record +
 inline std::uint32_t mask_of(const std::byte* record) { return load_u32(record + format::scene::mask_at); }
 
 /// Returns why a scene that is not open refuses a query.
-inline QueryStatus refusal_of(const BakedScene& scene) {
+inline QueryStatus refusal_of(const SceneView& scene) {
     return data_of(scene).must_refit ? QueryStatus::not_refitted : QueryStatus::not_open;
 }
 

@@ -10,13 +10,13 @@ using namespace detail;
 namespace {
 
 /// Returns ok if the shape must be walked, not_found if it is empty, or a refusal.
-QueryStatus check(const BakedScene& scene, const ShapeBounds& bounds) {
+QueryStatus check(const SceneView& scene, const ShapeBounds& bounds) {
     return scene ? bounds.status : refusal_of(scene);
 }
 
 }  // namespace
 
-YesNo detail::overlaps(const BakedScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept {
+YesNo detail::overlaps(const SceneView& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept {
     const QueryStatus status = check(scene, shape.bounds);
     if (status != QueryStatus::ok) return YesNo(status);
     QueryStatus refusal = QueryStatus::not_found;
@@ -38,7 +38,7 @@ YesNo detail::overlaps(const BakedScene& scene, const AnySceneShape& shape, cons
     return YesNo(end == Visit::stop ? QueryStatus::ok : refusal);
 }
 
-QueryStatus detail::for_each_overlap(const BakedScene& scene, const AnySceneShape& shape,
+QueryStatus detail::for_each_overlap(const SceneView& scene, const AnySceneShape& shape,
                                      Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter) noexcept {
     QueryStatus end = check(scene, shape.bounds);
     if (end != QueryStatus::ok) return of_list(end);
@@ -61,7 +61,7 @@ QueryStatus detail::for_each_overlap(const BakedScene& scene, const AnySceneShap
     return end;
 }
 
-QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<InstanceId> visit,
+QueryStatus for_each_candidate(const SceneView& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask) noexcept {
     const ShapeBounds bounds = bounds_of(box);
     const QueryStatus status = check(scene, bounds);

@@ -41,7 +41,7 @@ Passage::Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& 
 
 float Passage::key_of(float t) const { return scale_by_power_of_two(t, t_exponent_) + 0.0f; }
 
-Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask,
+Visit visit_meeting(const SceneView& scene, const ShapeBounds& bounds, std::uint32_t mask,
                     const InstanceVisitor& visit) {
     const SceneData& data = data_of(scene);
     const BoxInSteps box(data, bounds);

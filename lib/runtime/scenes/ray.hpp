@@ -91,7 +91,7 @@ ESPALIER_NOINLINE auto with_ray_on_common_lattice(const SceneData& scene, const 
 }
 /// Returns what a query returns for a ray in a scene. The query takes a SceneRay.
 template <class Query>
-auto with_scene_ray(const BakedScene& scene, const Ray& world, Query query) {
+auto with_scene_ray(const SceneView& scene, const Ray& world, Query query) {
     if (!data_of(scene).has_common) return query(SceneRay(world));
     return with_ray_on_common_lattice(data_of(scene), world, query);
 }

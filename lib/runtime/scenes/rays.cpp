@@ -18,7 +18,7 @@ namespace {
 
 /// Returns ok if the ray must be walked, else the status of the query. `rounding` is the status of a ray that the
 /// caller has rounded.
-QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray, QueryStatus rounding) {
+QueryStatus status_without_walk(const SceneView& scene, const Ray& ray, QueryStatus rounding) {
     if (!scene) return refusal_of(scene);
     if (rounding != QueryStatus::ok) return rounding;
     // Which origins are out of range depends on the lattices of the instances.
@@ -29,7 +29,7 @@ QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray, QuerySt
     return is_radius(ray.t_max) && starts_before ? QueryStatus::ok : QueryStatus::not_found;
 }
 
-InScene<RayHit> cast(const BakedScene& scene, const SceneRay& ray, const SceneFilter& filter,
+InScene<RayHit> cast(const SceneView& scene, const SceneRay& ray, const SceneFilter& filter,
                      QueryStatus rounding = QueryStatus::ok) {
     const QueryStatus status = status_without_walk(scene, ray.world(), rounding);
     if (status != QueryStatus::ok) return BestInScene<RayHit>(status).result();
@@ -44,7 +44,7 @@ InScene<RayHit> cast(const BakedScene& scene, const SceneRay& ray, const SceneFi
     return closest.result();
 }
 
-YesNo test(const BakedScene& scene, const SceneRay& ray, const SceneFilter& filter,
+YesNo test(const SceneView& scene, const SceneRay& ray, const SceneFilter& filter,
            QueryStatus rounding = QueryStatus::ok) {
     const QueryStatus status = status_without_walk(scene, ray.world(), rounding);
     if (status != QueryStatus::ok) return YesNo(status);
@@ -85,7 +85,7 @@ private:
     }
 };
 
-QueryStatus list(const BakedScene& scene, const SceneRay& ray, Visitor<InstanceId, const RayHit&> visit,
+QueryStatus list(const SceneView& scene, const SceneRay& ray, Visitor<InstanceId, const RayHit&> visit,
                  const SceneFilter& filter, QueryStatus rounding = QueryStatus::ok) {
     const QueryStatus status = status_without_walk(scene, ray.world(), rounding);
     if (status != QueryStatus::ok) return of_list(status);
@@ -110,18 +110,18 @@ QueryStatus list(const BakedScene& scene, const SceneRay& ray, Visitor<InstanceI
 
 }  // namespace
 
-InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const SceneFilter& filter) noexcept {
+InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const SceneFilter& filter) noexcept {
     return with_scene_ray(scene, ray, [&](const SceneRay& in_scene) { return cast(scene, in_scene, filter); });
 }
 
-InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                         const SceneFilter& filter) noexcept {
     const QueryStatus rounding = refusal_of(rounded.data());
     return with_scene_ray(ray, rounded,
                           [&](const SceneRay& in_scene) { return cast(scene, in_scene, filter, rounding); });
 }
 
-Filled raycast(const BakedScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
+Filled raycast(const SceneView& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
                const SceneFilter& filter) noexcept {
     if (!scene) return {0, {}, refusal_of(scene)};
     if (rays.size() != hits.size()) return {0, {}, QueryStatus::invalid_argument};
@@ -129,22 +129,22 @@ Filled raycast(const BakedScene& scene, std::span<const Ray> rays, std::span<InS
     return {rays.size(), {}, QueryStatus::ok};
 }
 
-YesNo occluded(const BakedScene& scene, const Ray& ray, const SceneFilter& filter) noexcept {
+YesNo occluded(const SceneView& scene, const Ray& ray, const SceneFilter& filter) noexcept {
     return with_scene_ray(scene, ray, [&](const SceneRay& in_scene) { return test(scene, in_scene, filter); });
 }
 
-YesNo occluded(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded, const SceneFilter& filter) noexcept {
+YesNo occluded(const SceneView& scene, const Ray& ray, const RoundedRay& rounded, const SceneFilter& filter) noexcept {
     const QueryStatus rounding = refusal_of(rounded.data());
     return with_scene_ray(ray, rounded,
                           [&](const SceneRay& in_scene) { return test(scene, in_scene, filter, rounding); });
 }
 
-QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
+QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
                          const SceneFilter& filter) noexcept {
     return with_scene_ray(scene, ray, [&](const SceneRay& in_scene) { return list(scene, in_scene, visit, filter); });
 }
 
-QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter) noexcept {
     const QueryStatus rounding = refusal_of(rounded.data());
     return with_scene_ray(ray, rounded,

@@ -28,7 +28,7 @@ std::uint32_t order_of(const SweepHit& hit, float contact_t) {
 }
 
 template <class Shape>
-InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+InScene<SweepHit> sweep_to_contact(const SceneView& scene, const Shape& shape, const Vec3& displacement,
                                    const SceneSweepOptions& options, float& contact_t);
 
 /// Returns the options of a sweep as those of a mesh or of a tile at the place of an instance.
@@ -67,7 +67,7 @@ ESPALIER_NOINLINE bool keep_first(BestInScene<SweepHit>& best, const VisitedInst
 
 /// Returns what sweep() returns. Where that is a contact, writes the t that it has without a skin.
 template <class Shape>
-InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+InScene<SweepHit> sweep_to_contact(const SceneView& scene, const Shape& shape, const Vec3& displacement,
                                    const SceneSweepOptions& options, float& contact_t) {
     const SceneData& data = data_of(scene);
     const ShapeBounds bounds = bounds_of_sweep(data, shape);
@@ -100,7 +100,7 @@ InScene<SweepHit> sweep_to_contact(const BakedScene& scene, const Shape& shape, 
 }
 
 template <class Shape>
-InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+InScene<SweepHit> sweep_in(const SceneView& scene, const Shape& shape, const Vec3& displacement,
                            const SceneSweepOptions& options) {
     float contact_t = 0.0f;
     return sweep_to_contact(scene, shape, displacement, options, contact_t);
@@ -108,27 +108,27 @@ InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, const Ve
 
 }  // namespace
 
-InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Sphere& sphere, Vec3 displacement,
                         const SceneSweepOptions& options) noexcept {
     return sweep_in(scene, sphere, displacement, options);
 }
 
-InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Capsule& capsule, Vec3 displacement,
                         const SceneSweepOptions& options) noexcept {
     return sweep_in(scene, capsule, displacement, options);
 }
 
-InScene<SweepHit> sweep(const BakedScene& scene, const Box& box, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const Box& box, Vec3 displacement,
                         const SceneSweepOptions& options) noexcept {
     return sweep_in(scene, box, displacement, options);
 }
 
-InScene<SweepHit> sweep(const BakedScene& scene, const OrientedBox& box, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const OrientedBox& box, Vec3 displacement,
                         const SceneSweepOptions& options) noexcept {
     return sweep_in(scene, box, displacement, options);
 }
 
-InScene<SweepHit> sweep(const BakedScene& scene, const ConvexHull& hull, Vec3 displacement,
+InScene<SweepHit> sweep(const SceneView& scene, const ConvexHull& hull, Vec3 displacement,
                         const SceneSweepOptions& options) noexcept {
     return sweep_in(scene, hull, displacement, options);
 }
