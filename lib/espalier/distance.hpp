@@ -9,6 +9,7 @@
 // file.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 
@@ -43,16 +44,28 @@ struct [[nodiscard]] ClosestPoint {
 /// docs/queries.md, Bounded, has the bound.
 ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance = infinity) noexcept;
 
+namespace detail {
+
+ClosestPoint closest_to_segment(const Blob& blob, const Segment& segment, float max_distance) noexcept;
+ClosestPoint closest_to_box(const Blob& blob, const Box& box, float max_distance) noexcept;
+
+}  // namespace detail
+
 /// Returns the closest pair of points, one of the segment and one of the surface. The segment may have length zero. The
 /// distance is 0 exactly if they share a point, and the result is one such point.
 ///
 /// Refuses a segment that reaches 2^36 lattice steps or more from any vertex of the asset along an axis (out_of_range).
 /// Cost: as for a point, but several times as much per triangle.
-ClosestPoint closest_point(const Blob& blob, const Segment& segment, float max_distance = infinity) noexcept;
-
-/// Returns the closest pair of points, one of the solid box and one of the surface; otherwise as for a segment. An
-/// empty box has no closest point (not_found).
-ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance = infinity) noexcept;
+///
+/// The same for a solid box, of which an empty one has no closest point (not_found). A template, so that braces mean a
+/// point: closest_point(blob, {x, y, z}).
+template <class Shape>
+requires std::same_as<Shape, Segment> || std::same_as<Shape, Box> ClosestPoint
+closest_point(const Blob& blob, const Shape& shape, float max_distance = infinity)
+noexcept {
+    if constexpr (std::same_as<Shape, Segment>) return detail::closest_to_segment(blob, shape, max_distance);
+    else return detail::closest_to_box(blob, shape, max_distance);
+}
 
 /// Writes the triangles that are closest to the point and within max_distance, as many as `nearest` has room for, each
 /// with its own closest point, sorted by distance; equally close ones by index. The first is the result of

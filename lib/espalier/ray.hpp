@@ -50,12 +50,10 @@ struct [[nodiscard]] RayHit {
 
 /// Returns the hit with the smallest t; of equal t the one with the lowest triangle. With a filter, as if the blob held
 /// only the triangles that the filter keeps. Cost: expected O(log n); docs/queries.md, Bounded, has the bound.
-RayHit raycast(const Blob& blob, const Ray& ray) noexcept;
-RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept;
+RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle. Takes less time than raycast().
-YesNo occluded(const Blob& blob, const Ray& ray) noexcept;
-YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept;
+YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noexcept;
 
 /// Writes the first hits along the ray, as many as `hits` has places, sorted by t; of equal t by triangle. The first is
 /// that of raycast(). A triangle with duplicate references appears once.
@@ -63,8 +61,7 @@ YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept
 /// Status: ok, also if there is no hit; output_full if there are more hits than places; or why the ray was refused. The
 /// rest of `hits` may be overwritten. Cost: visits all hits until there are more than places, then only nearer ones;
 /// O(log(places)) for each hit, O(places) in a blob with duplicate references.
-Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
-Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept;
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter = {}) noexcept;
 
 /// Calls the visitor with each hit, once, in ascending order of triangles and not of t. In a blob with duplicate
 /// references a triangle comes at the first of its references whose boxes the ray passes through. Status: ok; stopped

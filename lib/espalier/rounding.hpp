@@ -127,13 +127,10 @@ Result<Lattice> lattice_of(std::span<const Blob> blobs) noexcept;
 /// Refuses a blob that is not open (not_open), a ray that was refused (with its status), a blob with another step and
 /// bits that are no rounded ray (invalid_argument), and a blob that reaches out of the ray's region (out_of_range). The
 /// lattice of a blob without triangles may be any.
-RayHit raycast(const Blob& blob, const RoundedRay& ray) noexcept;
-
-RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept;
+RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle. Takes less time than raycast(), and refuses the same rays and blobs.
-YesNo occluded(const Blob& blob, const RoundedRay& ray) noexcept;
-YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept;
+YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
 
 /// Calls the visitor with each hit, as for_each_hit() of a Ray does. Refuses as raycast() does.
 QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;

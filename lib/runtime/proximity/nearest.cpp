@@ -89,11 +89,11 @@ ClosestPoint closest_pair(const BlobData& blob, const Segment& segment, float ma
 
 }  // namespace
 
-ClosestPoint closest_point(const Blob& blob, const Segment& segment, float max_distance) noexcept {
+ClosestPoint detail::closest_to_segment(const Blob& blob, const Segment& segment, float max_distance) noexcept {
     return closest_pair<DistantSegment>(data_of(blob), segment, max_distance, false);
 }
 
-ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance) noexcept {
+ClosestPoint detail::closest_to_box(const Blob& blob, const Box& box, float max_distance) noexcept {
     return closest_pair<DistantBox>(data_of(blob), {box.min, box.max}, max_distance, is_empty(box));
 }
 

@@ -16,24 +16,12 @@ const TriangleFilter* given(const TriangleFilter& filter) { return filter ? &fil
 
 }  // namespace
 
-RayHit raycast(const Blob& blob, const Ray& ray) noexcept {
-    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, nullptr);
-}
-
 RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
     return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, given(filter));
 }
 
-YesNo occluded(const Blob& blob, const Ray& ray) noexcept {
-    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, nullptr);
-}
-
 YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
     return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, given(filter));
-}
-
-Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept {
-    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, nullptr);
 }
 
 Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept {

@@ -164,16 +164,12 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     return result;
 }
 
-RayHit raycast(const Blob& blob, const RoundedRay& ray) noexcept { return raycast(blob, ray, {}); }
-
 RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
     RayOnLattice moved;
     const QueryStatus status = begin(blob, ray.data(), moved);
     if (status != QueryStatus::ok) return miss_with(status);
     return ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, data_of(blob), moved, filter ? &filter : nullptr);
 }
-
-YesNo occluded(const Blob& blob, const RoundedRay& ray) noexcept { return occluded(blob, ray, {}); }
 
 YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
     RayOnLattice moved;

@@ -161,6 +161,13 @@ TEST_CASE("closest point: a cube and a segment match hand-computed values") {
     CHECK(pair.distance == 13.0f);
 }
 
+TEST_CASE("closest point: braces mean a point") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const ClosestPoint nearest = closest_point(cube.blob, {0.25f, 0.5f, 3.0f});
+    CHECK(nearest.on_shape == Vec3{0.25f, 0.5f, 3.0f});
+    CHECK(nearest.distance == 2.0f);
+}
+
 TEST_CASE("closest point: a cube and a box match hand-computed values") {
     const OpenedBlob cube(make_cube(-1.0f, 1.0f));
     ClosestPoint pair = closest_point(cube.blob, Box{{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}});
