@@ -27,7 +27,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <runtime/lanes/select.hpp>
 
 #include "../tests/support/base/random.hpp"

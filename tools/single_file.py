@@ -134,7 +134,8 @@ def version():
 
 def text_for(path, of_set):
     """The text of a file, of fragments for an instruction set: without its include guard, and with the set's region."""
-    text = path.read_text()
+    text = re.sub(r"^#define ESPALIER_(?:BEGIN|END)_SET(?:.*\\\n)+", lambda lines: re.sub(r"\s*\\\n\s*", " ", lines.group(0)),
+                  path.read_text(), flags=re.MULTILINE)
     if not FRAGMENTS.search(text):
         return text
     text = FRAGMENTS.sub(r"\2", text)
@@ -349,7 +350,7 @@ def condition_of(path):
 
 def make_header():
     header = SingleFile(skips_public_headers=False)
-    for folder in ("espalier", "espalier/batches", "espalier/scenes"):
+    for folder in ("espalier", "espalier/advanced", "espalier/batches", "espalier/scenes"):
         for path in sorted((LIBRARY / folder).glob("*.hpp")):
             if path.name != "bake.hpp":
                 header.add_once(f"{folder}/{path.name}", path)

@@ -8,7 +8,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/deformation.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include <baker/bake_with.hpp>
 #include <baker/base/float_rounding.hpp>

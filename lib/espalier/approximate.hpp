@@ -18,7 +18,7 @@
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/shapes.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 

@@ -61,10 +61,8 @@ struct Contact {
 /// O(vertices^2); and of a closed surface that of contains(). With edge flags, a place on an internal edge or corner
 /// costs the ways down to the triangles around it. With up to 4 places the nearest are looked for first, so
 /// that a large margin costs little more than closest_point().
-Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
-Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;
-Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept;
-Filled find_contacts(const Blob& blob, const ConvexHull& hull, float margin, std::span<Contact> contacts) noexcept;
+template <ContactBody Body>
+Filled find_contacts(const Blob& blob, const Body& body, float margin, std::span<Contact> contacts) noexcept;
 
 /// The largest number of contacts that reduce_contacts() keeps.
 inline constexpr std::size_t max_reduced_contacts = 4;

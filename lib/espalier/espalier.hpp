@@ -14,14 +14,14 @@
 #include <espalier/contact.hpp>
 #include <espalier/deformation.hpp>
 #include <espalier/distance.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <espalier/scenes/contacts.hpp>
 #include <espalier/scenes/moving_scene.hpp>
 #include <espalier/original.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/scene.hpp>
 #include <espalier/scenes/pairs.hpp>
 #include <espalier/shapes.hpp>

@@ -26,7 +26,7 @@
 #include <espalier/base/function_ref.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/sweep.hpp>
@@ -272,15 +272,8 @@ struct SceneSweepOptions {
 /// and of that the triangle that the shape is in deepest.
 ///
 /// Refuses as sweep() of a blob does. A Box is swept as the OrientedBox that it becomes in local space.
-InScene<SweepHit> sweep(const SceneView& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const SceneView& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const SceneView& scene, const Box& box, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const SceneView& scene, const OrientedBox& box, Vec3 displacement,
-                        const SceneSweepOptions& options = {}) noexcept;
-InScene<SweepHit> sweep(const SceneView& scene, const ConvexHull& hull, Vec3 displacement,
+template <SweptShape Shape>
+InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
 
 /// Returns the first contact with a triangle that the filter keeps.

@@ -85,4 +85,14 @@ concept OverlapShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsul
     std::same_as<Shape, OrientedBox> || std::same_as<Shape, Triangle> || std::same_as<Shape, ConvexVolume> ||
     std::same_as<Shape, Cone> || std::same_as<Shape, LatticeBox>;
 
+/// A shape that sweeps take.
+template <class Shape>
+concept SweptShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, Box> ||
+    std::same_as<Shape, OrientedBox> || std::same_as<Shape, ConvexHull>;
+
+/// A body that find_contacts() takes.
+template <class Shape>
+concept ContactBody = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> ||
+    std::same_as<Shape, OrientedBox> || std::same_as<Shape, ConvexHull>;
+
 }  // namespace espalier

@@ -63,16 +63,8 @@ struct SweepOptions {
 /// or of 2^30 for an OrientedBox or a hull, and a capsule whose axis is longer than 2^25 steps along x, y or z
 /// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way, and O(k)
 /// for k triangles that the shape touches at the start; docs/queries.md, Bounded, has the bound.
-SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, const SweepOptions& options = {}) noexcept;
-SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, const SweepOptions& options = {}) noexcept;
-SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, const SweepOptions& options = {}) noexcept;
-SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, const SweepOptions& options = {}) noexcept;
-SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, const SweepOptions& options = {}) noexcept;
-
-/// A shape that sweeps take.
-template <class Shape>
-concept SweptShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, Box> ||
-    std::same_as<Shape, OrientedBox> || std::same_as<Shape, ConvexHull>;
+template <SweptShape Shape>
+SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, const SweepOptions& options = {}) noexcept;
 
 /// Returns the first contact with a triangle that the filter keeps.
 template <SweptShape Shape>

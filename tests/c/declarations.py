@@ -4,6 +4,7 @@ from pathlib import Path
 
 LIBRARY = Path(__file__).resolve().parents[2] / "lib/espalier"
 # Headers of C++ without queries: the baker's, the bytes of a blob, a type of parameters.
+CLASS, BASE = r"\b(?:class|struct) (?:\[\[\w+\]\] )?", r"(?:: public \w+ )?"
 OTHER_HEADERS = {"bake.hpp", "format.hpp", "function_ref.hpp", "import.hpp"}
 
 
@@ -113,7 +114,7 @@ def without(code, pattern):
 
 def cpp_functions():
     """Returns the functions of the C++ headers, those of templates once for each shape that they take."""
-    headers = [header for folder in ("", "scenes", "batches") for header in sorted((LIBRARY / folder).glob("*.hpp"))
+    headers = [header for folder in ("", "advanced", "scenes", "batches") for header in sorted((LIBRARY / folder).glob("*.hpp"))
                if header.name not in OTHER_HEADERS]
     texts = {header: without(plain(header.read_text()), r"namespace detail \{") for header in headers}
     concepts = {name: re.findall(r"same_as<Shape, (\w+)>", text)
@@ -121,21 +122,31 @@ def cpp_functions():
     found = {}
     for header, code in texts.items():
         for owner, body in [("", code)] + classes(code):
-            scope = without(body, r"\b(?:class|struct) (?:\[\[\w+\]\] )?(?:\w+ )?\{")
+            scope = without(body, CLASS + r"(?:\w+ )?" + BASE + r"\{")
             for function in functions_in(scope, owner, header, concepts):
-                found[str(function)] = function
+                for each in of_scenes(function):
+                    found[str(each)] = each
     return found
+
+
+def of_scenes(function):
+    """A query of a SceneView once for each kind of scene, and a member of SceneView as that of BakedScene, which has it too."""
+    if function.owner == "SceneView":
+        function.owner = "BakedScene"
+    if "SceneView" not in function.types:
+        return [function]
+    return [function.in_shape("SceneView", scene) for scene in ("BakedScene", "MovingScene")]
 
 
 def baker_functions():
     """Returns the functions of the baker's headers outside of classes."""
     for header in (LIBRARY / "bake.hpp", LIBRARY / "scenes/bake.hpp"):
         code = without(plain(header.read_text()), r"namespace detail \{")
-        yield from functions_in(without(code, r"\b(?:class|struct) (?:\[\[\w+\]\] )?(?:\w+ )?\{"), "", header, {})
+        yield from functions_in(without(code, CLASS + r"(?:\w+ )?" + BASE + r"\{"), "", header, {})
 
 
 def classes(code):
-    pattern = re.compile(r"\b(?:class|struct) (?:\[\[\w+\]\] )?(\w+) \{")
+    pattern = re.compile(CLASS + r"(\w+) " + BASE + r"\{")
     return [(match[1], code[match.end():closed(code, match.end(), "{}") - 1]) for match in pattern.finditer(code)]
 
 

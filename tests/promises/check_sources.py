@@ -217,25 +217,25 @@ def check_layers(top, rows, others, *, has_root=True):
 
 def includes():
     offline = [ROOT / "lib/espalier" / name for name in ("bake.hpp", "import.hpp", "scenes/bake.hpp")]
-    public = [file for file in files("lib/espalier", "*.hpp", "format/*.hpp", "scenes/*.hpp", "batches/*.hpp")
+    public = [file for file in files("lib/espalier", "*.hpp", "format/*.hpp", "scenes/*.hpp", "advanced/*.hpp", "batches/*.hpp")
               if file not in offline]
     check("a public header of the runtime includes public headers and freestanding ones only", public,
-          rf"<espalier/((base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/((scenes/)?bake|import)\.hpp>")
+          rf"<espalier/((advanced|base|format|scenes|batches)/)?[a-z_]+\.hpp>|{PLAIN}", r"<espalier/((scenes/)?bake|import)\.hpp>")
     check("a public header of the baker or the importers includes public and standard headers only", offline,
           rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|{STANDARD}")
     check("a header for C includes headers for C and freestanding ones only", files("lib/espalier", "**/*.h"),
-          r"<espalier/c/((scenes|batches)/)?[a-z_]+\.h>|<std(bool|def|int)\.h>")
+          r"<espalier/c/((advanced|scenes|batches)/)?[a-z_]+\.h>|<std(bool|def|int)\.h>")
     runtime = sources("lib/runtime")
     check("the runtime includes public headers, its own and freestanding ones only", runtime,
-          r"<espalier/[a-ac-z_][a-z_]*\.hpp>|<espalier/(blob|bounds|(base|batches)/[a-z_]+|scenes/[a-ac-z_][a-z_]*)\.hpp>"
+          r"<espalier/[a-ac-z_][a-z_]*\.hpp>|<espalier/(blob|bounds|(advanced|base|batches)/[a-z_]+|scenes/[a-ac-z_][a-z_]*)\.hpp>"
           rf"|<espalier/espalier\.h>|<runtime/[a-z_0-9/]+\.(hpp|inl)>|{PLAIN}|{MACHINE}")
-    check_layers("lib/runtime", RUNTIME, rf"<espalier/((base|scenes|batches)/)?[a-z_]+\.h(pp)?>|{PLAIN}|{MACHINE}",
+    check_layers("lib/runtime", RUNTIME, rf"<espalier/((advanced|base|scenes|batches)/)?[a-z_]+\.h(pp)?>|{PLAIN}|{MACHINE}",
                  has_root=False)
-    check_layers("lib/baker", BAKER, r"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|<espalier/c/bake\.h>"
+    check_layers("lib/baker", BAKER, r"<espalier/((advanced|base|scenes)/)?[a-z_]+\.hpp>|<espalier/c/bake\.h>"
                  rf"|<runtime/(base|lattice|blob)/[a-z_0-9]+\.hpp>|{STANDARD}", has_root=False)
     check("a file of the baker's root includes public and standard headers and the baker's own only",
           files("lib/baker", "*.?pp"),
-          rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\.hpp>|{STANDARD}")
+          rf"<espalier/((advanced|base|scenes)/)?[a-z_]+\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\.hpp>|{STANDARD}")
     check_layers("lib/import", IMPORT, rf"<espalier/((base|scenes)/)?[a-z_]+\.hpp>|<[a-wyz][a-z_0-9/]*\.h>|<assimp/.*>"
                  rf"|<nlohmann/json(_fwd)?\.hpp>|{STANDARD}")
     # It testifies to what the rest of the baker writes and the runtime reads.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include <import/base/numbers.hpp>
 

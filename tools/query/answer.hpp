@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "base/exit_code.hpp"
 #include "report/json.hpp"

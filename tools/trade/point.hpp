@@ -15,7 +15,7 @@
 #include <espalier/import.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "report/diagnostics.hpp"
 #include "report/json.hpp"

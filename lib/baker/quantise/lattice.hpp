@@ -10,7 +10,7 @@
 #include <optional>
 
 #include <espalier/bake.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include <baker/base/expected.hpp>
 #include <baker/input/source.hpp>

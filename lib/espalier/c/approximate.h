@@ -8,7 +8,7 @@
 #include <espalier/c/blob.h>
 #include <espalier/c/ray.h>
 #include <espalier/c/shapes.h>
-#include <espalier/c/statistics.h>
+#include <espalier/c/advanced/statistics.h>
 #include <espalier/c/status.h>
 #include <espalier/c/types.h>
 

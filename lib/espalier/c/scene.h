@@ -17,7 +17,7 @@
 #include <espalier/c/blob.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/ray.h>
-#include <espalier/c/rounding.h>
+#include <espalier/c/advanced/rounding.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/status.h>
 #include <espalier/c/sweep.h>

@@ -25,17 +25,9 @@ namespace espalier {
 /// find_contacts() of a blob: what is out of the range of an instance near the body is so for the scene (out_of_range).
 /// Refuses less room (invalid_argument). A contact has no status: an element of `contacts` does not convert to bool.
 /// Cost: expected O(log n) for n instances, the queries of the few near the body, and O(places) for each contact.
-Filled find_contacts(const SceneView& scene, const Sphere& sphere, float margin, std::span<InScene<Contact>> contacts,
+template <ContactBody Body>
+Filled find_contacts(const SceneView& scene, const Body& body, float margin, std::span<InScene<Contact>> contacts,
                      std::span<Contact> room, const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const SceneView& scene, const Capsule& capsule, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const SceneView& scene, const OrientedBox& box, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
-Filled find_contacts(const SceneView& scene, const ConvexHull& hull, float margin,
-                     std::span<InScene<Contact>> contacts, std::span<Contact> room,
-                     const SceneFilter& filter = {}) noexcept;
 
 }  // namespace espalier
 

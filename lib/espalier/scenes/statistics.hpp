@@ -12,7 +12,7 @@
 #include <espalier/pair.hpp>
 #include <espalier/scenes/moving_scene.hpp>
 #include <espalier/scenes/pairs.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 namespace espalier {
 

@@ -5,7 +5,7 @@
 
 #include <espalier/base/function_ref.hpp>
 #include <espalier/distance.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <espalier/types.hpp>
 #include <runtime/answers/best_k.hpp>
 #include <runtime/answers/found.hpp>

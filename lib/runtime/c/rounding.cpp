@@ -1,4 +1,4 @@
-// espalier/c/rounding.h: how far a query moves when it is rounded.
+// espalier/c/advanced/rounding.h: how far a query moves when it is rounded.
 #include <runtime/c/abi.hpp>
 
 using namespace espalier::detail;

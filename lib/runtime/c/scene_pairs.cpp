@@ -1,4 +1,4 @@
-// espalier/c/scenes/pairs.h: pairs of instances that may touch, or do; and those of espalier/c/statistics.h.
+// espalier/c/scenes/pairs.h: pairs of instances that may touch, or do; and those of espalier/c/advanced/statistics.h.
 #include <runtime/c/abi.hpp>
 #include <runtime/c/scene_arguments.hpp>
 

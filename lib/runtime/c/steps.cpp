@@ -1,4 +1,4 @@
-// espalier/c/lattice.h: queries in whole lattice steps.
+// espalier/c/advanced/lattice.h: queries in whole lattice steps.
 #include <runtime/c/abi.hpp>
 
 using namespace espalier::detail;

@@ -218,35 +218,40 @@ Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std:
     return find_contacts_of_body(blob, body, margin, contacts);
 }
 
+bool is_sound(const Sphere& sphere) { return is_radius(sphere.radius) && is_finite(sphere.radius); }
+bool is_sound(const Capsule& capsule) { return is_radius(capsule.radius) && is_finite(capsule.radius); }
+bool is_sound(const OrientedBox& box) {
+    bool all_finite = is_finite(box.center);
+    for (const Vec3& half : box.half_axes) all_finite = all_finite && is_finite(half);
+    return all_finite;
+}
+bool is_sound(const ConvexHull& hull) {
+    bool sound = hull.vertices.size() <= max_hull_vertices;
+    for (std::size_t i = 0; sound && i < hull.vertices.size(); ++i) sound = is_finite(hull.vertices[i]);
+    return sound;
+}
+
+template <class Shape>
+struct BodyOf;
+template <>
+struct BodyOf<Sphere> : SphereBody {};
+template <>
+struct BodyOf<Capsule> : CapsuleBody {};
+template <>
+struct BodyOf<OrientedBox> : OrientedBoxBody {};
+template <>
+struct BodyOf<ConvexHull> : ConvexHullBody {};
+
 }  // namespace
 
-Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept {
-    if (blob && (!is_radius(sphere.radius) || !is_finite(sphere.radius))) return {0, {}, QueryStatus::invalid_argument};
-    return find_contacts_of<SphereBody>(blob, sphere, margin, contacts);
+template <ContactBody Body>
+Filled find_contacts(const Blob& blob, const Body& body, float margin, std::span<Contact> contacts) noexcept {
+    if (blob && !is_sound(body)) return {0, {}, QueryStatus::invalid_argument};
+    return find_contacts_of<BodyOf<Body>>(blob, body, margin, contacts);
 }
-
-Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept {
-    if (blob && (!is_radius(capsule.radius) || !is_finite(capsule.radius)))
-        return {0, {}, QueryStatus::invalid_argument};
-    return find_contacts_of<CapsuleBody>(blob, capsule, margin, contacts);
-}
-
-Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept {
-    if (blob) {
-        bool all_finite = is_finite(box.center);
-        for (const Vec3& half : box.half_axes) all_finite = all_finite && is_finite(half);
-        if (!all_finite) return {0, {}, QueryStatus::invalid_argument};
-    }
-    return find_contacts_of<OrientedBoxBody>(blob, box, margin, contacts);
-}
-
-Filled find_contacts(const Blob& blob, const ConvexHull& hull, float margin, std::span<Contact> contacts) noexcept {
-    if (blob) {
-        bool is_valid = hull.vertices.size() <= max_hull_vertices;
-        for (std::size_t i = 0; is_valid && i < hull.vertices.size(); ++i) is_valid = is_finite(hull.vertices[i]);
-        if (!is_valid) return {0, {}, QueryStatus::invalid_argument};
-    }
-    return find_contacts_of<ConvexHullBody>(blob, hull, margin, contacts);
-}
+template Filled find_contacts(const Blob&, const Sphere&, float, std::span<Contact>) noexcept;
+template Filled find_contacts(const Blob&, const Capsule&, float, std::span<Contact>) noexcept;
+template Filled find_contacts(const Blob&, const OrientedBox&, float, std::span<Contact>) noexcept;
+template Filled find_contacts(const Blob&, const ConvexHull&, float, std::span<Contact>) noexcept;
 
 }  // namespace espalier

@@ -2,7 +2,7 @@
 // has the body on its other side, or is nearer to it.
 #pragma once
 
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/contacts/bodies.hpp>

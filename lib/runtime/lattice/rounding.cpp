@@ -1,5 +1,5 @@
 // How far a query moves when it is rounded. The bounds are derived in docs/numerics.md.
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 
@@ -42,16 +42,14 @@ Result<float> bound(const Blob& blob, const Coordinates& coordinates, int grid, 
     return in_world(blob, count * half_grid + (coordinates.largest + count) * half_ulp);
 }
 
-}  // namespace
-
-Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept {
+Result<float> error_of(const Blob& blob, const Vec3& point) {
     if (!blob) return {};
     Coordinates coordinates = {Rounder(data_of(blob))};
     coordinates.add(point);
     return bound(blob, coordinates, point_grid);
 }
 
-Result<float> rounding_error(const Blob& blob, const Ray& ray) noexcept {
+Result<float> error_of(const Blob& blob, const Ray& ray) {
     if (!blob) return {};
     Coordinates origin = {Rounder(data_of(blob))};
     origin.add(ray.origin);
@@ -71,7 +69,7 @@ Result<float> rounding_error(const Blob& blob, const Ray& ray) noexcept {
     return in_world(blob, 0.5f + 6.0f * (origin.largest + 2.0f * size + 1.0f) * half_ulp);
 }
 
-Result<float> rounding_error(const Blob& blob, const Segment& segment) noexcept {
+Result<float> error_of(const Blob& blob, const Segment& segment) {
     if (!blob) return {};
     Coordinates ends = {Rounder(data_of(blob))};
     ends.add(segment.from);
@@ -79,23 +77,23 @@ Result<float> rounding_error(const Blob& blob, const Segment& segment) noexcept 
     return bound(blob, ends, segment_grid);
 }
 
-Result<float> rounding_error(const Blob& blob, const Sphere& sphere) noexcept {
+Result<float> error_of(const Blob& blob, const Sphere& sphere) {
     if (!blob) return {};
     if (!is_radius(sphere.radius)) return {0.0f, QueryStatus::invalid_argument};
-    return rounding_error(blob, sphere.center);
+    return error_of(blob, sphere.center);
 }
 
-Result<float> rounding_error(const Blob& blob, const Capsule& capsule) noexcept {
+Result<float> error_of(const Blob& blob, const Capsule& capsule) {
     if (!blob) return {};
     if (!is_radius(capsule.radius)) return {0.0f, QueryStatus::invalid_argument};
-    return rounding_error(blob, Segment{capsule.from, capsule.to});
+    return error_of(blob, Segment{capsule.from, capsule.to});
 }
 
-Result<float> rounding_error(const Blob& blob, const Box& box) noexcept {
-    return rounding_error(blob, Segment{box.min, box.max});
+Result<float> error_of(const Blob& blob, const Box& box) {
+    return error_of(blob, Segment{box.min, box.max});
 }
 
-Result<float> rounding_error(const Blob& blob, const OrientedBox& box) noexcept {
+Result<float> error_of(const Blob& blob, const OrientedBox& box) {
     if (!blob) return {};
     float spread = 0.0f;  // along any axis, of the half axes together
     // mutant(< -> <=) equivalent: z once more
@@ -117,7 +115,7 @@ Result<float> rounding_error(const Blob& blob, const OrientedBox& box) noexcept 
     return bound(blob, center, volume_grid, 4);
 }
 
-Result<float> rounding_error(const Blob& blob, const Triangle& triangle) noexcept {
+Result<float> error_of(const Blob& blob, const Triangle& triangle) {
     if (!blob) return {};
     Coordinates corners = {Rounder(data_of(blob))};
     corners.add(triangle.a);
@@ -125,5 +123,21 @@ Result<float> rounding_error(const Blob& blob, const Triangle& triangle) noexcep
     corners.add(triangle.c);
     return bound(blob, corners, volume_grid);
 }
+
+}  // namespace
+
+Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept { return error_of(blob, point); }
+
+template <RoundedShape Shape>
+Result<float> rounding_error(const Blob& blob, const Shape& shape) noexcept {
+    return error_of(blob, shape);
+}
+template Result<float> rounding_error(const Blob&, const Ray&) noexcept;
+template Result<float> rounding_error(const Blob&, const Segment&) noexcept;
+template Result<float> rounding_error(const Blob&, const Sphere&) noexcept;
+template Result<float> rounding_error(const Blob&, const Capsule&) noexcept;
+template Result<float> rounding_error(const Blob&, const Box&) noexcept;
+template Result<float> rounding_error(const Blob&, const OrientedBox&) noexcept;
+template Result<float> rounding_error(const Blob&, const Triangle&) noexcept;
 
 }  // namespace espalier

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <espalier/shapes.hpp>
 #include <runtime/lattice/round_segment.hpp>
 #include <runtime/overlap/volume.hpp>

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/pair.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 namespace espalier::detail {
 

@@ -1,6 +1,6 @@
 // Queries of two blobs in world space: placed on one grid, decided there, translated back.
 #include <espalier/pair.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/answers/first_reference.hpp>
 #include <runtime/base/bits.hpp>

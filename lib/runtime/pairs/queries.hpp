@@ -2,7 +2,7 @@
 #pragma once
 
 #include <espalier/base/function_ref.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/pairs/frame.hpp>

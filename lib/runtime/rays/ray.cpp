@@ -1,6 +1,6 @@
 // Rays: the variant of each query that suits the machine.
 #include <espalier/ray.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 #include <runtime/rays/queries.hpp>
 
 #define ESPALIER_PER_SET <runtime/rays/single.hpp>

@@ -1,5 +1,5 @@
 // Rays rounded once for several blobs on one lattice, and moved onto each by whole steps.
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/transform.hpp>
 
 #include <bit>

@@ -1,7 +1,7 @@
 // Segments in lattice steps: the nearest-first walk that rays take, with distances in steps for keys.
 #include <bit>
 
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <runtime/rays/queries.hpp>
 #include <runtime/rays/whole_segment.hpp>
 #include <runtime/traversal/find.hpp>

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <espalier/types.hpp>
 #include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/box_nodes.hpp>

@@ -142,16 +142,18 @@ Filled find_in(const SceneView& scene, const AnyBody& body, float margin, std::s
 
 }  // namespace
 
-#define ESPALIER_FIND_IN_SCENE(Body)                                                    \
-    Filled find_contacts(const SceneView& scene, const Body& body, float margin,       \
-                         std::span<InScene<Contact>> contacts, std::span<Contact> room, \
-                         const SceneFilter& filter) noexcept {                          \
-        return find_in(scene, AnyBody(body), margin, contacts, room, filter);           \
-    }
-ESPALIER_FIND_IN_SCENE(Sphere)
-ESPALIER_FIND_IN_SCENE(Capsule)
-ESPALIER_FIND_IN_SCENE(OrientedBox)
-ESPALIER_FIND_IN_SCENE(ConvexHull)
-#undef ESPALIER_FIND_IN_SCENE
+template <ContactBody Body>
+Filled find_contacts(const SceneView& scene, const Body& body, float margin, std::span<InScene<Contact>> contacts,
+                     std::span<Contact> room, const SceneFilter& filter) noexcept {
+    return find_in(scene, AnyBody(body), margin, contacts, room, filter);
+}
+template Filled find_contacts(const SceneView&, const Sphere&, float, std::span<InScene<Contact>>, std::span<Contact>,
+                              const SceneFilter&) noexcept;
+template Filled find_contacts(const SceneView&, const Capsule&, float, std::span<InScene<Contact>>, std::span<Contact>,
+                              const SceneFilter&) noexcept;
+template Filled find_contacts(const SceneView&, const OrientedBox&, float, std::span<InScene<Contact>>, std::span<Contact>,
+                              const SceneFilter&) noexcept;
+template Filled find_contacts(const SceneView&, const ConvexHull&, float, std::span<InScene<Contact>>, std::span<Contact>,
+                              const SceneFilter&) noexcept;
 
 }  // namespace espalier

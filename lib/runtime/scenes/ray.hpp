@@ -1,7 +1,7 @@
 // A ray in a scene, in the world and in the local spaces of instances.
 #pragma once
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/scene.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/scenes/instance_walk.hpp>

@@ -1,7 +1,7 @@
 // Rays against all instances of a scene.
 #include <type_traits>
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/scene.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>

@@ -99,38 +99,18 @@ InScene<SweepHit> sweep_to_contact(const SceneView& scene, const Shape& shape, c
     return best.result();
 }
 
-template <class Shape>
-InScene<SweepHit> sweep_in(const SceneView& scene, const Shape& shape, const Vec3& displacement,
-                           const SceneSweepOptions& options) {
+}  // namespace
+
+template <SweptShape Shape>
+InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement,
+                        const SceneSweepOptions& options) noexcept {
     float contact_t = 0.0f;
     return sweep_to_contact(scene, shape, displacement, options, contact_t);
 }
-
-}  // namespace
-
-InScene<SweepHit> sweep(const SceneView& scene, const Sphere& sphere, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep_in(scene, sphere, displacement, options);
-}
-
-InScene<SweepHit> sweep(const SceneView& scene, const Capsule& capsule, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep_in(scene, capsule, displacement, options);
-}
-
-InScene<SweepHit> sweep(const SceneView& scene, const Box& box, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep_in(scene, box, displacement, options);
-}
-
-InScene<SweepHit> sweep(const SceneView& scene, const OrientedBox& box, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep_in(scene, box, displacement, options);
-}
-
-InScene<SweepHit> sweep(const SceneView& scene, const ConvexHull& hull, Vec3 displacement,
-                        const SceneSweepOptions& options) noexcept {
-    return sweep_in(scene, hull, displacement, options);
-}
+template InScene<SweepHit> sweep(const SceneView&, const Sphere&, Vec3, const SceneSweepOptions&) noexcept;
+template InScene<SweepHit> sweep(const SceneView&, const Capsule&, Vec3, const SceneSweepOptions&) noexcept;
+template InScene<SweepHit> sweep(const SceneView&, const Box&, Vec3, const SceneSweepOptions&) noexcept;
+template InScene<SweepHit> sweep(const SceneView&, const OrientedBox&, Vec3, const SceneSweepOptions&) noexcept;
+template InScene<SweepHit> sweep(const SceneView&, const ConvexHull&, Vec3, const SceneSweepOptions&) noexcept;
 
 }  // namespace espalier

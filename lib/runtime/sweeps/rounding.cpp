@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <span>
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 
@@ -39,24 +39,34 @@ Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displaceme
     return {scale_by_power_of_two(steps, data.step_exponent), QueryStatus::ok};
 }
 
-}  // namespace
-
-Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept {
+Result<float> error_of(const Blob& blob, const Sphere& sphere, Vec3 displacement) {
     return bound<CapsuleSweep>(blob, sphere, displacement, {&sphere.center, 1});
 }
-Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept {
+Result<float> error_of(const Blob& blob, const Capsule& capsule, Vec3 displacement) {
     const Vec3 ends[] = {capsule.from, capsule.to};
     return bound<CapsuleSweep>(blob, capsule, displacement, ends);
 }
-Result<float> rounding_error(const Blob& blob, const Box& box, Vec3 displacement) noexcept {
+Result<float> error_of(const Blob& blob, const Box& box, Vec3 displacement) {
     const Vec3 ends[] = {box.min, box.max};
     return bound<BoxSweep>(blob, box, displacement, ends);
 }
-Result<float> rounding_error(const Blob& blob, const OrientedBox& box, Vec3 displacement) noexcept {
+Result<float> error_of(const Blob& blob, const OrientedBox& box, Vec3 displacement) {
     return bound<HullSweep>(blob, box, displacement, {&box.center, 1}, 4);
 }
-Result<float> rounding_error(const Blob& blob, const ConvexHull& hull, Vec3 displacement) noexcept {
+Result<float> error_of(const Blob& blob, const ConvexHull& hull, Vec3 displacement) {
     return bound<HullSweep>(blob, hull, displacement, hull.vertices);
 }
+
+}  // namespace
+
+template <SweptShape Shape>
+Result<float> rounding_error(const Blob& blob, const Shape& shape, Vec3 displacement) noexcept {
+    return error_of(blob, shape, displacement);
+}
+template Result<float> rounding_error(const Blob&, const Sphere&, Vec3) noexcept;
+template Result<float> rounding_error(const Blob&, const Capsule&, Vec3) noexcept;
+template Result<float> rounding_error(const Blob&, const Box&, Vec3) noexcept;
+template Result<float> rounding_error(const Blob&, const OrientedBox&, Vec3) noexcept;
+template Result<float> rounding_error(const Blob&, const ConvexHull&, Vec3) noexcept;
 
 }  // namespace espalier

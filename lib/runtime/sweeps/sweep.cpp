@@ -56,25 +56,19 @@ SweepHit detail::sweep_to_contact(const Blob& blob, const ConvexHull& hull, cons
     return sweep_shape<HullSweep>(blob, hull, displacement, options, contact_t);
 }
 
-SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, const SweepOptions& options) noexcept {
+template <SweptShape Shape>
+SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, const SweepOptions& options) noexcept {
     float contact_t;
-    return sweep_to_contact(blob, sphere, displacement, options, contact_t);
+    if constexpr (std::is_same_v<Shape, Box>) {
+        return sweep_shape<BoxSweep>(blob, shape, displacement, options, contact_t);
+    } else {
+        return sweep_to_contact(blob, shape, displacement, options, contact_t);
+    }
 }
-SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, const SweepOptions& options) noexcept {
-    float contact_t;
-    return sweep_to_contact(blob, capsule, displacement, options, contact_t);
-}
-SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, const SweepOptions& options) noexcept {
-    float contact_t;
-    return sweep_shape<BoxSweep>(blob, box, displacement, options, contact_t);
-}
-SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, const SweepOptions& options) noexcept {
-    float contact_t;
-    return sweep_to_contact(blob, box, displacement, options, contact_t);
-}
-SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, const SweepOptions& options) noexcept {
-    float contact_t;
-    return sweep_to_contact(blob, hull, displacement, options, contact_t);
-}
+template SweepHit sweep(const Blob&, const Sphere&, Vec3, const SweepOptions&) noexcept;
+template SweepHit sweep(const Blob&, const Capsule&, Vec3, const SweepOptions&) noexcept;
+template SweepHit sweep(const Blob&, const Box&, Vec3, const SweepOptions&) noexcept;
+template SweepHit sweep(const Blob&, const OrientedBox&, Vec3, const SweepOptions&) noexcept;
+template SweepHit sweep(const Blob&, const ConvexHull&, Vec3, const SweepOptions&) noexcept;
 
 }  // namespace espalier

@@ -3,7 +3,7 @@
 
 #include <espalier/c/approximate.h>
 #include <espalier/c/ray.h>
-#include <espalier/c/rounding.h>
+#include <espalier/c/advanced/rounding.h>
 
 extern "C" [[clang::export_name("wasm_rounding_error_point")]] void wasm_rounding_error_point(
     espalier_float_result* errors, const espalier_blob* blob, const espalier_vec3* points, std::size_t count) {

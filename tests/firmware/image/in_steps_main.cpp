@@ -1,7 +1,7 @@
 // The least for a core without floats: the blob opened as part of the image, and the first hit of a segment in whole
 // lattice steps. No float operation is linked.
 #include <espalier/blob.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include "blob_in_image.hpp"
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # public_functions.sh NM LIBRARY OUTPUT: a linker script that makes every function of the public API a root, and what its
-# templates call: inner functions of a Blob. Less those that count work (<espalier/statistics.hpp>), which are no part of
+# templates call: inner functions of a Blob. Less those that count work (<espalier/advanced/statistics.hpp>), which are no part of
 # <espalier/espalier.hpp>.
 set -eu
 "$1" --defined-only --extern-only "$2" |

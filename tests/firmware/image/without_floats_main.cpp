@@ -1,6 +1,6 @@
 // All that a core without floats may ask: run_firmware.sh looks at what this links.
 #include <espalier/blob.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include "blob_in_image.hpp"
 

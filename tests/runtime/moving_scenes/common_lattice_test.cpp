@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <deque>
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 
 #include <runtime/moving_scenes/box_tree/block.hpp>
 

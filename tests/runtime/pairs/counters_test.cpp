@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/queries/placement_maker.hpp"

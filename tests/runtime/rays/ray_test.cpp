@@ -1,7 +1,7 @@
 // Claims about the ray queries as the header words them; every_hit_test.cpp compares them with exact arithmetic.
 #include "support/testing.hpp"
 
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "support/exact/as_rationals.hpp"
 #include "support/machine/instruction_paths.hpp"

@@ -1,7 +1,7 @@
 // Claims about the instrumented query and about what may be handed in as a visitor.
 #include "support/testing.hpp"
 
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "support/format/encoder.hpp"
 #include "support/machine/exact_buffer.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <espalier/distance.hpp>
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 #include <espalier/sweep.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_segment.hpp>

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include "support/base/vectors.hpp"
 #include "support/meshes/motions.hpp"

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 #include <espalier/scenes/contacts.hpp>
 
 #include "support/base/same_bits.hpp"

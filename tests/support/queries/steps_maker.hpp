@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <espalier/lattice.hpp>
+#include <espalier/advanced/lattice.hpp>
 
 #include "surface.hpp"
 

@@ -5,7 +5,7 @@
 #include "rays.hpp"
 #include "shapes/batches.hpp"
 
-#include <espalier/rounding.hpp>
+#include <espalier/advanced/rounding.hpp>
 
 namespace espalier::python {
 

@@ -17,6 +17,7 @@
 // allocates. Numerics are described at the end of this file.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 
@@ -30,6 +31,12 @@ namespace espalier {
 
 struct Transform;  // transform.hpp
 
+/// What rounding_error() takes beside a point.
+template <class Shape>
+concept RoundedShape = std::same_as<Shape, Ray> || std::same_as<Shape, Segment> || std::same_as<Shape, Sphere> ||
+    std::same_as<Shape, Capsule> || std::same_as<Shape, Box> || std::same_as<Shape, OrientedBox> ||
+    std::same_as<Shape, Triangle>;
+
 /// Returns how far rounding moves the query at most. For a ray: the largest distance of the rounded ray from it inside
 /// of the asset's box, without regard to t_min and t_max. For a Box: parts that are more than a lattice step outside of
 /// the asset's box may move farther in overlaps(), where they touch nothing. 0 for a blob without triangles.
@@ -38,13 +45,8 @@ struct Transform;  // transform.hpp
 /// (invalid_argument), and a point that is 2^36 lattice steps or more from the asset, or the origin of a ray that is
 /// 2^120 or more (out_of_range).
 Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept;
-Result<float> rounding_error(const Blob& blob, const Ray& ray) noexcept;
-Result<float> rounding_error(const Blob& blob, const Segment& segment) noexcept;
-Result<float> rounding_error(const Blob& blob, const Sphere& sphere) noexcept;
-Result<float> rounding_error(const Blob& blob, const Capsule& capsule) noexcept;
-Result<float> rounding_error(const Blob& blob, const Box& box) noexcept;
-Result<float> rounding_error(const Blob& blob, const OrientedBox& box) noexcept;
-Result<float> rounding_error(const Blob& blob, const Triangle& triangle) noexcept;
+template <RoundedShape Shape>
+Result<float> rounding_error(const Blob& blob, const Shape& shape) noexcept;
 
 /// Returns how far rounding moves the shape of a sweep at most, at its start and anywhere on its way: place,
 /// displacement and radius are all rounded. A body that touches nothing in one sweep may therefore touch the same
@@ -52,11 +54,8 @@ Result<float> rounding_error(const Blob& blob, const Triangle& triangle) noexcep
 /// bounds and of the rounding of your own additions (docs/queries.md, Slide along a surface).
 ///
 /// Refuses what sweep() refuses. 0 for a blob without triangles.
-Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept;
-Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept;
-Result<float> rounding_error(const Blob& blob, const Box& box, Vec3 displacement) noexcept;
-Result<float> rounding_error(const Blob& blob, const OrientedBox& box, Vec3 displacement) noexcept;
-Result<float> rounding_error(const Blob& blob, const ConvexHull& hull, Vec3 displacement) noexcept;
+template <SweptShape Shape>
+Result<float> rounding_error(const Blob& blob, const Shape& shape, Vec3 displacement) noexcept;
 
 class RoundedRay;
 
