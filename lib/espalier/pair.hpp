@@ -120,9 +120,9 @@ struct [[nodiscard]] PairTouch {
 /// as of overlaps() of two blobs. Cost: O(depth), the way down to each triangle.
 PairTouch pair_touch(const PlacedBlob& a, const PlacedBlob& b, const PairContact& pair) noexcept;
 
-/// Calls `visit` with where each pair of triangles touches, until it returns Visit::stop, in the order of
-/// for_each_contact(). It returns void or Visit. The triangles are at hand: no pair takes a way down the trees. Status
-/// and cost otherwise as of for_each_contact().
+/// Calls `visit` with the contact of each touching pair, in the order of for_each_contact(), until it returns
+/// Visit::stop; a visitor may also return void. Status and cost are those of for_each_contact(): the triangles are at
+/// hand, so no pair takes a way down the trees.
 QueryStatus for_each_touch(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairTouch&> visit,
                            WorkLimit limit) noexcept;
 
@@ -132,7 +132,7 @@ Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairT
 
 /// Returns the smallest distance of the two surfaces within max_distance (0 or more, or infinity), and where it is.
 ///
-/// Of equal distances above 0 the lowest a wins, then the lowest b. Where the surfaces touch, the pair is that of
+/// On a tie above 0 the lowest a wins, then the lowest b. Where the surfaces touch, the pair is that of
 /// first_contact(). not_found: nothing is within max_distance. work_limit: the distance is an upper bound, infinity if
 /// nothing was found yet. Refusals as overlaps(); invalid_argument also for a max_distance that is negative or NaN.
 [[nodiscard]] BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit,

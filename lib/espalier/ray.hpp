@@ -84,7 +84,7 @@ QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const Ra
 /// SIMD.
 Filled raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept;
 
-/// Writes to answers[i] what occluded() returns for rays[i]. Otherwise as the batch of raycast().
+/// Writes to answers[i] what occluded() returns for rays[i]. Same rules as the batched raycast().
 Filled occluded(const Blob& blob, std::span<const Ray> rays, std::span<YesNo> answers) noexcept;
 
 }  // namespace espalier

@@ -50,7 +50,7 @@ inline constexpr InstanceId no_instance = {};
 struct Instance {
     Transform transform;     ///< from the mesh's local space to the world; bake_scene() takes that of its source
     std::uint32_t mesh = 0;  ///< the number of its mesh in the scene; tiles are numbered after the meshes
-    std::uint32_t mask = 0xFFFFFFFF;  ///< queries with a mask that shares no bit with it pass the instance over
+    std::uint32_t mask = 0xFFFFFFFF;  ///< a query skips this instance unless the masks share a bit
     std::uint32_t user = 0;           ///< the caller's: never read by the library
     std::uint32_t source = 0;         ///< its number in the list that was given to bake_scene()
 };

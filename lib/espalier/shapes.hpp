@@ -92,7 +92,7 @@ concept SweptShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule>
 
 /// A body that find_contacts() takes.
 template <class Shape>
-concept ContactBody = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> ||
-    std::same_as<Shape, OrientedBox> || std::same_as<Shape, ConvexHull>;
+concept ContactBody = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, OrientedBox> ||
+    std::same_as<Shape, ConvexHull>;
 
 }  // namespace espalier

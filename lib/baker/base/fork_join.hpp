@@ -1,4 +1,4 @@
-// Two parts of a tree at the same time. They write to different places, so that the result does not know of it.
+// Two parts of a tree at the same time. They write to different places, so the result is independent of scheduling.
 #pragma once
 
 #include <algorithm>

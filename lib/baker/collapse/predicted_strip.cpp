@@ -6,7 +6,7 @@ namespace espalier::baker {
 
 namespace {
 
-/// Of the least field that holds residual + half the field's range; 0 for 0.
+/// Returns the bits needed to store the residual with a half-range bias; 0 for 0.
 unsigned width_of(std::int32_t residual) {
     if (residual == 0) return 0;
     return static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(residual < 0 ? ~residual : residual))) + 1;

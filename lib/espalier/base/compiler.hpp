@@ -34,8 +34,8 @@
 #define ESPALIER_PACK_SATURATED(a, b) __builtin_ia32_packssdw128(a, b)
 #endif
 
-/// The same number or pointer, as if it could be another one each time, so that nothing is computed ahead of a loop.
-/// The place is the letter of a kind of register: "r" is general.
+/// Hides the value from the optimiser, so that nothing which depends on it is hoisted out of a loop. The place is the
+/// letter of a kind of register: "r" is general.
 #define ESPALIER_AS_IF_CHANGED(x, place) __asm__ volatile("" : "+" place(x))
 
 #if defined(__SIZEOF_INT128__)

@@ -37,11 +37,12 @@ struct RayArrays {
 /// whole: some at a time, on up to 17 KB of stack, but hardly any on cores without SIMD.
 Filled raycast(const Blob& blob, const RayArrays& rays, std::span<RayHit> hits) noexcept;
 
-/// Writes what occluded() returns for each ray. Otherwise as raycast().
+/// Writes what occluded() returns for each ray. Same rules as raycast().
 Filled occluded(const Blob& blob, const RayArrays& rays, std::span<YesNo> answers) noexcept;
 
 /// Writes what closest_hits() returns for each ray to `found`, and the hits to rows of `hits`: that of ray i begins at
-/// i * places, where `places` is hits.size() / found.size(). Refuses sizes that leave a rest.
+/// i * places, where `places` is hits.size() / found.size(). hits.size() must be a
+/// multiple of found.size().
 Filled closest_hits(const Blob& blob, const RayArrays& rays, std::span<RayHit> hits, std::span<Filled> found) noexcept;
 
 /// Writes the hits of each ray as for_each_hit() visits them, and what that returns to `statuses`. `offsets` has one

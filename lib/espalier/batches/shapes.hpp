@@ -50,7 +50,8 @@ Filled signed_distance(const Blob& blob, const Strided<Vec3>& points, std::span<
 Filled contains(const Blob& blob, const Strided<Vec3>& points, std::span<YesNo> answers) noexcept;
 
 /// Writes what closest_triangles() returns for each point to `found`, and the triangles to rows of `nearest`: that of
-/// point i begins at i * places, where `places` is nearest.size() / found.size(). Refuses sizes that leave a rest.
+/// point i begins at i * places, where `places` is nearest.size() / found.size(). nearest.size() must be
+/// a multiple of found.size().
 Filled closest_triangles(const Blob& blob, const Strided<Vec3>& points, std::span<ClosestPoint> nearest,
                          std::span<Filled> found, float max_distance = infinity) noexcept;
 

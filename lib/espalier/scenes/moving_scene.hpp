@@ -3,8 +3,9 @@
 // A MovingScene holds instances of meshes, which are inserted, moved and removed at any time. Every query of scene.hpp
 // and of contacts.hpp takes it, with the same arguments and answers: InstanceId::index is then a slot. They refuse a
 // scene that waits for refit() (not_refitted), and call visitors in the order of the tree, which is the same on every
-// machine, not in that of the slots. mesh_at() is for baked scenes alone. pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted as a mesh is:
-// queries then cover both what moves and what does not.
+// machine, not in that of the slots. mesh_at() is for baked scenes alone. pairs.hpp finds the instances in it that may
+// touch or do. A tile, a whole BakedScene, is inserted as a mesh is: queries then cover both what moves and what does
+// not.
 //
 // Rays are rounded once for all instances on the common lattice, such as the pieces of a ground that come and go: no
 // ray passes between two that share an edge. It is that of the world: its points are whole steps from the origin.

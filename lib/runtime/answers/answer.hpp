@@ -73,7 +73,7 @@ struct Each : Answer {
         if (!comes_here(found)) return Visit::next;
         return keep_place(found, visit(TriangleId{found.index}, blob, found.reference));
     }
-    /// The same of a triangle whose leaf is at hand: its corners need no search.
+    /// Takes a triangle whose leaf is at hand, so its corners need no search.
     template <class Leaf>
     Visit take(const Found& found, const Leaf& leaf, unsigned slot) {
         if (on_triangle == nullptr && !visit.takes_corners()) return take(found);
@@ -133,7 +133,7 @@ private:
     static Visit take_found(Answer& self, const Found& found);
 };
 
-/// Of squared distances, in lattice steps, as floats that may be off by 2^-18; infinite when there is nothing.
+/// Bounds on a squared distance in lattice steps, as floats within 2^-18; infinite if there is no surface.
 struct SquaredBounds {
     float lower = infinity;
     float upper = infinity;

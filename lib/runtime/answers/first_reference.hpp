@@ -22,8 +22,8 @@ using ReachedChildren = FunctionRef<unsigned(const PlainNode& node, unsigned chi
 /// that the triangle touches, and stops at the first reference.
 bool is_first_reference(const BlobData& blob, std::uint32_t index, ReachedChildren reached);
 
-/// The same for a ray, which reaches the boxes that it passes through exactly: the answer does not depend on how lanes
-/// round.
+/// Returns the same for a ray. It counts the boxes that the ray passes through in exact arithmetic, so the answer does
+/// not depend on how a machine rounds.
 bool is_first_reference(const BlobData& blob, std::uint32_t index, const IntegerRay& ray);
 
 }  // namespace espalier::detail

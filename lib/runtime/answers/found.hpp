@@ -32,7 +32,7 @@ struct FoundNearest : Found {
     LatticeTriangle triangle;
 
     [[nodiscard]] float key() const { return distance.squared; }
-    /// Of boxes, once this is found.
+    /// Returns the limit for boxes once this triangle is found.
     [[nodiscard]] float limit(float before) const { return minimum(key() * distance_slack, before); }
 };
 

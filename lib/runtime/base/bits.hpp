@@ -40,7 +40,8 @@ constexpr float whole_float(std::uint32_t number) {
 
 /// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
 constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
-/// The same from the bits of a magnitude that is not 0, and also of a subnormal number, from its highest bit.
+/// Returns the exponent for the bits of a magnitude that is not 0; that of a subnormal number is that of its highest
+/// bit.
 constexpr int exponent_of_bits(std::uint32_t magnitude) {
     return magnitude >= 0x00800000u ? static_cast<int>(magnitude >> 23) - 127 : 31 - std::countl_zero(magnitude) - 149;
 }
@@ -253,12 +254,12 @@ inline std::uint32_t load_field(const std::byte* stream, unsigned width, unsigne
     return load_few_bits(stream, width * index, width);
 }
 
-/// The same for at most 57 bits. Reads 8 bytes.
+/// Loads up to 57 bits of a stream. Reads 8 bytes.
 inline std::uint64_t load_bits(const std::byte* stream, unsigned bit, unsigned count) {
     return (load_u64(stream + bit / 8) >> (bit % 8)) & ((std::uint64_t{1} << count) - 1u);
 }
 
-/// The same for at most 63 bits. Reads 9 bytes.
+/// Loads up to 63 bits of a stream. Reads 9 bytes.
 inline std::uint64_t load_many_bits(const std::byte* stream, unsigned bit, unsigned count) {
     const std::byte* const at = stream + bit / 8;
     const std::uint64_t above = (std::uint64_t{load_u8(at + 8)} << 1) << (63 - bit % 8);

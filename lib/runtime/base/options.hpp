@@ -20,9 +20,8 @@ namespace espalier::detail {
 
 // What keeps a compiler from fetching ahead or in pieces.
 
-/// The same pointer or number, as if it could be another one each time: what it leads to is in the cache, and fetched
-/// ahead of a loop it would overflow the registers and be kept on the stack a second time. A word that is loaded stays
-/// one word, too.
+/// Hides a pointer or number from the optimiser, so that loads are not hoisted out of the loop and spilled: what they
+/// load is in the cache anyway. A word that is loaded also stays one word.
 template <class T>
 ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
     ESPALIER_AS_IF_CHANGED(x, "r");
@@ -190,11 +189,11 @@ constexpr bool is_read(Profile profile) {
     if (profile == Profile::fast) return reads_plain_leaves;
     return format::has_predicted_strips(profile) ? reads_predicted_strips : reads_stored_strips;
 }
-/// Of a profile that is read.
+/// Returns whether a profile that this build reads has plain leaves.
 constexpr bool has_plain_leaves(Profile profile) {
     return !reads_strip_leaves || (reads_plain_leaves && profile == Profile::fast);
 }
-/// Of a profile that is read and has strips.
+/// Returns whether a profile that this build reads, and that has strips, predicts their vertices.
 constexpr bool has_predicted_leaves(Profile profile) {
     return reads_predicted_strips && (!reads_stored_strips || format::has_predicted_strips(profile));
 }

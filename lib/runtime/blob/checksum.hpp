@@ -62,8 +62,8 @@ ESPALIER_SHARED_CODE inline std::uint32_t checksum_steps(std::uint32_t state, co
     return state;
 }
 
-/// Of a whole blob, or of the remap file beside it, the checksum field of its header taken as zero. Both have at least
-/// 16 bytes.
+/// Returns the checksum of a whole blob, or of the remap file beside it, with the checksum field of the header taken as
+/// zero. Both have at least 16 bytes.
 inline std::uint32_t checksum_of_blob(std::span<const std::byte> bytes) {
     constexpr std::byte zeros[4] = {};
     const std::byte* const field = bytes.data() + format::header::checksum_at;

@@ -43,7 +43,7 @@ public:
         return false;
     }
     [[nodiscard]] bool is_predicted(unsigned entry) const { return (predicted_ >> entry & 1) != 0; }
-    // Of a predicted entry: the three corners of the parallelogram, by their vertices.
+    // The three corners of the parallelogram from which an entry is predicted, as vertices.
     [[nodiscard]] unsigned pivot_of() const { return entries_[pivot_]; }
     [[nodiscard]] unsigned before(unsigned entry) const { return entries_[entry - 1]; }
     [[nodiscard]] unsigned opposite(unsigned entry) const { return entries_[turns_ ? pivot_before_ : entry - 2]; }

@@ -29,7 +29,7 @@ struct IntegerRotation {
     std::int32_t norm;
 };
 
-/// Of a quaternion whose parts are within +-format::bounds::max_quaternion.
+/// Returns the rotation of a quaternion whose parts are within +-format::bounds::max_quaternion.
 constexpr IntegerRotation rotation_of(std::int32_t w, std::int32_t x, std::int32_t y, std::int32_t z) {
     return {{{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
              {2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},

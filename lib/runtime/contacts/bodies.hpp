@@ -23,7 +23,7 @@ struct Body {
     int fraction_bits;       ///< of the middle
     float radius;            ///< lattice steps; 0 for shapes without one
 
-    // Of the caller's shape, in the caller's units:
+    // The caller's shape, in the caller's units:
     const void* shape;
     Vec3 shape_middle;
     float least_reach;  ///< how far it reaches, at least, from what of it nearest() measures

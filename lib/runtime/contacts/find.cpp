@@ -129,7 +129,8 @@ private:
         return !is_behind || !internal_features(owner, nearest_.triangle).have(nearest_.feature, true) ||
                contacts::dot(nearest_.face_normal, nearest_.point - body.shape_middle) > 0.7f * nearest_.distance;
     }
-    /// Of the body's surface, from a distance of its core in steps. A huge radius is more steps than a float holds.
+    /// Returns the distance of the body's surface for that of its core in steps: a huge radius is more steps than a
+    /// float holds.
     [[nodiscard]] float to_local_distance(float of_core) const {
         return minimum(scale_by_power_of_two(of_core, blob.step_exponent) - body.least_reach,
                        margin);  // decided before
@@ -169,7 +170,7 @@ float first_margin(const Blob& blob, const Body& body, float margin) {
     const float reach = body.most_reach;
     const ClosestPoint nearest = body.functions->nearest(blob, body.shape, (reach + margin) * (1.0f + 0x1p-16f));
     if (nearest.status != QueryStatus::ok) return margin;
-    // Of a sphere and a capsule that is the distance, below 0 the depth.
+    // For a sphere and a capsule this is the distance, and below 0 the depth.
     const float least = maximum(nearest.distance - reach, -body.least_reach);
     const float most = maximum(nearest.distance - body.least_reach, least);
     const float step = scale_by_power_of_two(1.0f, data_of(blob).step_exponent);

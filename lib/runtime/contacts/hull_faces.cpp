@@ -117,7 +117,7 @@ private:
             for_each(in_plane & ~(Vertices{1} << last), [&](unsigned i) {
                 const Integer3 best = between(last, next), to = between(last, i);
                 const int side = sign(triple(normal, best, to));
-                // Of several on one line the farthest: all lie on the same side of the last one.
+                // Among several on one line take the farthest: all others lie on the same side of the last one.
                 if (side < 0 || (side == 0 && dot<Int128>(best, best) < dot<Int128>(best, to))) next = i;
             });
             last = next;

@@ -51,7 +51,7 @@ float squared_distance_to(const Support& a, const Support& b, const Support& p) 
     if (along >= length) return squared_distance_to(b, p);
     return detail::maximum(inner(from_a, from_a) - along * along / length, 0.0f);
 }
-/// Of the hull of three: of its inside where p lies over that, else of its sides.
+/// Returns the squared distance to the triangle of three supports: to its inside if p lies over it, else to its sides.
 float squared_distance_to(const Support& a, const Support& b, const Support& c, const Support& p) {
     const Support ab = difference(b, a), ac = difference(c, a), ap = difference(p, a);
     const float bb = inner(ab, ab), cc = inner(ac, ac), bc = inner(ab, ac), pb = inner(ap, ab), pc = inner(ap, ac);

@@ -179,7 +179,7 @@ NearestPair nearest_pair(const HullBody& hull, const Vec3& moved, const Triangle
     return nearest;
 }
 
-/// Of places on the triangle those that reach farthest in eight directions.
+/// The places on the triangle that reach farthest in eight directions.
 class FarthestPlaces {
 public:
     explicit FarthestPlaces(const Vec3& normal) {

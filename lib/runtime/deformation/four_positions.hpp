@@ -69,7 +69,7 @@ ESPALIER_ALWAYS_INLINE inline bool are_four_in_range(const PoseAxes& axes, const
     static_assert(sizeof(Vec3) == 12);
     FourWords outside = {};
     for (unsigned row = 0; row < 3; ++row) {
-        // Of twelve numbers in a row, number i is on axis i modulo 3.
+        // Four positions are twelve numbers in a row, of which number i is on axis i modulo 3.
         const PoseAxis &a = axes.axis[row], &b = axes.axis[(row + 1) % 3], &c = axes.axis[(row + 2) % 3];
         FourFloats numbers;
         ESPALIER_COPY_BYTES(&numbers, reinterpret_cast<const std::byte*>(positions) + 16 * row, sizeof numbers);

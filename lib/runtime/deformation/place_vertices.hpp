@@ -60,7 +60,8 @@ inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, c
     return box;
 }
 
-/// The same for four vertices or more on near axes. The last four overlap others where their number is no multiple.
+/// Places at least four vertices on near axes, four at a time. If their number is no multiple of four, the last four
+/// overlap the ones before.
 template <bool has_short_sources, bool has_high_bytes>
 inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
     FourFloats low[3], high[3];

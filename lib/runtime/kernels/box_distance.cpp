@@ -83,7 +83,7 @@ private:
     Integer3 edge_;
 };
 
-/// Of side `number`, 0 from a to b.
+/// Returns the distance of side `number`: 0 runs from a to b.
 ESPALIER_SHARED_CODE PointDistance distance_of_side(const UnitSegment& diagonal, const LatticeTriangle& triangle,
                                                     int number, float& along) {
     return SideAndBox(diagonal, triangle, number).closest(along);

@@ -238,11 +238,12 @@ private:
     [[nodiscard]] bool is_too_late(SweepStep most) const {
         return multiply(speed_, std::int64_t{most}) < bound_ << tick_bits;
     }
-    /// Of a corner where the line meets the plane, times speed_.
+    /// Returns the barycentric weight of a corner, times speed_, where the line meets the plane.
     [[nodiscard]] Int128 weight_of(unsigned i) const {
         return triple_product(way_, corner_[i == 2 ? 0 : i + 1].at, corner_[i == 0 ? 2 : i - 1].at);
     }
-    /// Of the plane; where all differences lie in one plane with the line, of one that is across that.
+    /// Returns the normal of the plane, or, if all differences lie in one plane with the line, of a plane across that
+    /// one.
     [[nodiscard]] Integer3 separating_normal() const {
         Integer3 side = {0, 0, 0};
         unsigned flat = 0;

@@ -20,7 +20,7 @@ inline constexpr int tick_bits = 24;
 inline constexpr SweepStep whole_way = SweepStep{1} << tick_bits;
 inline constexpr SweepStep no_contact = 0xFFFFFFFFu;
 
-/// As a share of the way, exactly.
+/// Returns a number of ticks as a share of the way, exactly.
 inline float share_of_way(std::uint32_t ticks) { return static_cast<float>(ticks) * power_of_two(-tick_bits); }
 /// The last tick before the first contact; the start when it touches there.
 constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : step - 1; }

@@ -36,7 +36,8 @@ inline void finish(PointDistance& distance, int fraction_bits) {
     distance.squared = (distance.square_numerator ? quotient * numerator : quotient) * power_of_two(-2 * fraction_bits);
 }
 
-/// Of a quotient that is no distance to a face. Assigned one by one: lists of values are zeroed first, by a call.
+/// Returns a squared distance to an edge or a vertex. Members are assigned one by one, because GCC zeroes a whole list
+/// of values first, by a call.
 ESPALIER_SHARED_CODE inline PointDistance squared_quotient(const Int128& numerator, const Int128& denominator,
                                                            Feature feature, int fraction_bits) {
     PointDistance result;

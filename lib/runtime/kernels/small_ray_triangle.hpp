@@ -52,7 +52,7 @@ ESPALIER_NOINLINE inline Words dot(const std::int32_t* p, const CrossProduct& q)
 /// Sign of numerator * 2^-shift / denominator - bound, exactly, given the quotient as a float within 4 ulp.
 ESPALIER_NOINLINE inline std::int32_t compare_quotient(float quotient, const Words& numerator, const Words& denominator,
                                                        int shift, float bound) {
-    // As their bits are ordered: negative ones downwards.
+    // Floats in the order of their bits, where negative ones count downwards.
     const auto bits = std::bit_cast<std::int32_t>(bound);
     const std::int32_t place = bits < 0 ? INT32_MIN - bits : bits;
     const std::int32_t order = std::bit_cast<std::int32_t>(quotient) - place;  // in ulp

@@ -17,7 +17,7 @@ struct TriangleDistance {
 /// All zeros when they share a point. Coordinates are below 2^25.
 void find_distance_if_apart(const LatticeTriangle& a, const LatticeTriangle& b, TriangleDistance& distance) noexcept;
 
-/// Of those that share a point, also where.
+/// Returns the distance of two triangles, and where they meet if they share a point.
 TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept;
 
 /// Whether they are at most `radius` apart (steps of the grid, 0 or at least 2^-100), exactly; touching counts.

@@ -37,7 +37,7 @@ constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cas
 
 }  // namespace placed
 
-/// As RayLanes, for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
+/// RayLanes for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
 struct PlacedRayLanes {
     alignas(16) float inverse[4];
     alignas(16) float near_offset[4];
@@ -85,7 +85,7 @@ inline Ints load_bytes(const std::byte* at) {
 inline Ints load_words(const std::byte* at) {
     return Ints(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at))));
 }
-/// Of numbers below 2^31.
+/// Converts numbers below 2^31.
 inline Floats to_floats(Ints a) { return _mm256_cvtepi32_ps(__m256i(a)); }
 
 #include <runtime/lanes/arithmetic.inl>
@@ -306,7 +306,7 @@ inline Axes bytes_to_axes(std::uint32_t bytes) {
 /// A word of the blob, shifted left by each count.
 template <int x, int y, int z>
 inline AxisInts shift_left_each(const std::byte* word) {
-    // As a float it is loaded and spread by one instruction.
+    // One instruction loads and spreads a word, if the compiler takes it for a float.
     return AxisInts(_mm_sllv_epi32(__m128i(_mm_set1_ps(load_as<float>(word))), _mm_setr_epi32(x, y, z, z)));
 }
 

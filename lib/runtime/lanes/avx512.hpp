@@ -27,7 +27,7 @@ inline Ints load_bytes(const std::byte* at) {
 inline Ints load_words(const std::byte* at) {
     return Ints(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(at))));
 }
-/// Of numbers below 2^31.
+/// Converts numbers below 2^31.
 inline Floats to_floats(Ints a) { return _mm512_cvtepi32_ps(__m512i(a)); }
 unsigned bits_of(SignedInts) = delete;  // comparisons give masks
 
@@ -48,7 +48,7 @@ inline Floats multiply_add(Floats a, Floats b, Floats c) { return _mm512_fmadd_p
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return _mm512_fmsub_ps(a, b, c); }
 inline unsigned at_most(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
 inline unsigned at_most(SignedInts a, SignedInts b) {
-    // As a number and not as a mask: GCC 12 stores masks in two bytes and loads four.
+    // Returned as a number, because GCC 12 stores a mask in two bytes and loads four.
     return _cvtmask16_u32(_mm512_cmple_epi32_mask(__m512i(a), __m512i(b)));
 }
 

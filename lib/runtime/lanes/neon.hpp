@@ -30,7 +30,7 @@ inline Ints load_words(const std::byte* at) {
 inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
     return vreinterpretq_u32_u8(vqtbl1q_u8(vld1q_u8(reinterpret_cast<const std::uint8_t*>(bytes)), vld1q_u8(numbers)));
 }
-/// Of numbers below 2^31.
+/// Converts numbers below 2^31.
 inline Floats to_floats(Ints a) { return vcvtq_f32_u32(a); }
 
 #include <runtime/lanes/arithmetic.inl>

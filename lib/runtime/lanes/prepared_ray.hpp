@@ -60,7 +60,7 @@ struct RayLanes {
     [[nodiscard]] static float low(unsigned) { return 0.0f; }
     [[nodiscard]] float high(const BlobData& blob, unsigned k) const { return blob.extent_steps[k] * inverse[k]; }
 };
-/// The same for plain nodes: a plane is a coordinate, tau is plane * base_inverse + offset.
+/// RayLanes for plain nodes, whose planes are coordinates: tau is plane * base_inverse + offset.
 struct PlainRayLanes : RayLanes {
     static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return plain_plane_orders; }
     /// High planes stand for all coordinates up to the next one's.
@@ -123,7 +123,7 @@ inline bool prepare_ray(const BlobData& blob, const Ray& ray, PreparedRayIn<Lane
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 
-/// The same for a ray that was rounded before.
+/// Prepares a ray that was rounded before.
 template <class Lanes>
 inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;

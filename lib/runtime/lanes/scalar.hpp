@@ -39,7 +39,7 @@ inline SignedInts cross_pairs(Ints p, Ints q) {
     const auto y = [](Ints pair) { return static_cast<std::int32_t>(pair) >> 16; };
     return x(p) * y(q) - y(p) * x(q);
 }
-/// The same for all of |a| + |b| + |c|: the sum of both coordinates' times the weight, below 2^15.
+/// Returns the sum of both coordinates of |a| + |b| + |c|, saturated to 16 bits, times a weight below 2^15.
 inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
     const auto magnitudes = [](Ints pair) {
         const std::int32_t x = static_cast<std::int16_t>(pair), y = static_cast<std::int32_t>(pair) >> 16;

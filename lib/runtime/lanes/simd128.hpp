@@ -24,7 +24,7 @@ inline Ints load_words(const std::byte* at) { return Ints(wasm_u32x4_load16x4(at
 inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
     return Ints(wasm_i8x16_swizzle(wasm_v128_load(bytes), wasm_v128_load(numbers)));
 }
-/// Of numbers below 2^31.
+/// Converts numbers below 2^31.
 inline Floats to_floats(Ints a) {
     ESPALIER_AS_IF_CHANGED(a, "r");  // else Clang converts what was widened from 16 bits one by one
     return wasm_f32x4_convert_i32x4(a);

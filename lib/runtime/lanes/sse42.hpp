@@ -31,7 +31,7 @@ inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
     return Ints(_mm_shuffle_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes)),
                                  _mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers))));
 }
-/// Of numbers below 2^31.
+/// Converts numbers below 2^31.
 inline Floats to_floats(Ints a) { return _mm_cvtepi32_ps(__m128i(a)); }
 
 #include <runtime/lanes/arithmetic.inl>

@@ -36,7 +36,7 @@ ESPALIER_SHARED_CODE inline QueryStatus round_segment(const BlobData& blob, cons
         rounder.extend(rounder.distance(k, steps[i]));
     }
     if (!(rounder.reach() < shape_reach)) return QueryStatus::out_of_range;
-    // As fine as the far end allows, which the near one then shares.
+    // As fine as the far end allows; the near end shares that grid.
     segment.fraction_bits = fraction_bits_for(rounder.reach(), segment_grid);
     to_grid(steps, segment.fraction_bits, segment.from, segment.from_steps);
     to_grid(steps + 3, segment.fraction_bits, segment.to, segment.to_steps);

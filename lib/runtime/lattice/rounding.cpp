@@ -89,9 +89,7 @@ Result<float> error_of(const Blob& blob, const Capsule& capsule) {
     return error_of(blob, Segment{capsule.from, capsule.to});
 }
 
-Result<float> error_of(const Blob& blob, const Box& box) {
-    return error_of(blob, Segment{box.min, box.max});
-}
+Result<float> error_of(const Blob& blob, const Box& box) { return error_of(blob, Segment{box.min, box.max}); }
 
 Result<float> error_of(const Blob& blob, const OrientedBox& box) {
     if (!blob) return {};

@@ -11,7 +11,7 @@ using namespace detail;
 
 namespace {
 
-/// As those of blobs are: then nothing overflows.
+/// Returns whether a lattice is in the range of those of blobs, so that nothing overflows.
 bool is_lattice(const Lattice& lattice) {
     return lattice.step_exponent >= format::min_step_exponent && lattice.step_exponent <= format::max_step_exponent &&
            detail::is_finite(lattice.origin);

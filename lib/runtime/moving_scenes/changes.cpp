@@ -39,7 +39,7 @@ void write_place(const MovingScene& scene, SceneBlock& block, std::uint32_t numb
     write_box(scene, block, number, box);
 }
 
-/// The same after a test of the place. Returns ok or a refusal.
+/// Places a slot if its box is in the world. Returns ok or a refusal.
 QueryStatus place_slot(const MovingScene& scene, SceneBlock& block, std::uint32_t number, const PartBounds& bounds,
                        const Transform& transform) {
     StepsBox box;

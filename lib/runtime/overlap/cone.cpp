@@ -80,7 +80,7 @@ bool side_meets(const Rounded<Cone>& cone, const Corner& p, const Corner& q) {
         if (between.is_negative()) return true;  // the apex is on the side
     }
     const WideVector turned = wide_cross(cone.axis, normal);
-    // Of all directions to the side one is closest to the axis: p * of_p + q * of_q.
+    // The direction across the normal that is closest to the axis is p * of_p + q * of_q.
     const Int128 of_p = dot<Int128>(q.across, normal), of_q = -dot<Int128>(p.across, normal);
     if (sign(of_p) > 0 && sign(of_q) > 0 && sign_of_sum(of_p, p.above_base, of_q, q.above_base) <= 0 &&
         is_within_radius_of_cone(cone, scaled(cone.axis, dot<Int128>(cone.axis, normal)), turned, -cone.axis_exponent))
@@ -193,7 +193,7 @@ void enclose(Rounded<Cone>& cone, float radius) {
     const Integer3& a = cone.axis;
     const Integer3 base = {bound(0, cone.apex.x, a.x), bound(1, cone.apex.y, a.y), bound(2, cone.apex.z, a.z)};
     add_plane(cone, -a, cone.apex, 0, size);
-    // Of a base that is farther away the plane bounds nothing, and does not fit.
+    // The plane of a base farther away bounds nothing on the lattice, and its offset would not fit.
     if (size < std::int64_t{1} << 36) add_plane(cone, a, base, sum_of_magnitudes(a), size);
     add_slopes(cone, radius, size);
 }

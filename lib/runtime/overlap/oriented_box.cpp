@@ -126,7 +126,7 @@ bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noe
         seen.corner[i] = corner_on_grid(triangle, i, box.fraction_bits) - box.center;
         seen.side[i] = side_from(triangle, i);
     }
-    // Of the axes of space only a flat box needs these; to others they are a cheap first try.
+    // Only a flat box needs the axes of space; for other boxes they are a cheap first test.
     const Integer3 reach = magnitude(box.half[0]) + magnitude(box.half[1]) + magnitude(box.half[2]);
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = span_of(seen.corner[0][k], seen.corner[1][k], seen.corner[2][k]);

@@ -27,7 +27,7 @@ bool to_fixed_point(FloatParts parts, Int128& term) {
     return true;
 }
 
-/// Of offsets beyond this all of a node's boxes are on the same side.
+/// With an offset beyond this, all boxes of a node lie on the same side of the plane.
 constexpr std::int64_t farthest_offset = std::int64_t{1} << 52;
 
 /// dot(n, origin + step * x) <= offset, divided by step and scaled by the power of two that makes n's largest

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const Candidate* begin() const { return candidates_; }
     [[nodiscard]] const Candidate* end() const { return candidates_ + count_; }
 
-    /// Of equal keys the one that was offered first comes first.
+    /// Inserts a candidate behind those with a smaller or an equal key.
     void offer(const Candidate& candidate) {
         unsigned place = count_;
         // mutant(< -> <=) work: changes which of two equally near pairs comes first

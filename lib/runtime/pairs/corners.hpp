@@ -59,7 +59,7 @@ ESPALIER_ALWAYS_INLINE inline Floats gap_along_axes(const PlacedLanes& t, const 
     return along_sum;
 }
 
-/// Of their corners, the nearest two.
+/// Returns the squared distance of the two nearest corners.
 ESPALIER_ALWAYS_INLINE inline Floats squared_of_nearest_corners(const PlacedLanes& t, const PlacedLanes& other) {
     Floats nearest = splat(infinity);
     for (const auto& ours : t.corner)

@@ -49,7 +49,7 @@ struct PlacedLanes {
         }
         cross(ab, ac, normal);
     }
-    /// The same triangle in all lanes.
+    /// Copies one triangle to all lanes.
     template <class Triangles>
     ESPALIER_ALWAYS_INLINE void spread(const Triangles& triangles, unsigned place) {
         for (int i = 0; i < 3; ++i)

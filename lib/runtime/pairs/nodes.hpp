@@ -78,7 +78,7 @@ struct CrossReach {
     [[nodiscard]] float at(int i, int j) const { return of[j][i]; }
 };
 #else
-/// The same, computed where it is needed.
+/// The reach across a pair of axes, computed where it is needed: small code has no room to keep it.
 struct CrossReach {
     const SeenBox& seen;
     const PairSide& side;
@@ -168,8 +168,8 @@ ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBox
     return sum;
 }
 
-/// Of how far apart the centers of boxes are, what counts beside the boxes' gap in the order of children: most boxes
-/// far up have no gap.
+/// The weight of the distance between centers, beside the gap between boxes, in the order of children: most boxes far
+/// up have no gap.
 inline constexpr float share_of_centers = 0x1p-4f;
 
 /// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers

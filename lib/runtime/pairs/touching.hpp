@@ -120,7 +120,7 @@ struct MeetingBoxes {
     }
 };
 
-/// Of a's triangles those that may touch each one of b, or surely do: a bit for each slot.
+/// For each triangle of b, the triangles of a that may touch it and those that certainly do: a bit for each slot.
 template <class Slots>
 struct TouchingSlots {
     Slots may[PlacedTriangles::most];

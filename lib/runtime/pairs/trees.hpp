@@ -95,7 +95,7 @@ public:
         items[side] = item;
         boxes_[side] = box_of(frame, side, item);
     }
-    /// The same, where it may be the one that is there.
+    /// Sets the box unless it is the one that is there.
     void set_again(const PairFrame& frame, unsigned side, PairItem item) {
         if (items[side].packed != item.packed) set(frame, side, item);
     }

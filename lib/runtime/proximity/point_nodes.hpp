@@ -27,7 +27,7 @@ ESPALIER_ALWAYS_INLINE inline void planes_from_point(const Boxes& boxes, const R
     }
 }
 
-/// The same as distance_test of one child after the other, no farther than to the axis that takes it out.
+/// Returns what distance_test() does, child by child, and stops at the first axis that rules a child out.
 template <class Node>
 inline unsigned distance_test_one_by_one(const Node& node, const RoundedPoint& point, const BlobData& blob, float limit,
                                          float* distances) {

@@ -208,8 +208,8 @@ protected:
     }
 };
 
-/// The same for small cores with a float unit, where a bound takes less than a decision: triangles come in the order of
-/// bounds, not in that of a leaf.
+/// The shape for small cores with a float unit, where a bound costs less than a decision: it visits triangles in the
+/// order of their bounds, not in that of the leaf.
 struct BoundedPointShape : PointShape {
     std::int32_t below[3];  ///< the point's coordinates, rounded down
     float reach;
@@ -218,7 +218,7 @@ struct BoundedPointShape : PointShape {
         : PointShape{from, of}, reach(reach_from(of, from.steps)) {
         for (int k = 0; k < 3; ++k) below[k] = clamp_to_bounds(from.origin[k] >> from.fraction_bits);
     }
-    /// Of its box, by less than a step along each axis nearer than it is.
+    /// Returns the squared distance of the triangle's box, which may be nearer by less than a step along each axis.
     [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const {
         const auto& [a, b, c] = triangle.corner;
         float squared = 0.0f;

@@ -17,7 +17,7 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
     return sum;
 }
 
-/// The same to the farthest corners.
+/// Squared distance from the origin to the farthest corners of boxes.
 inline Floats squared_distance_of_far_corner(const Floats* low, const Floats* high) {
     Floats sum = splat(0.0f);
     // mutant(< -> <=) sanitizer: reads or writes a fourth coordinate behind three

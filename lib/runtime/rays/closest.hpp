@@ -60,7 +60,7 @@ struct ClosestHit {
         const auto bits = [](float tau) { return std::bit_cast<std::int32_t>(tau); };
         const std::int32_t later = bits(hit.whole_tau) - bits(best->t);
         if (later > 0) return Visit::next;
-        // Of equally near triangles those before the best one count, of nearer ones all.
+        // On a tie, prefer the lower index.
         const std::uint32_t end = later == 0 ? best->triangle.index : no_triangle.index;
         const std::uint32_t index = owner_index(leaf, slot);
         // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit

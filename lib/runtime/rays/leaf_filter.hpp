@@ -43,9 +43,9 @@ private:
     float error_;
 };
 
-/// The same for instruction sets that keep vertices on the stack: as pairs of 16-bit integers, in half the room:
-/// `scale_` makes 2^14 of twice the leaf's size. What is larger, as it may be of triangles that are not hit, becomes
-/// anything. Edge functions of them are exact; that the integers are coarse, each triangle's own size pays for: the
+/// The vertices for instruction sets that keep them on the stack: as pairs of 16-bit integers, which take half the
+/// room. `scale_` maps twice the leaf's size to 2^14; what is larger belongs to triangles that are not hit, and may
+/// wrap. Edge functions of these integers are exact. Their coarseness is charged to each triangle by its own size: the
 /// nearer its corners, the less their errors move its edges.
 template <unsigned groups>
 class PairVertices {
@@ -227,8 +227,8 @@ ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLea
     return mask & leaf.used_slots();
 }
 
-/// The same, from where the leaf is. Apart from the walk, which then keeps its own numbers in registers. Decoded in
-/// place: a leaf that is copied is read in wider pieces than it was written in, and waits for them.
+/// Decodes a leaf and filters its triangles. Out of line, so that the traversal keeps its registers; in place, because
+/// a copy would be read in wider pieces than it was written in and stall store forwarding.
 template <class SomeLeaf>
 ESPALIER_NOINLINE inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, typename SomeLeaf::Node node,
                                                                     unsigned number, const LatticeRay& ray,
@@ -245,8 +245,7 @@ ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates(const Plac
 }
 
 /// Whether the ray hits the triangle in a slot, which lanes did not reject; with a TriangleHit to fill, in its window,
-/// else at any tau from 0 on. Apart from the walk, and the kernels for long edges apart from the one for short ones,
-/// which jumps to them: on the stack there is never more than one's need.
+/// else at any tau from 0 on. Out of line, and the wide kernels are separate tail calls, so their frames never coexist.
 template <class Leaf, class... Hit>
 ESPALIER_NOINLINE inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
                                                      Hit&... hit) {

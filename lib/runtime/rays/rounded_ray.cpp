@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// As a blob that fills the region, of which rounding needs no more.
+/// Returns the parts of a blob that rounding reads, as if the blob filled the region.
 BlobData asset_of(const Lattice& region) {
     BlobData asset;
     asset.step_exponent = static_cast<std::int16_t>(region.step_exponent);

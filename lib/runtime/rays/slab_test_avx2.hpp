@@ -9,7 +9,7 @@
 #if ESPALIER_LANES == 8
 ESPALIER_BEGIN_SET
 
-/// As in prepare_ray.hpp.
+/// Stores the inverse direction as placed coordinates need it (see prepare_ray.hpp).
 inline Axes set_inverse(const BlobData& blob, Axes of_step, PlacedRayLanes& lanes_) {
     const Axes inverse = of_step * placed::steps_to_one(blob.bits);
     store_axes(lanes_.inverse, inverse);

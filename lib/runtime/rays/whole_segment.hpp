@@ -28,7 +28,7 @@ struct WholeSegment {
     std::uint8_t longest;       ///< axis
     std::uint8_t key_shift;     ///< no key has more than 30 bits
     bool is_narrow;             ///< its length, and its way to any vertex, are at most 2^24 along every axis
-    // Of what is left of it in front of the first hit so far.
+    // Around what is left of the segment in front of the first hit so far.
     IntegerBounds bounds;
     std::uint32_t steps_left;  ///< along the longest axis
 

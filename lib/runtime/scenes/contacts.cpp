@@ -151,9 +151,9 @@ template Filled find_contacts(const SceneView&, const Sphere&, float, std::span<
                               const SceneFilter&) noexcept;
 template Filled find_contacts(const SceneView&, const Capsule&, float, std::span<InScene<Contact>>, std::span<Contact>,
                               const SceneFilter&) noexcept;
-template Filled find_contacts(const SceneView&, const OrientedBox&, float, std::span<InScene<Contact>>, std::span<Contact>,
-                              const SceneFilter&) noexcept;
-template Filled find_contacts(const SceneView&, const ConvexHull&, float, std::span<InScene<Contact>>, std::span<Contact>,
-                              const SceneFilter&) noexcept;
+template Filled find_contacts(const SceneView&, const OrientedBox&, float, std::span<InScene<Contact>>,
+                              std::span<Contact>, const SceneFilter&) noexcept;
+template Filled find_contacts(const SceneView&, const ConvexHull&, float, std::span<InScene<Contact>>,
+                              std::span<Contact>, const SceneFilter&) noexcept;
 
 }  // namespace espalier

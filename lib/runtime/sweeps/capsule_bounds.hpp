@@ -77,8 +77,8 @@ private:
             subtract(subtract(squared, squared_radius_), multiply(add(squared, squared_radius_), splat(rounding)));
         return root(multiply(squared_way_, splat(1.0f - rounding)), b, c);
     }
-    /// Of the cylinder around a side that begins at p, where the centre is beside it. A side without length is a
-    /// vertex.
+    /// Returns the bound for the cylinder around a side that begins at p, while the centre is beside it. A side without
+    /// length is a vertex.
     [[nodiscard]] ESPALIER_NOINLINE Floats edge(const Floats3& p, const Floats3& side) const {
         using namespace time_bounds;
         const Floats squared = dot(side, side), length = length_bound(side), reach = length_bound(p);

@@ -238,7 +238,7 @@ private:
     void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float time,
                Closest<FoundContact>& answer) const {
         const std::uint32_t index = owner_index(leaf, slot);
-        // Of equal steps the lowest index counts, at the start the deepest triangle.
+        // On a tie the lower index wins; at the start the deepest triangle does.
         const SweepStep most = !answer.found()                                      ? whole_way
                                : index < answer.best.index || answer.best.step == 0 ? answer.best.step
                                                                                     : answer.best.step - 1;

@@ -64,7 +64,7 @@ public:
         }
     }
 
-    /// The same without a call through a pointer.
+    /// Calls the function directly, without a pointer.
     template <class Function>
     ESPALIER_ALWAYS_INLINE Slots for_each_group(Slots wanted, Function function) const {
         constexpr Slots all = (Slots{1} << lanes) - 1;
@@ -94,7 +94,7 @@ private:
     Table<groups> coordinates_[3];
 };
 
-/// Of a leaf.
+/// The bounds of the triangles of a leaf.
 template <class Leaf>
 struct LeafTimes {
     using Slots = typename Leaf::Slots;

@@ -16,7 +16,7 @@ namespace espalier::detail {
 
 /// Nothing of a sweep may be as far from the asset or as large, in lattice steps.
 inline constexpr float sweep_reach = 0x1p34f;
-/// The same of oriented boxes and convex hulls, whose kernel multiplies more coordinates.
+/// The reach of oriented boxes and convex hulls, whose kernel multiplies more coordinates.
 inline constexpr float hull_sweep_reach = 0x1p30f;
 /// Along each axis, in units of the sweep.
 inline constexpr std::int64_t longest_capsule_axis = std::int64_t{1} << 25;

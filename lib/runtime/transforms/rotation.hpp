@@ -113,7 +113,7 @@ ESPALIER_ALWAYS_INLINE inline ScaledRotation scaled_rotation(const Quaternion& r
     return {{q[0], q[1], q[2]}, q[3]};
 }
 
-/// The same, with the coordinates of a vector side by side.
+/// A PreparedTransform that computes the coordinates of a vector side by side.
 class PreparedTransform {
 public:
     ESPALIER_ALWAYS_INLINE explicit PreparedTransform(const Transform& transform)

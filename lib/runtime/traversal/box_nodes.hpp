@@ -56,7 +56,7 @@ constexpr std::uint64_t fields_at_least(std::uint64_t a, std::uint64_t b) {
 constexpr unsigned byte_tops_of(std::uint64_t bytes) {
     return static_cast<unsigned>(((bytes & byte_tops) >> 7) * 0x0102040810204080u >> 56);
 }
-/// The same for the four words.
+/// Returns the highest bits of four words, side by side.
 constexpr unsigned word_tops_of(std::uint64_t words) {
     return static_cast<unsigned>(((words & word_tops) >> 15) * 0x0001000200040008u >> 48) & 15u;
 }

@@ -25,7 +25,7 @@ std::uint32_t first_below(const BlobData& blob, std::uint32_t number) {
 /// Requires index < blob.triangle_count. Reads a few nodes a level and one leaf.
 LatticeTriangle find_triangle(const BlobData& blob, std::uint32_t index);
 
-/// Of the triangle's corners.
+/// Returns the bounds of the corners.
 IntegerBounds bounds_of(const LatticeTriangle& triangle);
 
 /// Returns the child of a node below which the triangle of that storage index lies; it must lie below the node.

@@ -6,7 +6,7 @@
 
 ESPALIER_BEGIN_SET
 
-/// Of a packed node: planes count from its base.
+/// The boxes of a packed node, whose planes count from its base.
 struct PackedBoxes {
     PackedNode node;
     Frame frame;
@@ -22,8 +22,8 @@ ESPALIER_ALWAYS_INLINE inline PackedBoxes boxes_of(const PackedNode& node, const
     return {node, load_frame(node, blob)};
 }
 
-/// Of a plain node: planes are coordinates, but for the unit of fine lattices. Cores without a float unit keep them as
-/// integers until the end: they convert once and multiply nothing.
+/// The boxes of a plain node, whose planes are coordinates, in larger units on fine lattices. Cores without a float
+/// unit keep them as integers until the end, so they convert once and multiply nothing.
 struct PlainBoxes {
     PlainNode node;
     float unit;
@@ -41,7 +41,7 @@ struct PlainBoxes {
     }
 
 private:
-    /// Of no sign: the conversion takes fewer instructions.
+    /// Converts a coordinate, which has no sign: that takes fewer instructions.
     ESPALIER_ALWAYS_INLINE static Floats whole(std::int32_t coordinate) {
         return splat(static_cast<float>(static_cast<std::uint32_t>(coordinate)));
     }

@@ -69,7 +69,7 @@ ESPALIER_NOINLINE inline bool passes_through(const IntegerRay& ray, const std::i
     return true;
 }
 
-/// The same of a child's box.
+/// Returns whether the ray passes through the box of a child, exactly.
 template <class Node>
 inline bool passes_through(const IntegerRay& ray, const Node& node, unsigned bits, unsigned child) {
     std::int32_t low[3], high[3];
@@ -90,8 +90,8 @@ inline unsigned children_passed(const IntegerRay& ray, const Node& node, unsigne
     return passed;
 }
 
-/// The same of the asset's box and of every one on the way to a node. Boxes may stick out of those above them, and
-/// whether a ray just beside one of those was let through to here depends on the machine.
+/// Returns whether the ray passes through the asset's box and every box on the way to a node. A box may stick out of
+/// those above it, and whether lanes let a ray just beside one of those through depends on the machine.
 template <class Node>
 ESPALIER_NOINLINE bool passes_down_to(const IntegerRay& ray, const BlobData& blob, const Node& target) {
     constexpr std::int32_t low[3] = {0, 0, 0};

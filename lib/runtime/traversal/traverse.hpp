@@ -282,7 +282,7 @@ ESPALIER_ALWAYS_INLINE inline Visit walk_in_storage_order(const BlobData& blob, 
     }
 }
 
-/// The same, in a frame of its own.
+/// The walk in storage order, in a frame of its own.
 template <class Leaf, class Visitor>
 ESPALIER_NOINLINE Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
     return (walk_in_storage_order<Leaf>)(blob, visitor);

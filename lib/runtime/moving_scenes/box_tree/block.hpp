@@ -53,7 +53,8 @@ struct SceneBlock {
     std::uint32_t* moved;   ///< of each slot the step in which it was last moved or inserted
     std::uint32_t* counts;  ///< of each slot: room for the sort of pairs
     std::uint32_t* parent;  ///< of each node 8 * node + place in it, or no_child for the root
-    /// Of each node whether the box that its parent has is old; zeros after a refit, when queries may use it.
+    /// For each node, whether its parent still has an old box of it. All zero after a refit, before which queries
+    /// refuse.
     std::uint8_t* dirty;
 
     [[nodiscard]] BoxNode& node(std::uint32_t number) const { return nodes[number]; }

@@ -67,7 +67,7 @@ struct LaneVec3 {
     LaneNumbers x, y, z;
 };
 
-/// The same as Coordinates are of one instance.
+/// A vector of each instance, as Coordinates are one of a single instance.
 class LaneCoordinates {
     LaneNumbers values_[3];
 
@@ -153,7 +153,7 @@ ESPALIER_ALWAYS_INLINE inline bool are_between(SignedInts bits, int least_expone
     const auto most = static_cast<std::int32_t>(bits_of_power(most_exponent));
     return bits_of((bits >= least) & (bits < most)) == (1u << lanes) - 1;
 }
-/// As scaled_rotation() of numbers whose greatest is between 2^-60 and 2^60.
+/// Returns what scaled_rotation() does, for quaternions whose largest part is between 2^-60 and 2^60.
 ESPALIER_ALWAYS_INLINE inline LaneScaledRotation scaled_rotation(const LaneRotation& q) {
     const SignedInts power = greatest_bits(q) & static_cast<std::int32_t>(infinity_bits);
     const LaneNumbers factor = {__builtin_bit_cast(Floats, static_cast<std::int32_t>(2 * bits_of_power(0)) - power)};

@@ -28,7 +28,7 @@ using SelfJoin =
 /// The walk of SelfJoin, by the best instruction set of this machine.
 void join_by_best_set(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit);
 
-/// The same walk without lanes, which adds its work to counters.
+/// Walks as join_by_best_set() does, without lanes, and adds the work to counters.
 void count_join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit,
                 SceneCounters& counters);
 

@@ -82,7 +82,7 @@ struct ClosestInTurns : RayInBatch<Leaf> {
     }
 };
 
-/// The same: whether there is any hit.
+/// A ray in turns that only looks for any hit.
 template <class Leaf>
 struct AnyInTurns {
     using Node = typename Leaf::Node;

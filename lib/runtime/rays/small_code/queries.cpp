@@ -47,7 +47,7 @@ using Limit = std::int32_t;
 ESPALIER_NOINLINE inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
     return ray.last_ahead(detail::hit_limit(ray, whole_tau));
 }
-/// As for a hit at the window's end.
+/// Returns the limit of a walk that has found nothing yet: that of a hit at the window's end.
 ESPALIER_ALWAYS_INLINE inline Limit window_limit(const SeenRay& ray) {
     return hit_limit(ray, ray.tau_offset + ray.tau_max);
 }

@@ -81,7 +81,8 @@ constexpr std::int32_t quotient_by_bits(std::int32_t a, std::int32_t b) {
     }
     return quotient;
 }
-/// The same, by the core's own division if it has one. The compiler's function takes 460 bytes.
+/// Returns the same quotient, by a division instruction where the core has one: the compiler's function takes 460
+/// bytes.
 template <unsigned bits>
 constexpr std::int32_t quotient_below(std::int32_t a, std::int32_t b) {
 #if defined(__ARM_ARCH_PROFILE) && !defined(__ARM_FEATURE_IDIV)

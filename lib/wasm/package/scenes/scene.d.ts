@@ -38,7 +38,7 @@ export type Integers = number | Uint32Array | Uint16Array | Uint8Array | readonl
 export interface InstancesToBake extends Places {
     /** The number of its blob among those that the scene is made of; 0 unless given, but bakeScene() of several blobs needs it. */
     mesh?: Integers;
-    /** Queries with a mask that shares no bit with it pass the instance over. All bits unless given. */
+    /** A query skips this instance unless the masks share a bit. All bits unless given. */
     mask?: Integers;
     /** For the program; 0 unless given. */
     user?: Integers;
