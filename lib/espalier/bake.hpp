@@ -232,7 +232,7 @@ struct BakeReport {
         double step = 0.0;       ///< the distance between neighbouring lattice points
         double max_error = 0.0;  ///< bounds the distance between the source, as it was given, and the baked surface
     };
-    /// Of a deformable blob, else zero.
+    /// What a deformable blob has; zero for others.
     struct Motion {
         Box range;                       ///< in which positions must lie
         std::uint32_t positions = 0;     ///< that refit() takes
@@ -342,7 +342,7 @@ struct [[nodiscard]] VerifyReport {
 /// A sound blob opens. Every box contains all vertices below it and ends near the asset. No triangle is without area,
 /// and no two are the same. The vertices of each leaf are numbered by first use. Extent, vertex count, the closed flag,
 /// duplicate references, edge flags and stored bounds are true; an edge of one triangle may be joined to another blob.
-/// Of a triangle that is in several leaves, each corner lies in the boxes of one of them.
+/// If a triangle is in several leaves, each of its corners lies in the boxes of one of them.
 ///
 /// A deformable blob may have triangles without area and equal ones. Its boxes and the sizes of its leaves are the
 /// least, as refit() makes them, and its vertices are those of its positions.

@@ -64,7 +64,7 @@ void require_kept_vertices(std::optional<MeshFormat> format, const std::string& 
                      "deformable mesh match. Export it as OBJ, OFF, PLY, 3MF or glTF.");
 }
 
-/// Of a file that gzip packed, how many bytes are in it.
+/// Returns the size of a file, and for one that gzip packed the size of its content.
 std::uint64_t content_size(const std::string& path) {
     InputFile file(path_of(path));
     std::array<char, 3> mark{};

@@ -14,8 +14,8 @@ namespace espalier::importer {
 void import_files(std::span<const std::string> paths, const ImportOptions& options, ImportResult& imported,
                   const std::function<void(const std::string& path)>& begin = nullptr);
 
-/// The same in a child process (ImportOptions::separate_process). Throws ImportError for what is wrong with a file, and
-/// (unsupported) where the system has no fork().
+/// Imports the files in a child process (ImportOptions::separate_process). Throws ImportError for what is wrong with a
+/// file, and (unsupported) where the system has no fork().
 void import_in_child(std::span<const std::string> paths, const ImportOptions& options, ImportResult& imported);
 
 /// Calls `import`, and stores in `imported` the status, and the reason in place of what it throws, unless that is

@@ -14,7 +14,7 @@ Lanes lanes_of(const Coordinates& point) {
     return Lanes{static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2]), 0.0f};
 }
 
-/// Of numerator / denominator, the integer at or below it; denominator > 0.
+/// Returns the integer at or below numerator / denominator; denominator > 0.
 std::int64_t floor_of(std::int64_t numerator, std::int64_t denominator) {
     const std::int64_t quotient = numerator / denominator;
     return numerator % denominator < 0 ? quotient - 1 : quotient;

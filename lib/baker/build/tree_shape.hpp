@@ -25,7 +25,7 @@ struct TreeShape {
 [[nodiscard]] BinaryTree lay_out(std::span<const Reference> references, const TreeShape& shape,
                                  const BuildSettings& settings);
 
-/// The same where leaf t is triangle t of the mesh.
+/// Lays out a tree in which leaf t is triangle t of the mesh.
 [[nodiscard]] BinaryTree lay_out(const LatticeMesh& mesh, const TreeShape& shape, const BuildSettings& settings);
 
 }  // namespace espalier::baker

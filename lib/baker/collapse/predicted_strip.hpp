@@ -32,9 +32,9 @@ struct PredictedStrip {
 
     PredictedStrip(const LatticeMesh& mesh, const Strip& strip);
 
-    /// Of a predicted vertex.
+    /// Returns whether the residual of a predicted vertex takes the larger width.
     [[nodiscard]] bool is_large(unsigned vertex, std::size_t axis) const;
-    /// Of the whole leaf but its descriptor.
+    /// Returns the bits of the whole leaf but its descriptor.
     [[nodiscard]] std::size_t bits(const OffsetWidths& offsets) const;
 
 private:

@@ -138,7 +138,7 @@ private:
     const PoseBoxes& boxes_;
     const BuildSettings& settings_;
     BinaryTree& tree_;
-    // Of one split at a time.
+    // The working arrays of one split at a time.
     std::vector<LaneBox> range_boxes_, bin_boxes_, side_boxes_;
     std::vector<std::uint32_t> bin_counts_;
     std::vector<float> planes_, right_costs_;

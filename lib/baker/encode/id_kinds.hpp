@@ -59,7 +59,7 @@ struct IdKinds {
 
 /// Returns kinds that take few bits for these numbers, each below 2^number_bits, with the table that holds them. Starts
 /// with many, drops those whose absence costs least, and keeps the best set on the way; another may take fewer bits.
-/// Of large meshes it counts the steps of an even sample of the blocks.
+/// For a large mesh it counts the steps of an even sample of the blocks.
 [[nodiscard]] IdKinds choose_id_kinds(std::span<const std::uint32_t> numbers, unsigned number_bits);
 
 }  // namespace espalier::baker

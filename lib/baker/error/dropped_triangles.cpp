@@ -113,7 +113,7 @@ void DroppedTriangles::find_vertices_of_those_without_area() {
     }
 }
 
-/// Of kept triangles with two vertices of dropped ones, since is_edge is called for those only.
+/// Gathers the edges of kept triangles with two vertices of dropped ones: is_edge is called for no others.
 void DroppedTriangles::gather_edges() {
     std::vector<std::uint8_t> is_of_dropped(mesh_.vertices.size(), 0);
     const auto mark = [&](const SourceTriangle& triangle) {

@@ -6,7 +6,7 @@ namespace espalier::baker {
 
 namespace {
 
-/// Of several meshes that start at the same id all but the last are empty, so the last one owns it.
+/// Returns the mesh that owns an id: where several start at the same id all but the last are empty.
 std::size_t mesh_of(const Source& source, std::uint32_t original_id) {
     const auto after = std::upper_bound(source.first_triangle.begin(), source.first_triangle.end(), original_id);
     return static_cast<std::size_t>(after - source.first_triangle.begin()) - 1;

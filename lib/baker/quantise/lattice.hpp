@@ -71,7 +71,7 @@ struct SourceBounds {
     return std::abs(steps) < 0x1p24 ? round_half_even(steps) : double(static_cast<float>(coordinate)) * reciprocal_step;
 }
 
-/// The same as a lattice coordinate: exact up to 2^53 steps, and not below 2^53 beyond.
+/// Snaps to a lattice coordinate: exact up to 2^53 steps, and at least 2^53 beyond.
 [[nodiscard]] inline double snap_coordinate(double coordinate, float origin, double reciprocal_step) {
     return snap_to_step(coordinate, reciprocal_step) - double(origin) * reciprocal_step;
 }
@@ -92,7 +92,7 @@ Expected<Lattice> lattice_for_bits(const SourceBounds& bounds, unsigned bits);
 /// The lattice with this step and as few bits as hold every coordinate; refused with the step that would fit.
 Expected<Lattice> lattice_for_step(const SourceBounds& bounds, int step_exponent);
 
-/// The same for a step that keeps a tolerance; refused with the tolerance that would fit.
+/// Returns the lattice whose step keeps a tolerance, or an error that names the tolerance that would fit.
 Expected<Lattice> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent, double tolerance);
 
 }  // namespace espalier::baker

@@ -26,7 +26,7 @@ TriangleAtEdge triangle_at(const LatticeMesh& mesh, const TriangleEdge& edge) {
     return {corner(0), corner(1), corner(2)};
 }
 
-/// Of numbers that are not negative and whose product is below 2^127.
+/// Multiplies numbers that are not negative and whose product is below 2^127.
 Int128 small_product(Int128 a, Int128 b) {
     const Unsigned256 product = Unsigned256::product(a, b);
     return {static_cast<std::int64_t>(product.word[1]), product.word[0]};

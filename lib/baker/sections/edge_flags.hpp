@@ -22,7 +22,7 @@ using TriangleAtEdge = std::array<detail::Integer3, 3>;
 /// differ by less than 2^24. Decided in integers.
 [[nodiscard]] EdgeKind kind_of_edge(const TriangleAtEdge& here, const TriangleAtEdge& there, std::uint32_t flat_limit);
 
-/// Of a triangle's edges.
+/// The flags of a triangle's edges.
 struct EdgeFlags {
     std::array<std::uint8_t, 3> kinds;
     std::array<bool, 3> is_alone{};  ///< no other triangle of the mesh has the edge

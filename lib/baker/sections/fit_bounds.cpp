@@ -66,7 +66,7 @@ double half_area(const std::array<std::int32_t, 4>& quaternion, std::span<const 
     return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
 }
 
-/// Of a positive divisor.
+/// Divides by a positive number and rounds down.
 std::int64_t divide_down(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 double squared_distance(const Point& a, const LatticePoint& b) {

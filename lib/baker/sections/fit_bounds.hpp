@@ -47,7 +47,7 @@ struct FittedKDop {
 /// Volumes in cubic lattice steps.
 [[nodiscard]] double volume_of(const FittedBox& box);
 [[nodiscard]] double volume_of(const FittedSphere& sphere);
-/// Of the intersection of the 26-DOP with the axis-aligned box from 0 to extent.
+/// Returns the volume of the intersection of the 26-DOP with the axis-aligned box from 0 to extent.
 [[nodiscard]] double volume_of(const FittedKDop& k_dop, const LatticePoint& extent);
 
 }  // namespace espalier::baker

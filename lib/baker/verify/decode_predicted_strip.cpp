@@ -62,7 +62,7 @@ bool TreeBytes::decode_predicted_strip(const DecodedNode& node, unsigned index, 
         leaf.at += leaf.bytes;
     }
     const unsigned entry_count = marks.entry_count;
-    // As far as the joints; then as far as the choices of widths; then all: each count of bits from those before.
+    // First up to the joints, then up to the choices of widths, then all: each count of bits follows from those before.
     std::size_t size = 34 + 2 * std::size_t{entry_count - 3};
     if (size > 8 * leaf.bytes) return false;
     FieldReader counting(leaves.subspan(leaf.at, leaf.bytes));

@@ -54,7 +54,7 @@ struct TreeBytes {
     Profile profile = Profile::fast;
     bool has_copies = false;  ///< the blob has split references
     Coordinates extent{};
-    /// Of a deformable blob the section of corners. Each of its boxes is then the least that holds its vertices.
+    /// The section of corners of a deformable blob, whose boxes are the least that hold their vertices.
     std::optional<std::span<const std::byte>> corners = std::nullopt;
 
     /// Node `number`; false when there is none or when it has more children than its profile allows.

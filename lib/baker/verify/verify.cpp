@@ -39,7 +39,7 @@ public:
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex = leaf.corners[i][corner];
-                // Of a strip it is the entries whose first uses number the vertices; a window may turn them round.
+                // In a strip the first uses of entries number the vertices, and a window may turn them round.
                 if (data_.profile == Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
                     return about(index, leaf, "uses a vertex before the ones that are numbered lower");
                 used |= std::uint64_t{1} << vertex;

@@ -63,7 +63,7 @@ inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..7, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
 inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
 inline constexpr std::size_t id_step_bytes_at = 80;     // u32, see `ids`
-// Of a deformable blob, else zero.
+// Fields of a deformable blob; zero in others.
 inline constexpr std::size_t position_count_at = 84;  // u32, positions of the sources, which refit() takes
 inline constexpr std::size_t vertex_slots_at = 88;    // u32, vertices of all leaves together
 inline constexpr std::size_t rest_cost_at = 92;       // f32, cost of the tree at rest; above 0

@@ -106,7 +106,7 @@ public:
     /// Returns the bytes of the block, which a snapshot copies: at most as many as the memory has. Memory that a copy
     /// is written to needs room for them, as a block that was made with the same size has.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
-    /// Returns the scene as it is now, as queries take it: until the next change. O(1).
+    /// Returns the scene as queries take it, valid until its next change. O(1).
     // NOLINTNEXTLINE(google-explicit-constructor): a moving scene is an argument of every query of scenes
     operator SceneView() const noexcept;
     [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {meshes_, mesh_count_}; }

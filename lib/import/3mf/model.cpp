@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, double> units[] = {{"millimeter", 0.001}, 
                                                          {"inch", 0.0254},      {"foot", 0.3048}, {"meter", 1.0}};
 constexpr std::string_view object_types[] = {"model", "support", "solidsupport", "surface", "other"};
 
-/// Of which the elements are, by the elements around them.
+/// What an element belongs to, by the elements around it.
 enum class Place {
     outside,
     model,

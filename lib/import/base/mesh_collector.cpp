@@ -14,10 +14,10 @@ namespace {
 
 /// One instance is left for the meshes that are merged.
 constexpr std::uint64_t most_places = format::scene::max_instances - 1;
-/// Of one file. Each becomes a mesh with a name, a number and vertices of its own.
+/// The copies of meshes in one file: each becomes a mesh with a name, a number and vertices of its own.
 constexpr std::uint64_t most_copies = std::uint64_t{1} << 20;
-/// Of the meshes of one file, and of the paths of their nodes. A name that a file has once may be that of all its
-/// meshes.
+/// The bytes of the names of all meshes in one file, and of the paths of their nodes: a name that a file has once may
+/// be that of all its meshes.
 constexpr std::uint64_t most_name_bytes = std::uint64_t{1} << 28;
 
 ImportedFile new_record(const std::string& path, const char* format, const ImportOptions& options) {

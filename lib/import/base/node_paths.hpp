@@ -26,8 +26,8 @@ public:
         nodes_.push_back({parent, end_of(utf8_name(name), longest_end)});
         return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
-    /// Of a path that is longer than 1,000 bytes these are the last ones, behind "...": paths of nodes that are nested
-    /// as deep as a file likes would fill the memory.
+    /// Returns the path, and only the last 1,000 bytes of a longer one, behind "...": the paths of nodes that are
+    /// nested as deep as a file likes would fill the memory.
     [[nodiscard]] std::string path_of(std::uint32_t node) const {
         std::string path;
         for (; node != no_node && path.size() <= longest_path; node = nodes_[node].parent)

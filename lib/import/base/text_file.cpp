@@ -85,8 +85,8 @@ std::errc parse(std::string_view word, Number& number) {
     return end == word.data() + word.size() ? error : std::errc::invalid_argument;
 }
 
-/// Of a decimal that is out of the range of double: infinity, or zero when its first digit other than 0 is far behind
-/// the point.
+/// Returns the value of a decimal that is out of the range of double: infinity, or zero if its first digit other than 0
+/// is far behind the point.
 double beyond_double(std::string_view decimal) {
     const std::size_t end = std::min(decimal.find_first_of("eE"), decimal.size());
     const auto point = static_cast<std::int64_t>(std::min(decimal.find('.'), end));

@@ -69,7 +69,8 @@ private:
         return result;
     }
 
-    /// Of an element that the format does not define: it has a list of integers or of vertices, or three integers.
+    /// Returns whether an element that the format does not define has a list of integers or of vertices, or three
+    /// integers.
     static bool may_be_faces(const PlyElement& element) {
         if (element.name == "vertex" || element.name == "edge" || element.name == "material") return false;
         std::size_t integers = 0;

@@ -44,7 +44,7 @@ py::array closest_points(const HeldBlob& self, const py::handle& given, const py
     return results;
 }
 
-/// Of segments or boxes.
+/// Returns the closest points to segments or boxes.
 py::array closest_to_shapes(const HeldBlob& self, const std::string& kind, const py::tuple& given,
                             const py::handle& max_distance, unsigned threads) {
     Floats distances(max_distance, "max_distance", {});

@@ -97,7 +97,7 @@ private:
     GltfObject root_;
     std::vector<std::optional<std::vector<std::byte>>> buffers_;  ///< those that are no binary chunk, once read
     std::map<std::size_t, std::vector<std::byte>> decompressed_;
-    /// Of sparse accessors: many primitives may share one.
+    /// The values of sparse accessors, kept because many primitives may share one.
     std::map<std::size_t, std::shared_ptr<const std::vector<std::uint32_t>>> replaced_;
 };
 
