@@ -41,7 +41,7 @@ struct [[nodiscard]] ClosestPoint {
 /// Returns the closest point of the surface within max_distance; of equally close triangles, that of the lowest index.
 ///
 /// Refuses a point that is 2^120 lattice steps or more away (out_of_range). Cost: expected O(log n);
-/// docs/queries.md, Bounded, has the bound.
+/// docs/queries/README.md, Bounded, has the bound.
 ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance = infinity) noexcept;
 
 namespace detail {

@@ -49,7 +49,7 @@ struct [[nodiscard]] RayHit {
 };
 
 /// Returns the hit with the smallest t; of equal t the one with the lowest triangle. With a filter, as if the blob held
-/// only the triangles that the filter keeps. Cost: expected O(log n); docs/queries.md, Bounded, has the bound.
+/// only the triangles that the filter keeps. Cost: expected O(log n); docs/queries/README.md, Bounded, has the bound.
 RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle. Takes less time than raycast().

@@ -62,7 +62,7 @@ struct SweepOptions {
 /// max_hull_vertices vertices (invalid_argument); a start, a displacement or a radius of 2^34 lattice steps or more,
 /// or of 2^30 for an OrientedBox or a hull, and a capsule whose axis is longer than 2^25 steps along x, y or z
 /// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way, and O(k)
-/// for k triangles that the shape touches at the start; docs/queries.md, Bounded, has the bound.
+/// for k triangles that the shape touches at the start; docs/queries/README.md, Bounded, has the bound.
 template <SweptShape Shape>
 SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, const SweepOptions& options = {}) noexcept;
 
@@ -82,7 +82,7 @@ SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Triangle
 // asset's lattice: to multiples of 2^-f lattice steps, where f <= 6 is the largest for which everything, measured from
 // the start, is below 2^24 of them (docs/numerics.md). The rounded sweep is answered exactly. A sweep that continues at
 // a contact is rounded anew and may start with an overlap: rounding_error() with a displacement bounds how much skin
-// prevents that. docs/queries.md has an example, Slide along a surface.
+// prevents that. docs/queries/sweeps.md has an example, Slide along a surface.
 //
 // Contact. Whether a triangle is touched on the way, the ends included, is decided in integers; touching at one instant
 // counts. `t` is a multiple of 2^-24 below the exact time of the first contact, and by no more than 2^-24: at t the

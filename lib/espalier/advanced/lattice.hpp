@@ -79,7 +79,7 @@ YesNo occluded_lattice(const Blob& blob, const LatticeSegment& segment) noexcept
 /// triangle.
 ///
 /// Refuses an end beyond max_lattice_coordinate along an axis (out_of_range) and a segment of length zero
-/// (invalid_argument), both in O(1). Cost: expected O(log n); docs/queries.md, Bounded, has the bound.
+/// (invalid_argument), both in O(1). Cost: expected O(log n); docs/queries/README.md, Bounded, has the bound.
 template <std::same_as<LatticeSegment> Segment>  // a template, so that two vectors in braces are a Ray
 LatticeHit raycast(const Blob& blob, const Segment& segment) noexcept {
     return detail::raycast_lattice(blob, segment);

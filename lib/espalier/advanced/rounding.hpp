@@ -51,7 +51,7 @@ Result<float> rounding_error(const Blob& blob, const Shape& shape) noexcept;
 /// Returns how far rounding moves the shape of a sweep at most, at its start and anywhere on its way: place,
 /// displacement and radius are all rounded. A body that touches nothing in one sweep may therefore touch the same
 /// triangle at the start of the next one. To prevent that, move it away from the contact by the sum of both sweeps'
-/// bounds and of the rounding of your own additions (docs/queries.md, Slide along a surface).
+/// bounds and of the rounding of your own additions (docs/queries/sweeps.md, Slide along a surface).
 ///
 /// Refuses what sweep() refuses. 0 for a blob without triangles.
 template <SweptShape Shape>
