@@ -1,6 +1,6 @@
 #include "espalier.hpp"
 
-#include <runtime/moving_scenes/pairs.hpp>
+#include <runtime/moving_scenes/touching_pairs.hpp>
 
 #include "../../tests/runtime/moving_scenes/made_scene.hpp"
 #include "broad_phase.hpp"

@@ -2,7 +2,7 @@
 #include "support/testing.hpp"
 
 #include <runtime/moving_scenes/check.hpp>
-#include <runtime/moving_scenes/pairs.hpp>
+#include <runtime/moving_scenes/touching_pairs.hpp>
 
 #include "made_block.hpp"
 #include "made_scene.hpp"

@@ -9,7 +9,7 @@
 
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/collision.hpp>
-#include <runtime/moving_scenes/pairs.hpp>
+#include <runtime/moving_scenes/touching_pairs.hpp>
 
 namespace espalier {
 

@@ -1,4 +1,4 @@
-// New boxes of instances in the tree as it is, and how much surface its boxes have.
+// The boxes of instances in the tree: set, updated and refitted, and how much surface they have.
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {

@@ -1,4 +1,4 @@
-#include <runtime/moving_scenes/pairs.hpp>
+#include <runtime/moving_scenes/touching_pairs.hpp>
 
 namespace espalier::detail {
 
