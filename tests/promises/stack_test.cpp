@@ -176,7 +176,7 @@ private:
     void measure_sweep(const Moving<Shape>& moving, const SweepOptions& options) {
         SweepHit hit;
         measure(std::string("sweep, ") + name_of(moving.shape),
-                [&] { hit = sweep(blob_, moving.shape, moving.displacement, options); });
+                [&] { hit = sweep(blob_, query_shape(moving.shape), moving.displacement, options); });
     }
     void measure_pairs(const Transform& placement) {
         TestPairFrame frame;

@@ -62,7 +62,7 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
                                            float margin) {
     const Body body = body_of(shape);
     std::vector<Contact> contacts(surface.triangles.size() * 9);
-    const Filled found = find_contacts(blob.opened.blob, shape, margin, contacts);
+    const Filled found = find_contacts(blob.opened.blob, query_shape(shape), margin, contacts);
     if (is_refused(found.status)) return 0;
     REQUIRE(found.status == QueryStatus::ok);
     contacts.resize(found.count);
@@ -105,7 +105,7 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
     // Fewer places than contacts: the deepest are kept.
     for (const std::size_t places : {std::size_t{0}, std::size_t{1}, contacts.size() / 2}) {
         std::vector<Contact> few(places);
-        const Filled part = find_contacts(blob.opened.blob, shape, margin, few);
+        const Filled part = find_contacts(blob.opened.blob, query_shape(shape), margin, few);
         REQUIRE(part.count == std::min(places, contacts.size()));
         REQUIRE(part.status ==
                 (!contacts.empty() && contacts.size() >= places ? QueryStatus::output_full : QueryStatus::ok));

@@ -60,7 +60,7 @@ void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shap
     const auto expected = ask(loop, blob, moving, skin);
     for (unsigned i = 0; i < option_sets; ++i) {
         CAPTURE(i);
-        const SweepHit hit = sweep(blob, moving.shape, moving.displacement, options_of(i, skin));
+        const SweepHit hit = sweep(blob, query_shape(moving.shape), moving.displacement, options_of(i, skin));
         REQUIRE_MESSAGE(same_bits(hit, expected[i]), describe(moving));
         if (i == 3 && expected[0].starts_overlapping && !hit.starts_overlapping) ++seen.left;
         if (i != 0 || !hit) continue;
@@ -278,14 +278,14 @@ TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overla
                 segment.from[2] != rounded.from.z << shift || segment.to[0] != to.x << shift ||
                 segment.to[1] != to.y << shift || segment.to[2] != to.z << shift)
                 continue;
-            const SweepHit hit = sweep(blob.opened.blob, moving.shape, moving.displacement);
+            const SweepHit hit = sweep(blob.opened.blob, query_shape(moving.shape), moving.displacement);
             const bool found{hit};
             REQUIRE_MESSAGE(
                 found == overlaps(blob.opened.blob, Capsule{moving.shape.center, end, moving.shape.radius}).yes(),
                 describe(moving));
             ++asked;
             touched += found ? 1 : 0;
-            const bool starts{sweep(blob.opened.blob, moving.shape, {0.0f, 0.0f, 0.0f})};
+            const bool starts{sweep(blob.opened.blob, query_shape(moving.shape), {0.0f, 0.0f, 0.0f})};
             REQUIRE(starts == overlaps(blob.opened.blob, moving.shape).yes());
             REQUIRE((!found || hit.starts_overlapping == starts));
         }

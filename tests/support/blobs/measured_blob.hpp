@@ -1,5 +1,6 @@
-// A blob that counts what each query on it does, and holds it against the bound that docs/queries/README.md states. Counts
-// only in builds with ESPALIER_COUNT_STEPS, as those with sanitizers are; in others it is the blob and nothing more.
+// A blob that counts what each query on it does, and holds it against the bound that docs/queries/README.md states.
+// Counts only in builds with ESPALIER_COUNT_STEPS, as those with sanitizers are; in others it is the blob and nothing
+// more.
 #pragma once
 
 #include <cstdint>

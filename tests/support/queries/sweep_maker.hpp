@@ -22,6 +22,13 @@ struct OwnedHull {
     operator ConvexHull() const { return {vertices}; }  // NOLINT(google-explicit-constructor): queries take the view
 };
 
+/// Returns a shape as queries take it.
+template <class Shape>
+const Shape& query_shape(const Shape& shape) {
+    return shape;
+}
+inline ConvexHull query_shape(const OwnedHull& hull) { return hull; }
+
 /// Half of them, the awkward ones, graze a vertex, start on one, are in a triangle's plane, along an axis, from 10^4
 /// sizes away, without a way or a size. The others go from anywhere in or near the asset to anywhere in or near it,
 /// with shapes of a few hundredths of its size.
