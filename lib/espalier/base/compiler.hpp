@@ -74,6 +74,15 @@ __extension__ using NativeUnsignedInt128 = unsigned __int128;
     ESPALIER_PRAGMA(GCC push_options) ESPALIER_PRAGMA(GCC target(features))
 #define ESPALIER_END_TARGET ESPALIER_PRAGMA(GCC pop_options)
 #endif
+/// Around code that may be slower if it is smaller ("Os", "O2"), of instruction sets that few machines are left with.
+/// Clang has no such levels within a file.
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__)
+#define ESPALIER_BEGIN_LEVEL(level) ESPALIER_PRAGMA(GCC push_options) ESPALIER_PRAGMA(GCC optimize(level))
+#define ESPALIER_END_LEVEL ESPALIER_PRAGMA(GCC pop_options)
+#else
+#define ESPALIER_BEGIN_LEVEL(level)
+#define ESPALIER_END_LEVEL
+#endif
 
 #else  // a compiler that reads the public headers alone
 

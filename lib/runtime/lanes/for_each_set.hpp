@@ -5,8 +5,17 @@
 #include <runtime/lanes/select.hpp>
 
 #define ESPALIER_LANES 1
+#if ESPALIER_X86
+#define ESPALIER_BEGIN_SET     \
+    ESPALIER_BEGIN_LEVEL("Os") \
+    namespace espalier::detail::scalar {
+#define ESPALIER_END_SET \
+    }                    \
+    ESPALIER_END_LEVEL
+#else
 #define ESPALIER_BEGIN_SET namespace espalier::detail::scalar {
 #define ESPALIER_END_SET }
+#endif
 #include ESPALIER_PER_SET
 #include <runtime/lanes/end_set.hpp>
 
@@ -14,11 +23,13 @@
 #include <runtime/lanes/sse42.hpp>
 #define ESPALIER_LANES 4
 #define ESPALIER_BEGIN_SET                \
+    ESPALIER_BEGIN_LEVEL("O2")            \
     ESPALIER_BEGIN_TARGET(ESPALIER_SSE42) \
     namespace espalier::detail::sse42 {
 #define ESPALIER_END_SET \
     }                    \
-    ESPALIER_END_TARGET
+    ESPALIER_END_TARGET  \
+    ESPALIER_END_LEVEL
 #include ESPALIER_PER_SET
 #include <runtime/lanes/end_set.hpp>
 #endif
