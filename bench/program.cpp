@@ -4,6 +4,8 @@
 #include <exception>
 #include <map>
 
+#include "support/machine/chosen_instruction_set.hpp"
+
 namespace espalier::bench {
 
 Program::Program(const std::string& name, const std::string& description)
@@ -52,6 +54,7 @@ int Program::run(int count, char** words, const std::function<void(const std::ve
     };
     try {
         command_line_->parse(count, words);
+        if (const std::string wrong = tests::force_instruction_set(); !wrong.empty()) return fail(wrong.c_str(), 2);
         measure(meshes_);
     } catch (const CLI::Success& success) {
         return command_line_->exit(success);  // --help

@@ -1,4 +1,4 @@
-// The main function of every program of tests. Environment: ESPALIER_TEST_SET, the best instruction set that runs;
+// The main function of every program of tests. Environment: ESPALIER_SET, the best instruction set that runs;
 // ESPALIER_TEST_LEAVE_OUT, patterns of cases that do not run, with commas between them.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>

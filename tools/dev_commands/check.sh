@@ -8,7 +8,7 @@ single_file_compiles() {
 
 check() {
     local single_file
-    unset ESPALIER_TEST_SET
+    unset ESPALIER_SET
     install_missing "${build_packages[@]}" doctest-dev libeigen3-dev libgmp-dev python3
     check_cmake
     build build/check espalier_unit_tests --preset check

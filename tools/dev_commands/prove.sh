@@ -79,7 +79,7 @@ prove_instruction_sets() {
             status=$?
         [[ $status -ne 77 ]] || continue  # the processor has no such set
         [[ $status -eq 0 ]] || failed=$((failed + 1))
-        ESPALIER_TEST_SET=$set quick_cases quick run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
+        ESPALIER_SET=$set quick_cases quick run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
     done
     summarise
 }

@@ -24,7 +24,7 @@ run_quick_tests() {
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
     one_at_a_time
-    unset ESPALIER_TEST_SET  # these are the tests with every set
+    unset ESPALIER_SET  # these are the tests with every set
     compile_by_ccache
     # What only the tests use is installed while this machine compiles. Who must install by hand gets one list.
     [[ $(id -u) -eq 0 ]] ||

@@ -26,7 +26,7 @@ std::vector<InstructionSet> all_sets() {
 
 /// What the environment asks for, or null.
 const char* asked() {
-    const char* const name = std::getenv("ESPALIER_TEST_SET");
+    const char* const name = std::getenv("ESPALIER_SET");
     return name == nullptr || *name == '\0' ? nullptr : name;
 }
 
@@ -55,7 +55,7 @@ std::string force_instruction_set() {
     const auto found = find_by_name(sets, name);
     if (found == sets.end()) {
         const bool is_known = std::find(std::begin(names), std::end(names), std::string(name)) != std::end(names);
-        std::string message = std::string("ESPALIER_TEST_SET is ") + name + ", which " +
+        std::string message = std::string("ESPALIER_SET is ") + name + ", which " +
                               (is_known ? "this machine or this program does not have" : "is no instruction set") +
                               "; it can be:";
         for (const InstructionSet set : sets) message += std::string(" ") + name_of(set);

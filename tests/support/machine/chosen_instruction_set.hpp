@@ -34,11 +34,11 @@ private:
 const char* name_of(detail::InstructionSet set);
 
 /// The instruction sets that this machine and this program have, the best one last. None is better than
-/// ESPALIER_TEST_SET, where the environment has it.
+/// ESPALIER_SET, where the environment has it.
 const std::vector<detail::InstructionSet>& instruction_sets();
 inline detail::InstructionSet best_instruction_set() { return instruction_sets().back(); }
 
-/// Makes all queries run on ESPALIER_TEST_SET, where the environment has it, unless a test chooses a lesser set.
+/// Makes all queries run on ESPALIER_SET, where the environment has it, unless a test chooses a lesser set.
 /// Returns what is wrong with it; else an empty text.
 std::string force_instruction_set();
 
