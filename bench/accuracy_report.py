@@ -99,7 +99,7 @@ def conditions(rows, meshes, files):
     return (f"All lattices get the same rays. {' or '.join(f'{count:,}' for count in points)} hit points are compared with "
             f"the source.\nEach approximate query is called {' or '.join(f'{q:,}' for q in questions)} times per accuracy.\n"
             f"Rays whose answer on the source could depend on rounding in double precision: {doubtful}.\n"
-            f"Rows: {links(files)}.")
+            f"Rows: {links(DOCUMENT, files)}.")
 
 
 def lattice_tables(meshes):

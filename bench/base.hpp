@@ -197,7 +197,7 @@ inline const char* instruction_set_name() {
     return names[static_cast<std::size_t>(detail::instruction_set())];
 }
 
-/// Returns a row of measurements for docs/guide.md, with the fields that all of them have. `measures` names the kind of
+/// Returns a row of measurements for docs/guide, with the fields that all of them have. `measures` names the kind of
 /// row; `mesh` is the name of a mesh's file, or of a made mesh.
 inline JsonObject guide_row(const std::string& measures, const std::string& mesh, std::size_t triangles) {
     JsonObject row;

@@ -101,7 +101,7 @@ def conditions(rows, files):
             f"Refits are to {poses} poses of {len(rows.motions())} motions, in which the systems are timed in turn; "
             f"figures are the median of {rounds} rounds.\n"
             f"{rays:,} incoherent rays into each pose; {differing} of them had another hit in another tree of the same pose.\n"
-            f"Rows: {links(files)}.")
+            f"Rows: {links(DOCUMENT, files)}.")
 
 
 def goals_table(rows):

@@ -222,7 +222,7 @@ def outputs(files):
     rows = Rows(read_objects(files, "tools/dev firmware --publish", needed))
     compiler, qemu = rows.tools[0]
     elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
-    conditions = (f"Rows: {links(files)}.\nGCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}.\n"
+    conditions = (f"Rows: {links(DOCUMENT, files)}.\nGCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}.\n"
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": of_each_core(rows, FIVE), "steps": of_each_core(rows, IN_STEPS),
                                       "bytes": of_each_core(rows, FIVE, "blob_bytes"), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows), "refit": refit_table(rows),

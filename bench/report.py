@@ -83,7 +83,7 @@ def machine_line(machine, file):
     noise = (f"\n  **The machine was busy with other work (load {min(loads):.1f} to {max(loads):.1f} on {row['processors']} "
              "processors): take these figures as noisy.**" if loads and max(loads) > BUSY else "")
     return (f"* {machine.name}, {' and '.join(sorted({r['date'] for r in machine.rows}))}: {row['compiler']}; "
-            f"{', '.join(versions) or 'no peers'}.\n  Rows: {links([file])}.{noise}")
+            f"{', '.join(versions) or 'no peers'}.\n  Rows: {links(DOCUMENT, [file])}.{noise}")
 
 
 EFFORTS = {0: "`fast`", 5: "`normal`", 8: "`best`"}  # by the number in the rows

@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import sys
@@ -74,8 +75,9 @@ def table(header, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
-def links(files):
-    return ", ".join(f"[{file.name}](../{file.relative_to(ROOT).as_posix()})" for file in files)
+def links(page, files):
+    """Links from the page to the files."""
+    return ", ".join(f"[{file.name}]({os.path.relpath(file, page.parent).replace(os.sep, '/')})" for file in files)
 
 
 def fill(page, texts):
@@ -93,10 +95,10 @@ def fill(page, texts):
 def named_files(page):
     """The rows that the page was made from."""
     block = page.read_text(encoding="utf-8").partition("<!-- begin conditions -->")[2].partition("<!-- end")[0]
-    names = re.findall(r"\]\(\.\./([^)]*\.jsonl)\)", block)
+    names = re.findall(r"\]\(([^)]*\.jsonl)\)", block)
     if not names:
         fail(f"{page} names no rows; name a file")
-    return [ROOT / name for name in names]
+    return [(page.parent / name).resolve() for name in names]
 
 
 def run(page, description, outputs, merge=None):

@@ -1,4 +1,4 @@
-# The rows, tables and figures of docs/guide.md.
+# The rows, tables and figures of docs/guide.
 
 # A part is one of the study (bench/study) and its options; its rows are kept in build/guide/PART.jsonl.
 guide_parts=(growth subdivision volumes obb builders ladder traversal cost_model deformation moving exactness load)

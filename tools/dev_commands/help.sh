@@ -50,7 +50,7 @@ Research
               on generated meshes (10 minutes) and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels
               against exact arithmetic, and bakes ten million identical triangles: extremes [LIST] (25 minutes).
-  guide       Measures everything that docs/guide.md compares, and writes its tables and figures (20 minutes):
+  guide       Measures everything that docs/guide compares, and writes its tables and figures (20 minutes):
               guide [--part PART] [--name NAME] [MESH...]
               Without a MESH: those of ESPALIER_MESHES or ../shared/meshes, and a house of Debian's assimp-testmodels.
   accuracy    Measures how far blobs of 8 to 20 bits are from their source: accuracy [OPTION...] MESH...

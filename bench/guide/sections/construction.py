@@ -1,4 +1,4 @@
-"""Section 5 of the guide, construction: what each builder's tree costs and brings."""
+"""Chapter construction.md of the guide: what each builder's tree costs and brings."""
 
 import math
 import statistics

@@ -1,4 +1,4 @@
-"""Section 8 of the guide, the cost function: costs that are fitted, and predicted beside measured times."""
+"""Chapter quality.md of the guide, the cost function: costs that are fitted, and predicted beside measured times."""
 
 import charts
 from report_page import fail, table

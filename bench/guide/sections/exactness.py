@@ -1,4 +1,4 @@
-"""Section 10 of the guide, exactness: rays that pass between triangles, and what kernels in integers and lattices cost."""
+"""Chapter exactness.md of the guide: rays that pass between triangles, and what kernels in integers and lattices cost."""
 
 from statistics import geometric_mean
 

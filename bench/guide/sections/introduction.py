@@ -1,4 +1,4 @@
-"""Section 1 of the guide, introduction: how the time of a query grows with the number of triangles."""
+"""Chapter introduction.md of the guide: how the time of a query grows with the number of triangles."""
 
 import charts
 from report_page import table

@@ -1,4 +1,4 @@
-"""Sections 5 and 6 of the guide, the degree of the tree and memory: rows of espalier_bench_study ladder."""
+"""Chapter memory.md of the guide, the degree of the tree and the ladder: rows of espalier_bench_study ladder."""
 
 import charts
 from report_page import fail, table

@@ -1,4 +1,4 @@
-"""Section 3 of the guide, oriented boxes: how well and how fast each fit encloses triangles, and trees of OBBs beside trees of AABBs."""
+"""Chapter volumes.md of the guide, oriented boxes: how well and how fast each fit encloses triangles, and trees of OBBs beside trees of AABBs."""
 
 from statistics import geometric_mean
 

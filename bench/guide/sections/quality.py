@@ -1,4 +1,4 @@
-"""Section 4 of the guide, what makes a hierarchy good: measures of trees beside the time of queries, over all builders."""
+"""Chapter quality.md of the guide, what makes a hierarchy good: measures of trees beside the time of queries, over all builders."""
 
 from statistics import correlation, geometric_mean
 
@@ -52,7 +52,7 @@ def builder_table(rows):
     header = ["builder", *(words for _, words in MEASURES), "nodes of a ray", "**ray**", "**pair**"]
     count = len(rows.of(BUILDERS, mesh=rows.meshes(BUILDERS)[0]))
     return (table(header, lines) + f"\n\nAll relative to binned SAH, means over the meshes, profile `fast`; as built, without reinsertion. "
-            f"The rank correlation (Spearman 1904; 1: the same order) is over the {count} trees of a mesh in section 5, as built and after reinsertion.")
+            f"The rank correlation (Spearman 1904; 1: the same order) is over the {count} trees of a mesh in [Construction](construction.md), as built and after reinsertion.")
 
 
 def depth_panel(rows, mesh):
@@ -78,7 +78,7 @@ def time_panel(rows, field, title):
 
 
 def figure(rows):
-    panels = [time_panel(rows, "ns_per_ray", "Time of a ray, each tree of section 5"), time_panel(rows, "ns_per_pose", "Time of a pair, each tree of section 5"),
+    panels = [time_panel(rows, "ns_per_ray", "Time of a ray, trees of all builders"), time_panel(rows, "ns_per_pose", "Time of a pair, trees of all builders"),
               *(depth_panel(rows, mesh) for mesh in (rows.meshes(BUILDERS)[0], rows.meshes(BUILDERS)[-1]))]
     return charts.draw_point_panels("Areas of boxes and time (upper panels: a mark for each mesh)", panels, legend=rows.meshes(BUILDERS))
 

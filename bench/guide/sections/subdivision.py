@@ -1,4 +1,4 @@
-"""Section 2 of the guide, subdivision of space: a k-d tree and a grid beside a hierarchy of boxes."""
+"""Chapter introduction.md of the guide, subdivision of space: a k-d tree and a grid beside a hierarchy of boxes."""
 
 import charts
 from report_page import table

@@ -1,4 +1,4 @@
-"""Section 7 of the guide, traversal: rules of descent for two trees, orders of children for rays, and how a ray walks."""
+"""Chapter traversal.md of the guide: rules of descent for two trees, orders of children for rays, and how a ray walks."""
 
 import charts
 from report_page import table

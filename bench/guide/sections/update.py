@@ -1,4 +1,4 @@
-"""Section 9 of the guide, update: refit, rebuild and reinsertion, of deforming meshes and of many moving boxes."""
+"""Chapter update.md of the guide: refit, rebuild and reinsertion, of deforming meshes and of many moving boxes."""
 
 import charts
 from report_page import fail, table

@@ -1,4 +1,4 @@
-"""Section 3 of the guide, bounding volumes: how tightly they fit, what a test costs, and what that makes of queries."""
+"""Chapter volumes.md of the guide: how tightly they fit, what a test costs, and what that makes of queries."""
 
 from statistics import geometric_mean
 
@@ -55,7 +55,7 @@ def conditions(rows):
             f"The other numbers are relative to AABBs, means over {len(rows.meshes(VOLUMES))} meshes: "
             "*tests* of volumes, tests of *triangles*, and **time** of a query. "
             f"*Ray*: the closest hit of {first['rays']:,} rays. *Pair*: all contacts of a mesh and its copy in {first['poses']} poses, "
-            "of which about half touch. Each mesh on its own: [volumes.md](log/volumes.md).")
+            "of which about half touch. Each mesh on its own: [volumes.md](../log/volumes.md).")
 
 
 def full_table(rows):
