@@ -56,7 +56,7 @@ Research
   accuracy    Measures how far blobs of 8 to 20 bits are from their source: accuracy [OPTION...] MESH...
 
 Publishing
-  bench --publish NAME MESH...         writes bench/results and docs/benchmarks.md from three runs.
+  bench --publish NAME MESH...         writes bench/results, docs/benchmarks.md and docs/benchmarks/rays.md from three runs.
   accuracy --publish NAME MESH...      writes bench/results and docs/accuracy.md.
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 
