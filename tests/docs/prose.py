@@ -9,10 +9,10 @@ Standard library only.
 import re
 import sys
 
-from prose_rows import (DOCS, ROOT, bake_over_build, bakes_over_refits, balanced_over_deformable, beside_default, block_bytes, build_over_blob,
-                        bytes_of, bytes_of_peers, cached_meshes, coherent_gains, counts, deformable, engine, engines, fast_over_small, firmware,
-                        jolt_bytes, meshes_ahead, more_pairs, of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds,
-                        sweeps_over_ray, times_own_bytes)
+from prose_rows import (DOCS, ROOT, bake_over_build, bakes_over_refits, balanced_over_deformable, beside_default, block_bytes,
+                        build_over_blob, bytes_of, bytes_of_peers, cached_meshes, code_budgets_over_rows, coherent_gains, counts,
+                        deformable, engine, engines, fast_over_balanced, fast_over_small, firmware, jolt_bytes, meshes_ahead, more_pairs,
+                        of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds, sweeps_over_ray, times_own_bytes)
 
 PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
 MARK = re.compile(r" *<!-- rows: (\w+) -->")
@@ -57,6 +57,7 @@ FIGURES = {
     # README.md
     "bytes_of_others": lambda: [f"{jolt_bytes():.0f} bytes a triangle in Jolt", f"{min(bytes_of('embree', 'default')):.0f} in Embree"],
     "bytes_of_balanced": lambda: [f"{span(bytes_of('espalier', 'balanced'))} bytes a triangle"],
+    "bytes_of_fast": lambda: [f"{span(fast_over_balanced(), 1)} times the bytes"],
     "mesh_beyond_cache": lambda: [f"the {names(meshes_ahead())} does not fit, and there Espalier is ahead"],
     "ray_budget": lambda: ["{:,} bytes of code and {} bytes of stack".format(*ray_budget())],
     "sweeps": lambda: [f"{span(sweeps_over_ray())} times the instructions of a ray"],
@@ -94,6 +95,7 @@ FIGURES = {
     "ode": lambda: [f"{above_one(engines('ODE', 'times'))} longer"],
     "jolt": lambda: [f"{below_one(engines('Jolt', 'times'))} less time", f"{span(times_own_bytes('Jolt'), 1)} times the bytes"],
     # small_cores.md
+    "budgets_of_code": lambda: [f"{above_one(code_budgets_over_rows())} more"],
     "ray_of_fast": lambda: [f"{fraction(fast_over_small('m4f', 'bunny', 'raycast'))} the instructions"],
     "blob_of_fast": lambda: [f"{firmware().blobs['fast', 'bunny'] / firmware().blobs['small', 'bunny']:.1f} times the bytes"],
     "ray_of_fast_on_m0": lambda: [f"{fraction(1 - fast_over_small('m0', 'level', 'raycast'))} fewer instructions"],

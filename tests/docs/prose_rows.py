@@ -51,6 +51,10 @@ def bytes_of_peers():
     return [system.bytes for _, system in systems() if not system.own]
 
 
+def fast_over_balanced():
+    return [fast / balanced for fast, balanced in zip(bytes_of("espalier", "fast"), bytes_of("espalier", "balanced"))]
+
+
 def cached_meshes():
     """Those whose blobs and trees fit a processor's caches."""
     return [mesh for mesh in report_tables.mesh_names(machines()) if mesh != "dragon"]
@@ -170,12 +174,27 @@ def sweeps_over_ray():
             for shape in ("sphere", "capsule", "box", "oriented_box", "convex_hull")]
 
 
+@functools.cache
+def budgets():
+    """The lines, each split into its words."""
+    lines = (ROOT / "tests" / "firmware" / "budgets.txt").read_text(encoding="utf-8").splitlines()
+    return [line.split() for line in lines if not line.startswith("#")]
+
+
+def code_budgets():
+    """Bytes by core, profile and image."""
+    return {(core, profile, image): int(size) for core, profile, kind, *sizes in budgets() if kind == "code"
+            for image, size in (word.split("=") for word in sizes)}
+
+
+def code_budgets_over_rows():
+    return [size / firmware().code[key] for key, size in code_budgets().items()]
+
+
 def ray_budget():
     """Bytes of code and of stack that a test holds `open` and the closest ray to."""
-    lines = [line.split() for line in (ROOT / "tests" / "firmware" / "budgets.txt").read_text(encoding="utf-8").splitlines()]
-    of_core = [line[2:] for line in lines if tuple(line[:2]) == FAST_CORE]
-    code = next(re.findall(r"\d+", word)[0] for line in of_core if line[0] == "code" for word in line if word.startswith("closest_ray="))
-    return int(code), max(int(line[-1]) for line in of_core if line[1] in ("open", "raycast"))
+    stacks = [int(line[-1]) for line in budgets() if tuple(line[:2]) == FAST_CORE and line[3] in ("open", "raycast")]
+    return code_budgets()[(*FAST_CORE, "closest_ray")], max(stacks)
 
 
 @functools.cache
