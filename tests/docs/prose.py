@@ -11,8 +11,9 @@ import sys
 
 from prose_rows import (DOCS, ROOT, bake_over_build, bakes_over_refits, balanced_over_deformable, beside_default, block_bytes,
                         build_over_blob, bytes_of, bytes_of_peers, cached_meshes, code_budgets_over_rows, coherent_gains, counts,
-                        deformable, engine, engines, fast_over_balanced, fast_over_small, firmware, jolt_bytes, meshes_ahead, more_pairs,
-                        of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds, sweeps_over_ray, times_own_bytes)
+                        deformable, engine, engines, fast_over_balanced, fast_over_small, firmware, is_noisy, jolt_bytes, machines,
+                        meshes_ahead, more_pairs, of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds,
+                        sweeps_over_ray, times_own_bytes)
 
 PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
 MARK = re.compile(r" *<!-- rows: (\w+) -->")
@@ -64,6 +65,7 @@ FIGURES = {
     # benchmarks.md: rays, bytes and builds
     "memory": lambda: [f"{span(bytes_of('espalier', 'balanced'), 1)} bytes", f"peers take {span(bytes_of_peers())}",
                        f"Jolt's mesh {jolt_bytes():.0f}"],
+    "busy": lambda: ["a busy machine" if any(map(is_noisy, machines())) else "an idle machine"],
     "rays_in_cache": lambda: [f"{span(beside_default(cached_meshes()), 2)} of its speed"],
     "rays_beyond_cache": lambda: [f"{span(beside_default(meshes_ahead()), 2)} times as fast"],
     "bakes": lambda: [f"{span([1 / speed for speed in beside_default(kind='build')], 1)} times as long"],

@@ -14,6 +14,7 @@ import deformation_report  # noqa: E402
 import firmware_report  # noqa: E402
 import report_queries  # noqa: E402
 import report_tables  # noqa: E402
+from report import is_noisy  # noqa: E402, F401
 from report_page import Rows, named_files, read_objects  # noqa: E402
 from report_rows import read_machines  # noqa: E402
 
