@@ -43,11 +43,12 @@ def fraction(value):
 
 
 def names(each):
-    return " and ".join(filter(None, (", ".join(each[:-1]), *each[-1:])))
+    return f"{', '.join(each[:-1])} and {each[-1]}" if len(each) > 1 else "".join(each)
 
 
 def more_or_fewer(mesh, more):
-    return f"{100 * abs(more):.{2 if abs(more) < 5e-4 else 1}f} % {'more' if more > 0 else 'fewer'} on the {mesh}"
+    digits = 1 if abs(more) >= 0.0005 else 2
+    return f"{100 * abs(more):.{digits}f} % {'more' if more > 0 else 'fewer'} on the {mesh}"
 
 
 def cheaper_with_fast(queries):
@@ -134,6 +135,9 @@ def check(line, name):
 
 
 def main():
+    for other in ("14.1 to 8.6 times", "4.1 to 8.65", "4.1 to 8.6k"):
+        if has(other, "4.1 to 8.6") or not has("It is 4.1 to 8.6.", "4.1 to 8.6"):
+            sys.exit(f"failed: 4.1 to 8.6 is taken for a part of {other}, or not found at the end of a sentence")
     problems, marked = [], set()
     for page in PAGES:
         for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):

@@ -79,13 +79,10 @@ def coherent_gains():
 
 def peers_behind():
     """Those that answer rays, and are behind every profile on every mesh."""
-    behind = {system.name: True for _, system in systems() if not system.own and system.figures["incoherent"].known}
-    for mesh, peer in systems():
-        for own in mesh.own():
-            for kind in report_tables.RAYS:
-                if peer.name in behind and peer.figures[kind].known and own.figures[kind].median <= peer.figures[kind].median:
-                    behind[peer.name] = False
-    return [report_tables.SYSTEMS[name] for name, value in behind.items() if value]
+    with_rays = {system.name for _, system in systems() if system.figures["incoherent"].known}
+    ahead = {system.name for mesh, system in systems() for own in mesh.own() for kind in report_tables.RAYS
+             if system.figures[kind].known and system.figures[kind].median >= own.figures[kind].median}
+    return [words for name, words in report_tables.SYSTEMS.items() if name in with_rays - ahead]
 
 
 def of_fandisk(name, profile):

@@ -126,7 +126,7 @@ private:
 /// and removals needs more. Most sizes are no multiple of 32: ::operator new(size, std::align_val_t{32}) returns
 /// such memory.
 [[nodiscard]] std::uint64_t moving_scene_bytes(std::uint32_t instances) noexcept;
-/// Returns the fewest bytes that create_moving_scene() accepts: about 138 an instance. When nodes run out in such a
+/// Returns the fewest bytes that create_moving_scene() accepts: about 137 an instance. When nodes run out in such a
 /// block, insert() repacks the tree, which takes O(n) time.
 [[nodiscard]] std::uint64_t least_moving_scene_bytes(std::uint32_t instances) noexcept;
 
