@@ -5,6 +5,7 @@ import statistics
 
 from report_page import ROOT, fail, links, read_objects, table
 
+PAGE = ROOT / "docs" / "benchmarks.md"
 RESULTS = ROOT / "bench" / "results"
 POINTS = {"overlap_all": "all triangles that a sphere overlaps", "overlap_any": "any, compared with Embree's all",
           "closest_point": "closest point"}
@@ -54,7 +55,7 @@ def spread(values, digits):
 def points_table(rows):
     lines = [[mesh, f"`{profile}`", *(spread(rows.values(f"{query}_ratio", mesh, profile), 2) for query in POINTS)]
              for mesh, profile in rows.rows]
-    return table(["mesh", "profile", *POINTS.values()], lines) + f"\n\nRows: {links([rows.file])}."
+    return table(["mesh", "profile", *POINTS.values()], lines) + f"\n\nRows: {links(PAGE, [rows.file])}."
 
 
 def times(rows, mesh, question, profile):
@@ -71,7 +72,7 @@ def pairs_table(rows):
             peer = f"{PEER_NAMES[PEERS[question][0]]} {rows.median('median_ms', mesh, question, *PEERS[question]):.1f}"
             lines.append([mesh, words, *own, peer, *(spread(times(rows, mesh, question, profile), 1) for profile in PROFILES)])
     header = ["mesh", "query", *(f"`{profile}`, ms" for profile in PROFILES), "peer, ms", "peer's time / `fast`'s", "/ `balanced`'s"]
-    return table(header, lines) + f"\n\nRows: {links([rows.file])}."
+    return table(header, lines) + f"\n\nRows: {links(PAGE, [rows.file])}."
 
 
 def texts():

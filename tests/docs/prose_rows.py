@@ -118,7 +118,7 @@ def more_pairs(system, profile):
 
 @functools.cache
 def guide():
-    return Rows(read_objects(named_files(DOCS / "guide.md"), "tools/dev guide", lambda _: ("measures", "processor", "compiler")))
+    return Rows(read_objects(named_files(DOCS / "guide/README.md"), "tools/dev guide", lambda _: ("measures", "processor", "compiler")))
 
 
 def build_over_blob(build, way, field):
