@@ -27,7 +27,7 @@ float rounding_of(const BlobData& blob) {
 
 Result<Sphere> bounding_sphere(const Blob& blob) noexcept {
     const BlobData& data = data_of(blob);
-    const std::byte* stored = stored_sphere(data);
+    const std::byte* stored = stored_bounds(data, format::feature::bounding_sphere);
     if (stored == nullptr) return {{}, status_of_section(data, stored)};
     const float unit = unit_of(data);
     float center[3];
@@ -42,7 +42,7 @@ Result<Sphere> bounding_sphere(const Blob& blob) noexcept {
 
 Result<OrientedBox> oriented_bounds(const Blob& blob) noexcept {
     const BlobData& data = data_of(blob);
-    const std::byte* stored = stored_oriented_box(data);
+    const std::byte* stored = stored_bounds(data, format::feature::oriented_box);
     Result<OrientedBox> box = {{}, status_of_section(data, stored)};
     if (!box) return box;
     const IntegerRotation rotation = stored_rotation(stored);
@@ -78,7 +78,7 @@ Result<OrientedBox> oriented_bounds(const Blob& blob) noexcept {
 
 Result<KDop> k_dop_bounds(const Blob& blob) noexcept {
     const BlobData& data = data_of(blob);
-    const std::byte* stored = stored_k_dop(data);
+    const std::byte* stored = stored_bounds(data, format::feature::k_dop);
     Result<KDop> k_dop = {{}, status_of_section(data, stored)};
     if (!k_dop) return k_dop;
     const float step = power_of_two(data.step_exponent);

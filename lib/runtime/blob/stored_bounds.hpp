@@ -9,18 +9,11 @@
 
 namespace espalier::detail {
 
-/// Null when there is none.
+/// Returns where the bounds of a feature lie, or null when there are none.
 inline const std::byte* stored_bounds(const BlobData& blob, std::uint32_t feature) {
     if ((blob.features & feature) == 0) return nullptr;
     return blob.bounds + format::bounds::bytes(blob.features & format::feature::bounds & (feature - 1));
 }
-inline const std::byte* stored_oriented_box(const BlobData& blob) {
-    return stored_bounds(blob, format::feature::oriented_box);
-}
-inline const std::byte* stored_sphere(const BlobData& blob) {
-    return stored_bounds(blob, format::feature::bounding_sphere);
-}
-inline const std::byte* stored_k_dop(const BlobData& blob) { return stored_bounds(blob, format::feature::k_dop); }
 
 /// A rotation times `norm`, exactly: the rows are perpendicular and of length `norm`. Entries are within +-norm, which
 /// is below 2^24.

@@ -1,19 +1,10 @@
 // The proof that every query on a blob is safe. One pass over the bytes in the order in which they are stored; the only
 // place that checks anything but the header, which header.cpp does.
-#include <cstddef>
-#include <cstdint>
-#include <span>
 
-#include <espalier/blob.hpp>
-#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>
-#include <runtime/blob/deformable_blob.hpp>
-#include <runtime/base/options.hpp>
-#include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
-#include <runtime/open/header.hpp>
 #include <runtime/traversal/find.hpp>
 
 namespace espalier {

@@ -7,9 +7,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/source_origin.hpp>
-#include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
-#include <runtime/open/header.hpp>
 #include <runtime/scenes/instances.hpp>
 #include <runtime/transforms/rotation.hpp>
 
