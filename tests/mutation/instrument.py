@@ -36,7 +36,7 @@ EXCUSED_PARTS = {
         "runtime/traversal/node_boxes.hpp", "runtime/lanes/prepared_ray.hpp",
         "runtime/traversal/box_nodes.hpp", "runtime/proximity/point_nodes.hpp", "runtime/proximity/point_bounds.hpp",
         "runtime/proximity/squared_distance.hpp", "runtime/traversal/plane_nodes.hpp", "runtime/pairs/nodes.hpp",
-        "runtime/pairs/trees.hpp", "runtime/pairs/stacks.hpp", "runtime/pairs/walk.hpp",
+        "runtime/pairs/trees.hpp", "runtime/pairs/walk.hpp",
         "runtime/traversal/first_reference.cpp"],
     "rounding": [
         "runtime/lattice/round_ray.hpp", "runtime/lattice/round_point.hpp", "runtime/lattice/rounder.hpp",

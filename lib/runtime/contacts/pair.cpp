@@ -3,7 +3,6 @@
 
 #include <runtime/contacts/touch_pair.hpp>
 #include <runtime/pairs/contacts.hpp>
-#include <runtime/pairs/from_grid.hpp>
 
 namespace espalier {
 

@@ -2,7 +2,7 @@
 
 #include <espalier/scene.hpp>
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
-#include <runtime/pairs/first_contact.hpp>
+#include <runtime/pairs/contacts.hpp>
 
 namespace espalier::detail {
 

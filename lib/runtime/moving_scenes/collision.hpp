@@ -3,7 +3,7 @@
 
 #include <espalier/status.hpp>
 #include <espalier/transform.hpp>
-#include <runtime/pairs/first_contact.hpp>
+#include <runtime/pairs/contacts.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier::detail {

@@ -1,20 +1,10 @@
 // Queries of two blobs in world space: placed on one grid, decided there, translated back.
-#include <espalier/pair.hpp>
-#include <espalier/advanced/statistics.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/answers/first_reference.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lattice/rounder.hpp>
-#include <runtime/lattice/to_local.hpp>
 #include <runtime/pairs/contacts.hpp>
-#include <runtime/pairs/first_contact.hpp>
-#include <runtime/pairs/from_grid.hpp>
-#include <runtime/pairs/queries.hpp>
-#include <runtime/transforms/rotation.hpp>
-#include <runtime/traversal/find_triangle.hpp>
 
-#define ESPALIER_PER_SET <runtime/pairs/search_pairs.hpp>
+#define ESPALIER_PER_SET <runtime/pairs/search.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
@@ -174,7 +164,6 @@ struct ContactVisitor {
 /// A cursor is the last pair that was written.
 Cursor cursor_behind(const TrianglePair& pair) { return {{pair.a.index, pair.b.index, 1}}; }
 TrianglePair pair_before(const Cursor& cursor) { return {{cursor.place[0]}, {cursor.place[1]}}; }
-bool is_beginning(const Cursor& cursor) { return cursor == Cursor{}; }
 bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
     return cursor.place[0] < frame.a->triangle_count && cursor.place[1] < frame.b->triangle_count &&
            cursor.place[2] == 1;
@@ -214,8 +203,7 @@ PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit li
 }
 
 YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
-    PairWork work = {limit.visits()};
-    return YesNo(find_first_contact(a, b, work).status);
+    return YesNo(first_contact(a, b, limit).status);
 }
 
 QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
@@ -251,7 +239,7 @@ Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::s
     PlacedPair placed(a, b);
     filled.status = of_list(placed.status);
     if (placed.status != QueryStatus::ok) return filled;
-    const bool begins = is_beginning(from);
+    const bool begins = from == Cursor{};
     if (!begins && !is_valid_cursor(from, placed.frame)) {
         filled.status = QueryStatus::invalid_argument;
         return filled;

@@ -1,18 +1,13 @@
-// Two blobs: what an instruction set does at each step, and the search for touching pairs.
+// Two blobs: what an instruction set does at each step, and the search for touching pairs or for the least distance.
 #ifndef ESPALIER_PAIRS_SEARCH_HPP
 #define ESPALIER_PAIRS_SEARCH_HPP
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/pairs/beam.hpp>
-#include <runtime/pairs/corners.hpp>
-#include <runtime/pairs/leaves.hpp>
-#include <runtime/pairs/trees.hpp>
-#include <runtime/pairs/walk.hpp>
 #if ESPALIER_SMALL_CODE
 #include <runtime/pairs/one_by_one.hpp>
 #else
 #include <runtime/pairs/near.hpp>
-#include <runtime/pairs/placed.hpp>
 #include <runtime/pairs/touching.hpp>
 #endif
 
@@ -94,6 +89,21 @@ ESPALIER_NOINLINE inline QueryStatus search_touching(const PairFrame& frame, con
     return walk_pair(frame, visitor, search.from, work);
 }
 #endif
+
+ESPALIER_QUERY_OF_SET QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search,
+                                               std::uint64_t& work) noexcept {
+#if ESPALIER_SMALL_CODE
+    PairVisitor visitor = {frame, search};
+    return search.least != nullptr ? search_nearest(frame, visitor, *search.least, work)
+                                   : walk_pair(frame, visitor, search.from, work);
+#elif ESPALIER_LANES == 16
+    return search.least == nullptr ? search_touching(frame, search, work) : avx2::search_pairs(frame, search, work);
+#else
+    if (search.least == nullptr) return search_touching(frame, search, work);
+    PairVisitor visitor = {frame, search, nullptr};
+    return search_nearest(frame, visitor, *search.least, work);
+#endif
+}
 
 ESPALIER_END_SET
 
