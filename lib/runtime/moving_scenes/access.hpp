@@ -3,7 +3,6 @@
 
 #include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
-#include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/seen.hpp>
 #include <runtime/scenes/instances.hpp>
 

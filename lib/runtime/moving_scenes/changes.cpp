@@ -2,7 +2,7 @@
 #include <espalier/scenes/moving_scene.hpp>
 
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
+#include <runtime/moving_scenes/box_tree/steps_box.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 #include <runtime/moving_scenes/common_lattice.hpp>
 #include <runtime/transforms/rotation.hpp>

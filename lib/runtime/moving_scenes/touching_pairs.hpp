@@ -6,7 +6,6 @@
 #include <espalier/scenes/pairs.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
-#include <runtime/moving_scenes/box_tree/slots.hpp>
 
 namespace espalier::detail {
 

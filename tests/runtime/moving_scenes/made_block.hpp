@@ -3,7 +3,7 @@
 
 #include "support/testing.hpp"
 
-#include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 #include "support/machine/aligned_buffer.hpp"

@@ -1,7 +1,7 @@
 // Claims about the rules of a block: open_moving_scene() refuses one that breaks a single rule and keeps the others.
 #include "support/testing.hpp"
 
-#include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 #include "made_bytes.hpp"

@@ -1,7 +1,7 @@
 // Claims about the boxes of eight moving instances, found side by side.
 #include "support/testing.hpp"
 
-#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
+#include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 #include "made_scene.hpp"
 #include "support/machine/chosen_instruction_set.hpp"

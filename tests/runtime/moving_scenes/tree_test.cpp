@@ -7,7 +7,7 @@
 #include <runtime/moving_scenes/box_tree/hilbert.hpp>
 #include <runtime/moving_scenes/check.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
-#include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
 
 #include "made_block.hpp"
 

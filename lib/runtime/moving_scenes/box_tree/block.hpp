@@ -1,13 +1,66 @@
-// The memory of a moving scene: one block without pointers, which its caller owns, copies and restores.
+// The memory of a moving scene: one block without pointers, which its caller owns, copies and restores. It holds the
+// nodes of the tree and the slots of instances.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/transform.hpp>
-#include <runtime/moving_scenes/box_tree/node.hpp>
+#include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 namespace espalier::detail {
+
+inline constexpr std::uint32_t no_child = 0xFFFFFFFFu;
+
+/// The boxes of up to eight children, in no order. A child is a node, or the slot of an instance at level 0. A place
+/// without a child has an empty box, which touches nothing.
+struct alignas(32) BoxNode {
+    static constexpr unsigned most = 8;   ///< children
+    static constexpr unsigned least = 4;  ///< of a node that is not the root
+
+    std::int32_t low[3][most];
+    std::int32_t high[3][most];
+    std::uint32_t child[most];
+
+    void clear() {
+        for (unsigned i = 0; i < most; ++i) drop(i);
+    }
+    void drop(unsigned i) {
+        set_box(i, StepsBox::none());
+        child[i] = no_child;
+    }
+    void set(unsigned i, const StepsBox& box, std::uint32_t number) {
+        set_box(i, box);
+        child[i] = number;
+    }
+    void set_box(unsigned i, const StepsBox& box) {
+        for (int k = 0; k < 3; ++k) {
+            low[k][i] = box.low[k];
+            high[k][i] = box.high[k];
+        }
+    }
+    [[nodiscard]] StepsBox box(unsigned i) const {
+        return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
+    }
+    /// Returns the box around all children.
+    [[nodiscard]] StepsBox bounds() const {
+        StepsBox all = StepsBox::none();
+        for (int k = 0; k < 3; ++k)
+            for (unsigned i = 0; i < most; ++i) {
+                all.low[k] = low[k][i] < all.low[k] ? low[k][i] : all.low[k];
+                all.high[k] = high[k][i] > all.high[k] ? high[k][i] : all.high[k];
+            }
+        return all;
+    }
+    [[nodiscard]] unsigned count() const {
+        unsigned children = 0;
+        for (const std::uint32_t number : child) children += number != no_child ? 1u : 0u;
+        return children;
+    }
+    /// Returns the first place without a child, or `most`.
+    [[nodiscard]] unsigned free_place() const {
+        for (unsigned i = 0; i < most; ++i)
+            if (child[i] == no_child) return i;
+        return most;
+    }
+};
+static_assert(sizeof(BoxNode) == 224);
 
 /// A slot of an instance. An odd generation is alive; a removed instance makes it even.
 struct InstanceSlot {
@@ -17,7 +70,7 @@ struct InstanceSlot {
     std::uint32_t generation;
     StepsBox box;
     std::uint32_t place;     ///< 8 * node + place in it; of a free slot the next free one
-    std::int32_t origin[3];  ///< from which the transform counts, in steps (seen.hpp)
+    std::int32_t origin[3];  ///< from which the transform counts, in steps
 };
 static_assert(sizeof(InstanceSlot) == 84);
 
@@ -29,7 +82,7 @@ struct BlockHead {
     std::int8_t step_exponent;
     std::uint8_t levels;  ///< nodes from the root to a leaf node; 0 without instances
     std::uint8_t must_refit;
-    /// The number of the region of MovingScene::common_lattice() (common_lattice.hpp).
+    /// The number of the region of MovingScene::common_lattice().
     std::uint8_t common_region;
     std::uint32_t live;        ///< instances
     std::uint32_t slots_used;  ///< slots that were ever alive; those behind are free
@@ -113,6 +166,54 @@ inline SceneBlock parts_of(std::byte* block, std::uint32_t slots, std::uint32_t 
 inline SceneBlock parts_of(std::byte* block) {
     const auto* const head = static_cast<const BlockHead*>(static_cast<const void*>(block));
     return parts_of(block, head->slot_capacity, head->node_capacity);
+}
+
+/// Writes an empty block. The address is one that 32 divides, with block_bytes() behind it.
+inline SceneBlock make_block(std::byte* memory, std::uint32_t slots, std::uint32_t nodes, int step_exponent) {
+    SceneBlock block = parts_of(memory, slots, nodes);
+    BlockHead head{};
+    head.magic = block_magic;
+    head.slot_capacity = slots;
+    head.node_capacity = nodes;
+    head.step_exponent = static_cast<std::int8_t>(step_exponent);
+    head.free_slot = head.free_node = head.root = no_child;
+    head.step = 1;
+    *block.head = head;
+    return block;
+}
+
+inline bool is_live(const InstanceSlot& slot) { return (slot.generation & 1u) != 0; }
+
+/// Returns whether a slot was moved or inserted since the last step ended.
+inline bool has_moved(const SceneBlock& block, std::uint32_t slot) { return block.moved[slot] == block.head->step; }
+
+/// Returns whether a slot below slots_used has had 2^31 lives, and gets no other: each has a generation of its own.
+inline bool is_worn(const InstanceSlot& slot) { return slot.generation == 0; }
+
+/// Returns a free slot, now alive and without a place in the tree, or no_child if there is none.
+inline std::uint32_t take_slot(SceneBlock& block) {
+    BlockHead& head = *block.head;
+    std::uint32_t number = head.free_slot;
+    if (number != no_child) {
+        head.free_slot = block.slots[number].place;
+    } else {
+        if (head.slots_used == head.slot_capacity) return no_child;
+        number = head.slots_used++;
+        block.slots[number] = InstanceSlot{};
+    }
+    ++block.slots[number].generation;
+    ++head.live;
+    return number;
+}
+/// Ends the life of a slot, which is no longer in the tree.
+inline void give_back_slot(SceneBlock& block, std::uint32_t number) {
+    BlockHead& head = *block.head;
+    InstanceSlot& slot = block.slots[number];
+    ++slot.generation;
+    --head.live;
+    if (is_worn(slot)) return;
+    slot.place = head.free_slot;
+    head.free_slot = number;
 }
 
 }  // namespace espalier::detail

@@ -4,8 +4,6 @@
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/moving_scenes/box_tree/ends_around.hpp>
-#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
-#include <runtime/transforms/rotation.hpp>
 
 ESPALIER_BEGIN_SET
 
@@ -28,21 +26,11 @@ ESPALIER_QUERY_OF_SET bool find_steps_boxes(const EightPlaces& places, std::int3
 
 #elif ESPALIER_LANES == 16
 
-ESPALIER_QUERY_OF_SET bool find_steps_boxes(const EightPlaces& places, std::int32_t step_exponent,
-                                            EightStepsBoxes& boxes) {
-    return avx2::find_steps_boxes(places, step_exponent, boxes);
-}
+using avx2::find_steps_boxes;
 
 #else
 
 namespace {
-
-/// Returns the same numbers in another type, cut off towards zero.
-template <class To, class From>
-ESPALIER_ALWAYS_INLINE inline To converted(From a) {
-    if constexpr (std::is_arithmetic_v<From>) return static_cast<To>(a);
-    else return ESPALIER_CONVERT_VECTOR(a, To);
-}
 
 /// A number of each instance.
 struct LaneNumbers {
@@ -115,9 +103,9 @@ public:
     ESPALIER_ALWAYS_INLINE void store_whole_below(std::int32_t* to) const {
         for (int k = 0; k < 3; ++k) {
             const Floats all = values_[k].values;
-            const auto whole = (converted<SignedInts>)(all);
-            const SignedInts is_above =
-                ((converted<Floats>)(whole) > all) | ((__builtin_bit_cast(SignedInts, all) < 0) & (whole == 0));
+            const auto whole = ESPALIER_CONVERT_VECTOR(all, SignedInts);
+            const SignedInts is_above = (ESPALIER_CONVERT_VECTOR(whole, Floats) > all) |
+                                        ((__builtin_bit_cast(SignedInts, all) < 0) & (whole == 0));
             const SignedInts below = whole + is_above;
             ESPALIER_COPY_BYTES(to + EightStepsBoxes::count * static_cast<unsigned>(k), &below, sizeof below);
         }

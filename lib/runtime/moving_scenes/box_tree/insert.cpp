@@ -1,6 +1,5 @@
 // Insertion into the tree: the leaf node with which boxes grow least, and a split of full nodes along the axis with the
 // least area.
-#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {
@@ -19,15 +18,10 @@ struct OrderedChildren {
     OrderedChildren(const BoxNode& node, const StepsBox& box) {
         float area[BoxNode::most];
         for (unsigned i = 0; i < BoxNode::most; ++i) {
-            std::int32_t low[3], high[3], all_low[3], all_high[3];
-            for (int k = 0; k < 3; ++k) {
-                low[k] = node.low[k][i];
-                high[k] = node.high[k][i];
-                all_low[k] = low[k] < box.low[k] ? low[k] : box.low[k];
-                all_high[k] = high[k] > box.high[k] ? high[k] : box.high[k];
-            }
-            area[i] = half_area_of(low, high);
-            growth[i] = half_area_of(all_low, all_high) - area[i];
+            StepsBox both = node.box(i);
+            area[i] = both.half_area();
+            both.add(box);
+            growth[i] = both.half_area() - area[i];
         }
         for (unsigned i = 0; i < BoxNode::most; ++i) {
             if (node.child[i] == no_child) continue;

@@ -7,7 +7,6 @@
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
-#include <runtime/moving_scenes/box_tree/slots.hpp>
 
 ESPALIER_BEGIN_SET
 

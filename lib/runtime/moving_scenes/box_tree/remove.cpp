@@ -1,26 +1,32 @@
 // Removal from the tree: a node that is left with too few children joins a sibling, or takes a child of it.
-#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {
 
 namespace {
 
-/// Returns the place of the sibling that grows least if it takes a node's box; of equal ones the first.
-unsigned nearest_sibling(const BoxNode& parent, unsigned place) {
+/// Returns the place of the child with the least cost(place, its box); of equal ones the first.
+template <class Cost>
+unsigned least_child(const BoxNode& node, Cost cost) {
     unsigned best = BoxNode::most;
     float least = infinity;
     for (unsigned i = 0; i < BoxNode::most; ++i) {
-        if (i == place || parent.child[i] == no_child) continue;
-        const StepsBox own = parent.box(i);
-        StepsBox all = own;
-        all.add(parent.box(place));
-        const float growth = all.half_area() - own.half_area();
-        if (growth >= least) continue;
+        if (node.child[i] == no_child) continue;
+        const float of_child = cost(i, node.box(i));
+        if (of_child >= least) continue;
         best = i;
-        least = growth;
+        least = of_child;
     }
     return best;
+}
+
+/// Returns the place of the sibling that grows least if it takes a node's box.
+unsigned nearest_sibling(const BoxNode& parent, unsigned place) {
+    return least_child(parent, [&](unsigned i, StepsBox box) {
+        const float own = box.half_area();
+        box.add(parent.box(place));
+        return i == place ? infinity : box.half_area() - own;
+    });
 }
 
 /// Moves a child of one node into another, which has a free place.
@@ -34,16 +40,10 @@ void move_child(SceneBlock& block, std::uint32_t level, std::uint32_t from, unsi
 /// Moves the child of a sibling by which a node grows least.
 void take_nearest(SceneBlock& block, std::uint32_t level, std::uint32_t sibling, std::uint32_t node) {
     const StepsBox own = block.node(node).bounds();
-    unsigned best = 0;
-    float least = infinity;
-    for (unsigned i = 0; i < BoxNode::most; ++i) {
-        if (block.node(sibling).child[i] == no_child) continue;
-        StepsBox all = own;
-        all.add(block.node(sibling).box(i));
-        if (all.half_area() >= least) continue;
-        best = i;
-        least = all.half_area();
-    }
+    const unsigned best = least_child(block.node(sibling), [&](unsigned, StepsBox box) {
+        box.add(own);
+        return box.half_area();
+    });
     move_child(block, level, sibling, best, node);
 }
 

@@ -1,6 +1,5 @@
 // The tree built anew: instances in Hilbert order, as many in a node as it may hold (Kamel and Faloutsos 1994).
 #include <runtime/moving_scenes/box_tree/hilbert.hpp>
-#include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {

@@ -1,9 +1,6 @@
 // All pairs of instances whose boxes touch: the tree, or some of its instances, against the tree itself.
 #pragma once
 
-#include <span>
-
-#include <espalier/base/function_ref.hpp>
 #include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>

@@ -1,9 +1,6 @@
 // Boxes of instances in whole steps of a world: integers, so that comparisons are exact and equal everywhere.
 #pragma once
 
-#include <cstdint>
-
-#include <espalier/blob.hpp>
 #include <espalier/scene.hpp>
 #include <espalier/transform.hpp>
 #include <runtime/base/bits.hpp>
@@ -12,15 +9,6 @@ namespace espalier::detail {
 
 /// Coordinates of boxes lie within it, so that differences of two, and to a corner of a coarser grid, fit into 32 bits.
 inline constexpr std::int32_t most_world_steps = (1 << 30) - 128;
-
-/// Returns half of the surface of a box; of ends without a box it is of no meaning.
-constexpr float half_area_of(const std::int32_t (&low)[3], const std::int32_t (&high)[3]) {
-    float side[3] = {};
-    for (int k = 0; k < 3; ++k)
-        side[k] = static_cast<float>(
-            static_cast<std::int32_t>(static_cast<std::uint32_t>(high[k]) - static_cast<std::uint32_t>(low[k])));
-    return (side[0] * side[1] + side[1] * side[2]) + side[2] * side[0];
-}
 
 /// A box in steps of the world; both ends belong to it. Empty if an end is below its start.
 struct StepsBox {
@@ -40,8 +28,14 @@ struct StepsBox {
         }
     }
     /// Returns half of the surface: the sum of three products of two sides, in float and in this order on every
-    /// machine.
-    [[nodiscard]] constexpr float half_area() const { return half_area_of(low, high); }
+    /// machine. Of an empty box it is of no meaning.
+    [[nodiscard]] constexpr float half_area() const {
+        float side[3] = {};
+        for (int k = 0; k < 3; ++k)
+            side[k] = static_cast<float>(
+                static_cast<std::int32_t>(static_cast<std::uint32_t>(high[k]) - static_cast<std::uint32_t>(low[k])));
+        return (side[0] * side[1] + side[1] * side[2]) + side[2] * side[0];
+    }
     friend constexpr bool operator==(const StepsBox&, const StepsBox&) = default;
 };
 
@@ -82,5 +76,28 @@ struct Coarseness {
                farthest_origin >= other.farthest_origin;
     }
 };
+
+/// The boxes of eight instances, coordinate by coordinate.
+struct EightStepsBoxes {
+    static constexpr unsigned count = 8;
+
+    alignas(32) std::int32_t low[3][count];
+    alignas(32) std::int32_t negative_high[3][count];
+
+    [[nodiscard]] StepsBox operator[](unsigned i) const {
+        return {{low[0][i], low[1][i], low[2][i]}, {-negative_high[0][i], -negative_high[1][i], -negative_high[2][i]}};
+    }
+};
+
+/// Eight parts, and the place of each.
+struct EightPlaces {
+    const PartBounds* parts[EightStepsBoxes::count];
+    const Transform* transforms[EightStepsBoxes::count];
+};
+
+/// Finds the boxes of eight instances with the bits of find_steps_box(), by the best instruction set of this machine.
+/// Returns false, with boxes of no meaning, if one has no box or a scale or a rotation that is far from 1: then each
+/// has to be found alone.
+bool find_steps_boxes_by_best_set(const EightPlaces& places, std::int32_t step_exponent, EightStepsBoxes& boxes);
 
 }  // namespace espalier::detail

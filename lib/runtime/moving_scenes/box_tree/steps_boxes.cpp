@@ -1,4 +1,4 @@
-#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
+#include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
 #define ESPALIER_PER_SET <runtime/moving_scenes/box_tree/boxes_in_lanes.hpp>
 #include <runtime/lanes/for_each_set.hpp>
