@@ -1,12 +1,62 @@
-// The block, meshes and tiles behind a MovingScene.
+// The block, meshes and tiles behind a MovingScene, and its instances as they are seen from an origin in a world that
+// float32 does not resolve.
 #pragma once
 
 #include <espalier/scenes/moving_scene.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
-#include <runtime/moving_scenes/seen.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier::detail {
+
+/// Origins are multiples of it, in steps: the difference of two has 24 bits, and is exact as a float.
+inline constexpr std::int32_t origin_grid = 128;
+
+constexpr bool are_equal(const std::int32_t (&a)[3], const std::int32_t (&b)[3]) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/// Returns the transform of an instance, seen from an origin. The translation is rounded once, and not at
+/// all if the instance was placed through the same origin.
+inline Transform seen_transform(const InstanceSlot& slot, const std::int32_t (&origin)[3], std::int32_t step_exponent) {
+    Transform seen = slot.transform;
+    if (are_equal(slot.origin, origin)) return seen;
+    const float step = power_of_two(step_exponent);
+    float* const translation[3] = {&seen.translation.x, &seen.translation.y, &seen.translation.z};
+    for (int k = 0; k < 3; ++k)  // the sum with 0 would change zeros with a sign, and subnormal numbers in some modes
+        if (slot.origin[k] != origin[k]) *translation[k] += static_cast<float>(slot.origin[k] - origin[k]) * step;
+    return seen;
+}
+
+/// Returns whether the translation as it is seen from there differs from the one that was given. The instance may then
+/// be a step of the lattice away from its neighbours.
+inline bool is_rounded_in(const InstanceSlot& slot, const std::int32_t (&origin)[3], std::int32_t step_exponent) {
+    const float step = power_of_two(step_exponent);
+    const float given[3] = {slot.transform.translation.x, slot.transform.translation.y, slot.transform.translation.z};
+    for (int k = 0; k < 3; ++k) {
+        if (slot.origin[k] == origin[k]) continue;
+        // The sum is exact if it gives back both of its parts (Knuth 1969). Numbers below 2^-100 are apart: what a sum
+        // loses of them may be subnormal.
+        if (magnitude_bits(given[k]) != 0 && magnitude_bits(given[k]) < magnitude_bits(0x1p-100f)) return true;
+        const float way = static_cast<float>(slot.origin[k] - origin[k]) * step, seen = given[k] + way;
+        const float added = seen - given[k];
+        if (way != added || given[k] != seen - added) return true;
+    }
+    return false;
+}
+
+/// Moves a box that counts from an origin to where it is in the world. False if it leaves the world.
+inline bool move_to_world(const std::int32_t (&origin)[3], StepsBox& box) {
+    for (int k = 0; k < 3; ++k) {
+        // Both are within the world: the sums have 31 bits.
+        box.low[k] += origin[k];
+        box.high[k] += origin[k];
+        if (box.low[k] < -most_world_steps || box.high[k] > most_world_steps) return false;
+    }
+    return true;
+}
+/// A lattice point at or below a coordinate of a box that is exact as a float: the origin of a tree.
+constexpr std::int32_t lattice_point_below(std::int32_t steps) { return steps & ~127; }
+constexpr std::int32_t lattice_point_above(std::int32_t steps) { return (steps + 127) & ~127; }
 
 /// The only way to the private parts of a MovingScene.
 class MovingSceneAccess {
@@ -73,5 +123,29 @@ inline Transform seen_transform(const MovingScene& scene, const InstanceSlot& sl
 }
 /// Returns the box of an instance, seen from the origin of the view, rounded outward to float.
 Box box_in_view(const MovingScene& scene, const StepsBox& box);
+
+/// Returns whether every operation and query on the block is safe, and whether refit_boxes() leaves exact boxes in all
+/// nodes: every index is in its range, the tree is of equal depth, each live slot is in it once, and every box is that
+/// of what it holds. O(n); it writes nothing. The capacities have been checked.
+bool is_sound(const SceneBlock& block);
+/// Returns whether the slots of a sound block place the meshes and tiles of the scene, at the boxes that they have.
+bool has_boxes_of_instances(const MovingScene& scene);
+
+// The part of the world's lattice that instances of a moving scene share: rays are rounded for it once.
+
+/// The number before an instance was on the common lattice.
+inline constexpr std::uint8_t no_region = 0;
+/// The largest number; a region twice as large would have more steps than a Lattice may.
+inline constexpr std::uint8_t most_region = 7;
+
+/// Returns a region that instances may share: a cube around the origin of a view. Number 1 reaches 2^17 steps to each
+/// side, so that rays that begin in it have the finest grid, and each number twice as far as the one before. Were it as
+/// small as the instances, each that comes or goes would change how rays are rounded for the others.
+Lattice common_region(const BlockHead& head, std::uint8_t number);
+
+/// Returns the number of the least region, no smaller than the head's, that holds the part of a slot at its place on
+/// the lattice; the head's if none does. A slot that counts from another origin than 0 has the largest: a view near it
+/// has it in a cube around itself, wherever it was placed from.
+std::uint8_t common_region_with(const MovingScene& scene, const InstanceSlot& slot);
 
 }  // namespace espalier::detail

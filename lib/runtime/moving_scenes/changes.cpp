@@ -1,10 +1,6 @@
 // Instances that come, move and go, and the upkeep of the tree.
-#include <espalier/scenes/moving_scene.hpp>
-
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/moving_scenes/box_tree/steps_box.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
-#include <runtime/moving_scenes/common_lattice.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier {

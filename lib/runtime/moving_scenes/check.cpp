@@ -1,10 +1,5 @@
-#include <runtime/moving_scenes/check.hpp>
-
-#include <bit>
-
-#include <runtime/base/bits.hpp>
+// The proof that a block is sound.
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/moving_scenes/common_lattice.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {

@@ -1,7 +1,4 @@
-#include <runtime/moving_scenes/common_lattice.hpp>
-
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/scenes/instances.hpp>
 
 namespace espalier {
 

@@ -1,8 +1,4 @@
 // A moving scene as queries of scenes take it: the walks over its tree.
-#include <runtime/moving_scenes/queries.hpp>
-
-#include <runtime/base/bits.hpp>
-
 #define ESPALIER_PER_SET <runtime/moving_scenes/walks.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
@@ -12,11 +8,9 @@ using namespace detail;
 
 namespace {
 
-void nearest_to_passage(const Passage& passage, AnyInstanceAnswer& answer) {
-    ESPALIER_DISPATCH(moving_instances_nearest_first, passage, answer);
-}
-void nearest_to_point(const RoundedPoint& point, AnyInstanceAnswer& answer) {
-    ESPALIER_DISPATCH(moving_instances_nearest_first, point, answer);
+template <class Region>
+void nearest_first(const Region& region, AnyInstanceAnswer& answer) {
+    ESPALIER_DISPATCH(moving_instances_nearest_first, region, answer);
 }
 Visit in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     return ESPALIER_DISPATCH(moving_instances_in_order, passage, answer);
@@ -26,7 +20,8 @@ Transform transform_in_block(const SceneData& scene, InstanceId instance) {
     return seen_transform(block.slots[instance.index], scene.origin, scene.tree.step_exponent);
 }
 
-constexpr MovingInstances moving_instances = {nearest_to_passage, nearest_to_point, in_order, transform_in_block};
+constexpr MovingInstances moving_instances = {nearest_first<Passage>, nearest_first<RoundedPoint>, in_order,
+                                              transform_in_block};
 
 }  // namespace
 

@@ -1,9 +1,5 @@
 // The making of moving scenes, and what they return of themselves.
-#include <espalier/scenes/moving_scene.hpp>
-
-#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/moving_scenes/check.hpp>
 
 namespace espalier {
 

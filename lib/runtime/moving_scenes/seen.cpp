@@ -1,14 +1,8 @@
 // Views of a moving scene from places in its world. Float64 is read and written by its bits: small cores have no
 // arithmetic for it.
 #include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/scenes/moving_scene.hpp>
 
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/moving_scenes/seen.hpp>
 
 namespace espalier {
 

@@ -143,18 +143,10 @@ void TouchingPairs::clear_others(std::size_t count) {
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,
                                                  const PairFilter& filter, InstancePair from, SelfJoin join) {
     TouchingPairs pairs(block, filter, join);
-    FilledPairs<InstancePair> page = {0, pairs.end(), QueryStatus::ok};
-    if (takes_shortcut(from == InstancePair{}) && pairs.collect_all(out, page.count)) return page;
-    pairs.for_each_from(from, [&](const InstancePair& pair) {
-        if (page.count == out.size()) {
-            page.next = pair;
-            page.status = QueryStatus::output_full;
-            return Visit::stop;
-        }
-        out[page.count++] = pair;
-        return Visit::next;
-    });
-    return page;
+    PairPage<InstancePair> page = {out, {0, pairs.end(), QueryStatus::ok}};
+    if (takes_shortcut(from == InstancePair{}) && pairs.collect_all(out, page.filled.count)) return page.filled;
+    pairs.for_each_from(from, [&](const InstancePair& pair) { return page.take(pair, QueryStatus::ok); });
+    return page.filled;
 }
 
 }  // namespace espalier::detail

@@ -1,13 +1,31 @@
 // Pairs of instances whose boxes touch, in ascending order.
 #pragma once
 
-#include <span>
-
-#include <espalier/scenes/pairs.hpp>
-#include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 
 namespace espalier::detail {
+
+/// A page of pairs that is being filled.
+template <class Pair>
+struct PairPage {
+    std::span<Pair> out;
+    FilledPairs<Pair> filled;
+
+    [[nodiscard]] bool is_full() const { return filled.count == out.size(); }
+    /// Takes the next pair with the status of a test: ok writes it, not_found leaves it out, any other ends the page
+    /// before it.
+    Visit take(const Pair& pair, QueryStatus status) {
+        if (status == QueryStatus::not_found) return Visit::next;
+        if (status == QueryStatus::ok && is_full()) status = QueryStatus::output_full;
+        if (status == QueryStatus::ok) {
+            out[filled.count++] = pair;
+            return Visit::next;
+        }
+        filled.next = pair;
+        filled.status = status;
+        return Visit::stop;
+    }
+};
 
 /// The pairs of live slots whose boxes touch and that a filter selects. They are found with room in the block that is
 /// zero before and after, so that questions leave no traces in a snapshot.

@@ -5,29 +5,48 @@
 #include <bit>
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/moving_scenes/queries.hpp>
+#include <runtime/moving_scenes/access.hpp>
 #include <runtime/proximity/squared_distance.hpp>
+#include <runtime/scenes/instance_walk.hpp>
 
 ESPALIER_BEGIN_SET
 
 #if ESPALIER_LANES == 16
 
 // A node has eight children.
-ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
-    avx2::moving_instances_nearest_first(passage, answer);
-}
-
-ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
-    avx2::moving_instances_nearest_first(point, answer);
-}
-
-ESPALIER_QUERY_OF_SET Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
-    return avx2::moving_instances_in_order(passage, answer);
-}
+using avx2::moving_instances_in_order;
+using avx2::moving_instances_nearest_first;
 
 #else
 
 namespace {
+
+/// The tree of a moving scene as its walks take it: its boxes are counted from the lattice point at its low corner.
+struct MovingTree {
+    const SceneData& scene;
+    SceneBlock block;
+    std::int32_t origin[3];
+
+    explicit MovingTree(const SceneData& seen) : scene(seen), block(parts_of(seen.block)) {
+        const StepsBox all = block.node(block.head->root).bounds();
+        for (int k = 0; k < 3; ++k) origin[k] = lattice_point_below(all.low[k]);
+    }
+
+    /// Passes an instance to an answer if its mask and its box are selected.
+    Visit take(std::uint32_t number, AnyInstanceAnswer& answer) const {
+        if ((block.masks[number] & answer.mask) == 0) return Visit::next;
+        const InstanceSlot& slot = block.slots[number];
+        if (answer.meeting != nullptr && !answer.meeting->meets([&](int k) { return slot.box.low[k] - origin[k]; },
+                                                                [&](int k) { return slot.box.high[k] - origin[k]; }))
+            return Visit::next;
+        const std::int32_t exponent = scene.tree.step_exponent;
+        return answer.visit({part_of(scene, slot.mesh),
+                             {number},
+                             seen_transform(slot, scene.origin, exponent),
+                             is_rounded_in(slot, scene.origin, exponent)},
+                            answer.limit);
+    }
+};
 
 /// Returns planes of children as floats, counted from the origin of the tree. Those of places without a child are of no
 /// meaning.
@@ -88,7 +107,7 @@ struct WaitingBox {
 
 /// Visits the instances near a region, the nearest first.
 template <class Region>
-void walk_moving_nearest_first(const Region& region, AnyInstanceAnswer& answer) {
+void moving_instances_nearest_first(const Region& region, AnyInstanceAnswer& answer) {
     const MovingTree tree(answer.scene);
     const BlockHead& head = *tree.block.head;
     WaitingBox waiting[most_tree_levels * (BoxNode::most - 1) + 1];
@@ -118,14 +137,6 @@ void walk_moving_nearest_first(const Region& region, AnyInstanceAnswer& answer) 
 }
 
 }  // namespace
-
-ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
-    (walk_moving_nearest_first)(passage, answer);
-}
-
-ESPALIER_QUERY_OF_SET void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
-    (walk_moving_nearest_first)(point, answer);
-}
 
 ESPALIER_QUERY_OF_SET Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     const MovingTree tree(answer.scene);

@@ -1,7 +1,7 @@
 // Claims about pairs of instances whose boxes touch.
 #include "support/testing.hpp"
 
-#include <runtime/moving_scenes/check.hpp>
+#include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/touching_pairs.hpp>
 
 #include "made_block.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include <runtime/moving_scenes/box_tree/hilbert.hpp>
-#include <runtime/moving_scenes/check.hpp>
+#include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
