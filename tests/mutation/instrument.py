@@ -40,7 +40,7 @@ EXCUSED_PARTS = {
         "runtime/traversal/first_reference.cpp"],
     "rounding": [
         "runtime/lattice/round_ray.hpp", "runtime/lattice/round_point.hpp", "runtime/lattice/rounder.hpp",
-        "runtime/lattice/outward.hpp", "runtime/rays/rounded_ray.cpp", "runtime/lattice/rounding.cpp",
+        "runtime/lattice/to_local.hpp", "runtime/rays/rounded_ray.cpp", "runtime/lattice/rounding.cpp",
         "runtime/sweeps/rounding.cpp"],
     "small": [
         "runtime/rays/small_code/walk.hpp", "runtime/rays/small_code/seen_ray.hpp",
@@ -61,8 +61,7 @@ EXCUSED_PARTS = {
     "edges": ["baker/base/edge_table.hpp"],
     "moving": ["runtime/moving_scenes/check.cpp", "runtime/moving_scenes/changes.cpp"],
     "deformation": [
-        "runtime/deformation/check_positions.hpp", "runtime/deformation/deformable.cpp",
-        "runtime/deformation/four_positions.hpp", "runtime/deformation/place_vertices.hpp",
+        "runtime/deformation/deformable.cpp", "runtime/deformation/place_vertices.hpp",
         "runtime/deformation/pose_axis.hpp", "runtime/deformation/refit.cpp", "runtime/deformation/store.hpp",
         "runtime/blob/tree_cost.hpp", "runtime/blob/deformable_blob.hpp",
         "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",

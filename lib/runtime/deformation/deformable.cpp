@@ -1,9 +1,6 @@
 // Deformable meshes: the parts that move and that stay, and whole blobs of both.
 #include <espalier/deformation.hpp>
 
-#include <cstdint>
-
-#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 #include <runtime/deformation/store.hpp>
 #include <runtime/lattice/to_local.hpp>

@@ -1,12 +1,6 @@
 // The vertices of one plain leaf, moved to their positions.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/types.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/deformation/four_positions.hpp>
 #include <runtime/deformation/pose_axis.hpp>
 #include <runtime/deformation/store.hpp>
 
