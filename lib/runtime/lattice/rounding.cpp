@@ -1,6 +1,5 @@
 // How far a query moves when it is rounded. The bounds are derived in docs/numerics.md.
 #include <espalier/advanced/rounding.hpp>
-#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier {
@@ -24,6 +23,10 @@ struct Coordinates {
     float largest = 0.0f;  ///< of all, regardless of sign
     bool are_finite = true;
 
+    template <std::same_as<Vec3>... Points>
+    explicit Coordinates(const Blob& blob, const Points&... points) : rounder(data_of(blob)) {
+        (add(points), ...);
+    }
     void add(const Vec3& local) {
         float steps[3];
         are_finite = are_finite && is_finite(local);
@@ -43,16 +46,11 @@ Result<float> bound(const Blob& blob, const Coordinates& coordinates, int grid, 
 }
 
 Result<float> error_of(const Blob& blob, const Vec3& point) {
-    if (!blob) return {};
-    Coordinates coordinates = {Rounder(data_of(blob))};
-    coordinates.add(point);
-    return bound(blob, coordinates, point_grid);
+    return bound(blob, Coordinates(blob, point), point_grid);
 }
 
 Result<float> error_of(const Blob& blob, const Ray& ray) {
-    if (!blob) return {};
-    Coordinates origin = {Rounder(data_of(blob))};
-    origin.add(ray.origin);
+    const Coordinates origin(blob, ray.origin);
     const Vec3& way = ray.direction;
     const bool is_zero = (magnitude_bits(way.x) | magnitude_bits(way.y) | magnitude_bits(way.z)) == 0;
     if (!origin.are_finite || !is_finite(way) || is_zero) return {0.0f, QueryStatus::invalid_argument};
@@ -70,21 +68,15 @@ Result<float> error_of(const Blob& blob, const Ray& ray) {
 }
 
 Result<float> error_of(const Blob& blob, const Segment& segment) {
-    if (!blob) return {};
-    Coordinates ends = {Rounder(data_of(blob))};
-    ends.add(segment.from);
-    ends.add(segment.to);
-    return bound(blob, ends, segment_grid);
+    return bound(blob, Coordinates(blob, segment.from, segment.to), segment_grid);
 }
 
 Result<float> error_of(const Blob& blob, const Sphere& sphere) {
-    if (!blob) return {};
     if (!is_radius(sphere.radius)) return {0.0f, QueryStatus::invalid_argument};
     return error_of(blob, sphere.center);
 }
 
 Result<float> error_of(const Blob& blob, const Capsule& capsule) {
-    if (!blob) return {};
     if (!is_radius(capsule.radius)) return {0.0f, QueryStatus::invalid_argument};
     return error_of(blob, Segment{capsule.from, capsule.to});
 }
@@ -92,7 +84,6 @@ Result<float> error_of(const Blob& blob, const Capsule& capsule) {
 Result<float> error_of(const Blob& blob, const Box& box) { return error_of(blob, Segment{box.min, box.max}); }
 
 Result<float> error_of(const Blob& blob, const OrientedBox& box) {
-    if (!blob) return {};
     float spread = 0.0f;  // along any axis, of the half axes together
     // mutant(< -> <=) equivalent: z once more
     for (int k = 0; k < 3; ++k) {
@@ -107,28 +98,24 @@ Result<float> error_of(const Blob& blob, const OrientedBox& box) {
         }
         spread = maximum(along, spread);
     }
-    Coordinates center = {Rounder(data_of(blob))};
-    center.add(box.center);
+    Coordinates center(blob, box.center);
     center.rounder.extend(center.rounder.reach() + spread);
     return bound(blob, center, volume_grid, 4);
 }
 
 Result<float> error_of(const Blob& blob, const Triangle& triangle) {
-    if (!blob) return {};
-    Coordinates corners = {Rounder(data_of(blob))};
-    corners.add(triangle.a);
-    corners.add(triangle.b);
-    corners.add(triangle.c);
-    return bound(blob, corners, volume_grid);
+    return bound(blob, Coordinates(blob, triangle.a, triangle.b, triangle.c), volume_grid);
 }
 
 }  // namespace
 
-Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept { return error_of(blob, point); }
+Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept {
+    return blob ? error_of(blob, point) : Result<float>{};
+}
 
 template <RoundedShape Shape>
 Result<float> rounding_error(const Blob& blob, const Shape& shape) noexcept {
-    return error_of(blob, shape);
+    return blob ? error_of(blob, shape) : Result<float>{};
 }
 template Result<float> rounding_error(const Blob&, const Ray&) noexcept;
 template Result<float> rounding_error(const Blob&, const Segment&) noexcept;

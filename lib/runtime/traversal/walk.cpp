@@ -1,7 +1,6 @@
 // Every triangle of a blob, in storage order, and every node.
 #include <espalier/walk.hpp>
 #include <runtime/blob/duplicate_references.hpp>
-#include <runtime/lattice/outward.hpp>
 #include <runtime/lattice/to_local.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 #include <runtime/traversal/find.hpp>

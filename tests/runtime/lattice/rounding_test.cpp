@@ -4,7 +4,7 @@
 
 #include <cfenv>
 
-#include <runtime/lattice/outward.hpp>
+#include <runtime/lattice/to_local.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
