@@ -20,7 +20,7 @@ EXCUSED_PARTS = {
         "runtime/open/open.cpp", "runtime/open/checks.hpp", "runtime/open/header.cpp", "runtime/open/leaves.cpp"],
     "decode": [
         "runtime/base/bits.hpp", "runtime/blob/node.hpp", "runtime/blob/plain_leaf.hpp",
-        "runtime/blob/strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.cpp",
+        "runtime/blob/strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.cpp",
         "runtime/blob/vertex_word.hpp", "runtime/blob/duplicate_references.hpp",
         "runtime/blob/id_steps.hpp", "espalier/format/leaves.hpp", "espalier/format/nodes.hpp",
         "espalier/format/sections.hpp", "runtime/lanes/scalar.hpp", "runtime/lanes/axes.inl",

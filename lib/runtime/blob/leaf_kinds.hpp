@@ -2,6 +2,4 @@
 #pragma once
 
 #include <runtime/blob/plain_leaf.hpp>
-#include <runtime/blob/predicted_strip_leaf.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/blob/strip_leaf.hpp>

@@ -1,6 +1,4 @@
 // The decoder of predicted strips.
-#include <runtime/base/options.hpp>
-#include <runtime/blob/predicted_strip_leaf.hpp>
 #include <runtime/blob/vertex_word.hpp>
 
 namespace espalier::detail {

@@ -3,9 +3,7 @@
 // axis, or too large, has one of the upper two bits of a field set.
 #pragma once
 
-#include <cstdint>
-
-#include <runtime/blob/predicted_strip_leaf.hpp>
+#include <runtime/blob/strip_leaf.hpp>
 
 #if ESPALIER_PREDICTED_STRIPS
 
