@@ -1,23 +1,11 @@
 // The vertices of one plain leaf, moved to their positions.
 #pragma once
 
+#include <runtime/blob/tree_cost.hpp>
 #include <runtime/deformation/pose_axis.hpp>
 #include <runtime/deformation/store.hpp>
 
 namespace espalier::detail {
-
-/// A box in lattice steps.
-struct VertexBox {
-    std::uint32_t low[3] = {~std::uint32_t{0}, ~std::uint32_t{0}, ~std::uint32_t{0}};
-    std::uint32_t high[3] = {0, 0, 0};
-
-    void add(const VertexBox& box) {
-        for (int k = 0; k < 3; ++k) {
-            low[k] = box.low[k] < low[k] ? box.low[k] : low[k];
-            high[k] = box.high[k] > high[k] ? box.high[k] : high[k];
-        }
-    }
-};
 
 /// The rows of a leaf that moves, and the numbers of its vertices in the sources.
 struct MovingLeaf {
@@ -35,8 +23,8 @@ struct MovingLeaf {
 
 /// Writes the coordinates of each vertex. Returns the box around them.
 template <bool near>
-inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
-    VertexBox box;
+inline UnsignedBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+    UnsignedBox box;
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         const Vec3& position = positions[leaf.source(vertex)];
         const auto place = [&](unsigned k, float number) ESPALIER_ALWAYS_INLINE_LAMBDA {
@@ -57,7 +45,7 @@ inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, c
 /// Places at least four vertices on near axes, four at a time. If their number is no multiple of four, the last four
 /// overlap the ones before.
 template <bool has_short_sources, bool has_high_bytes>
-inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+inline UnsignedBox place_by_fours(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
     FourFloats low[3], high[3];
     for (int k = 0; k < 3; ++k) {
         low[k] = FourFloats{} + 0x1p25f;  // above and below all sums
@@ -88,7 +76,7 @@ inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, con
         store_low_words(words + 4 * row, coordinates[2], words + 4 * row, coordinates[2]);
         if (first == last) break;
     }
-    VertexBox box;
+    UnsignedBox box;
     for (int k = 0; k < 3; ++k) {
         const float least = minimum(minimum(low[k][0], low[k][1]), minimum(low[k][2], low[k][3]));
         const float most = maximum(maximum(high[k][0], high[k][1]), maximum(high[k][2], high[k][3]));
@@ -99,7 +87,7 @@ inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, con
 }
 
 template <bool near>
-inline VertexBox place_vertices(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+inline UnsignedBox place_vertices(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
     if constexpr (near && takes_four_positions) {
         if (leaf.vertex_count >= 4)
             return leaf.high_bytes == nullptr ? leaf.has_short_sources

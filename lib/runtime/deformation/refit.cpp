@@ -3,7 +3,6 @@
 #include <espalier/deformation.hpp>
 
 #include <runtime/blob/plain_leaf.hpp>
-#include <runtime/blob/tree_cost.hpp>
 #include <runtime/deformation/place_vertices.hpp>
 
 namespace espalier {
@@ -48,7 +47,7 @@ public:
     template <bool near>
     float run(const PoseAxes& axes) {
         TreeCost cost;
-        PlaneBox box;
+        UnsignedBox box;
         for (std::uint32_t number = blob_.node_count; number-- != 0;) {
             const auto node = node_at<PlainNode>(blob_, number);
             for (unsigned leaf = node.leaf_children(); leaf-- != 0;) move_leaf<near>(axes, node, leaf);
@@ -61,12 +60,12 @@ public:
         return cost.over(box);
     }
 
-    [[nodiscard]] const VertexBox& bounds() const { return bounds_; }
+    [[nodiscard]] const UnsignedBox& bounds() const { return bounds_; }
 
 private:
     [[nodiscard]] std::byte* moving(const PlainNode& node) const { return nodes_ + (node.bytes - blob_.nodes); }
 
-    void set_planes(const PlainNode& node, unsigned child, const PlaneBox& box) const {
+    void set_planes(const PlainNode& node, unsigned child, const UnsignedBox& box) const {
         std::byte* const at = moving(node) + 2 * std::size_t{child};
         for (unsigned k = 0; k < 3; ++k) {
             std::byte* const row = at + format::plain_node::row_bytes * k;
@@ -86,10 +85,10 @@ private:
         std::byte* const words = data + words_at;
         const MovingLeaf leaf = {words, has_high_bytes(blob_.bits) ? words + 6 * vertices : nullptr, sources_, vertices,
                                  number_bytes_ == 2};
-        const VertexBox box = place_vertices<near>(axes, positions_, leaf);
+        const UnsignedBox box = place_vertices<near>(axes, positions_, leaf);
         bounds_.add(box);
 
-        PlaneBox planes;
+        UnsignedBox planes;
         std::uint32_t differences = 0;
         for (int k = 0; k < 3; ++k) {
             planes.low[k] = box.low[k] >> unit_shift_;
@@ -113,7 +112,7 @@ private:
     unsigned least_size_;
     std::size_t number_bytes_;
     const std::byte* sources_;  ///< of the leaf that was moved last
-    VertexBox bounds_;
+    UnsignedBox bounds_;
 };
 
 /// Returns why a position is refused.
