@@ -19,6 +19,12 @@ std::uint32_t nodes_that_fit(std::uint64_t bytes, std::uint32_t slots) {
     return static_cast<std::uint32_t>(bytes - block_bytes(slots, 0)) / bytes_of_node;  // below 2^32, as with most nodes
 }
 
+/// Returns the head of a scene; of one that is not open, zeros.
+const BlockHead& head_of(const MovingScene& scene) {
+    static constexpr BlockHead none{};
+    return scene ? MovingSceneAccess::head(scene) : none;
+}
+
 /// Returns the nearest float at or beyond a number of steps: below it for a direction of -1, above it for 1.
 float outward(std::int32_t steps, int direction) {
     const auto rounded = static_cast<float>(steps);
@@ -75,21 +81,11 @@ MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blo
     return is_sound(block_of(scene)) && has_boxes_of_instances(scene) ? scene : MovingScene();
 }
 
-std::uint32_t MovingScene::instance_count() const noexcept {
-    return block_ != nullptr ? MovingSceneAccess::head(*this).live : 0;
-}
-std::uint32_t MovingScene::capacity() const noexcept {
-    return block_ != nullptr ? MovingSceneAccess::head(*this).slot_capacity : 0;
-}
-std::uint32_t MovingScene::slot_end() const noexcept {
-    return block_ != nullptr ? MovingSceneAccess::head(*this).slots_used : 0;
-}
-int MovingScene::step_exponent() const noexcept {
-    return block_ != nullptr ? MovingSceneAccess::head(*this).step_exponent : 0;
-}
-bool MovingScene::must_refit() const noexcept {
-    return block_ != nullptr && MovingSceneAccess::head(*this).must_refit != 0;
-}
+std::uint32_t MovingScene::instance_count() const noexcept { return head_of(*this).live; }
+std::uint32_t MovingScene::capacity() const noexcept { return head_of(*this).slot_capacity; }
+std::uint32_t MovingScene::slot_end() const noexcept { return head_of(*this).slots_used; }
+int MovingScene::step_exponent() const noexcept { return head_of(*this).step_exponent; }
+bool MovingScene::must_refit() const noexcept { return head_of(*this).must_refit != 0; }
 std::span<const std::byte> MovingScene::bytes() const noexcept {
     if (block_ == nullptr) return {};
     const BlockHead& head = MovingSceneAccess::head(*this);

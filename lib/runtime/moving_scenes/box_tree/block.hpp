@@ -41,11 +41,7 @@ struct alignas(32) BoxNode {
     /// Returns the box around all children.
     [[nodiscard]] StepsBox bounds() const {
         StepsBox all = StepsBox::none();
-        for (int k = 0; k < 3; ++k)
-            for (unsigned i = 0; i < most; ++i) {
-                all.low[k] = low[k][i] < all.low[k] ? low[k][i] : all.low[k];
-                all.high[k] = high[k][i] > all.high[k] ? high[k][i] : all.high[k];
-            }
+        for (unsigned i = 0; i < most; ++i) all.add(box(i));
         return all;
     }
     [[nodiscard]] unsigned count() const {
