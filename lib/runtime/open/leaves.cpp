@@ -60,13 +60,6 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const OpenProgress& seen) {
     return leaf.size_bits == (size > least_size ? size : least_size);
 }
 
-/// Takes the vertices of a strip, which must be inside the asset.
-bool take_vertices(const StripLeaf& leaf, OpenProgress& seen) {
-    for (int k = 0; k < 3; ++k)
-        if (!take_fields(seen, leaf.vertex_count, leaf.width[k], seen.blob.extent[k] - leaf.anchor(k))) return false;
-    return true;
-}
-
 /// Whether entries name vertices that were used before.
 inline bool are_sound_entries(const StripLeaf& leaf) {
     unsigned used = 0;
@@ -89,10 +82,12 @@ bool take_stored_strips(const PackedNode& node, const std::byte* descriptors, Op
         if (descriptor >> first_shift != seen.triangles - first) return false;
         const auto leaf = leaf_at<StripLeaf>(seen.blob, node, number);
         const std::uint32_t begin = seen.leaf_bytes;
-        if (take_stream(seen, mark_bits(leaf.entry_count(), leaf.vertex_count)) == nullptr ||
-            !take_vertices(leaf, seen) || seen.leaf_bytes == begin)  // three entries on one point have no data
-            return false;
-        if (!are_sound_entries(leaf)) return false;
+        if (take_stream(seen, mark_bits(leaf.entry_count(), leaf.vertex_count)) == nullptr) return false;
+        for (int k = 0; k < 3; ++k)  // its vertices must be inside the asset
+            if (!take_fields(seen, leaf.vertex_count, leaf.width[k], seen.blob.extent[k] - leaf.anchor(k)))
+                return false;
+        // Three entries on one point have no data.
+        if (seen.leaf_bytes == begin || !are_sound_entries(leaf)) return false;
         seen.triangles += leaf.triangle_count();
     }
     return true;
