@@ -62,7 +62,7 @@ EXCUSED_PARTS = {
     "moving": ["runtime/moving_scenes/check.cpp", "runtime/moving_scenes/changes.cpp"],
     "deformation": [
         "runtime/deformation/deformable.cpp", "runtime/deformation/place_vertices.hpp",
-        "runtime/deformation/pose_axis.hpp", "runtime/deformation/refit.cpp", "runtime/deformation/store.hpp",
+        "runtime/deformation/pose_axis.hpp", "runtime/deformation/refit.cpp",
         "runtime/blob/tree_cost.hpp", "runtime/blob/deformable_blob.hpp",
         "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",
         "baker/encode/motion.cpp"],

@@ -2,7 +2,6 @@
 #include <espalier/deformation.hpp>
 
 #include <runtime/blob/checksum.hpp>
-#include <runtime/deformation/store.hpp>
 #include <runtime/lattice/to_local.hpp>
 
 namespace espalier {

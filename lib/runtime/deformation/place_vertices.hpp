@@ -3,7 +3,6 @@
 
 #include <runtime/blob/tree_cost.hpp>
 #include <runtime/deformation/pose_axis.hpp>
-#include <runtime/deformation/store.hpp>
 
 namespace espalier::detail {
 
