@@ -51,6 +51,11 @@ inline constexpr int no_exponent = 1000;
 int make_greatest_one(float* numbers, int count) noexcept;
 /// Returns such a quaternion; NaN if the quaternion is zero or not finite.
 Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept;
+/// A rotation that is scaled as by with_greatest_of_one().
+struct ScaledRotation {
+    Coordinates axis;  ///< x y z
+    float w;
+};
 
 #if ESPALIER_SMALL_CODE
 
@@ -90,12 +95,7 @@ ESPALIER_ALWAYS_INLINE inline Coordinates without_tiny(const Coordinates& v) {
     return without_below(v, least_coordinate_bits);
 }
 
-/// A rotation that is scaled as by with_greatest_of_one().
-struct ScaledRotation {
-    Coordinates axis;  ///< x y z
-    float w;
-};
-/// Returns such a quaternion; NaN if the quaternion is zero or not finite.
+/// Returns the rotation, scaled; NaN if the quaternion is zero or not finite.
 ESPALIER_ALWAYS_INLINE inline ScaledRotation scaled_rotation(const Quaternion& rotation) {
     const std::uint32_t bits[4] = {magnitude_bits(rotation.x), magnitude_bits(rotation.y), magnitude_bits(rotation.z),
                                    magnitude_bits(rotation.w)};

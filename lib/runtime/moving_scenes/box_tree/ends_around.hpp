@@ -9,10 +9,6 @@
 ESPALIER_BEGIN_SET
 
 #if ESPALIER_SMALL_CODE
-struct ScaledRotation {
-    Coordinates axis;
-    float w;
-};
 inline ScaledRotation scaled_rotation(const Quaternion& rotation) {
     const Quaternion q = with_greatest_of_one(rotation);
     return {{q.x, q.y, q.z}, q.w};
