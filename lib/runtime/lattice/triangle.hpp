@@ -118,7 +118,9 @@ inline Span<Number> span_of(Number a, Number b, Number c) {
     const Number less = a < b ? a : b, more = a < b ? b : a;
     return {less < c ? less : c, more < c ? c : more};
 }
-inline Span<std::int32_t> span_of(const LatticeTriangle& triangle, int axis) {
+/// Returns what a triangle of the lattice or of a grid takes up along an axis.
+template <class Triangle>
+inline auto span_of(const Triangle& triangle, int axis) {
     return span_of(triangle.corner[0][axis], triangle.corner[1][axis], triangle.corner[2][axis]);
 }
 
@@ -147,9 +149,6 @@ inline Weights weights_on_side(int side, float share) {
 struct IntegerTriangle {
     Integer3 corner[3];
 };
-inline Span<std::int64_t> span_of(const IntegerTriangle& triangle, int axis) {
-    return span_of(triangle.corner[0][axis], triangle.corner[1][axis], triangle.corner[2][axis]);
-}
 /// Returns (b - a) x (c - a), which must fit.
 inline Integer3 normal_of(const IntegerTriangle& triangle) {
     const auto& c = triangle.corner;
