@@ -47,7 +47,8 @@ PairTouch pair_touch(const PlacedBlob& a, const PlacedBlob& b, const PairContact
 
 QueryStatus for_each_touch(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairTouch&> visit,
                            WorkLimit limit) noexcept {
-    const auto pass_on = [&](const PairFrame& frame, const PairContact& contact, const PlaceTriangles& place) {
+    const auto pass_on = [&](const PairFrame& frame, const PairContact& contact, const TrianglePair&,
+                             const PlaceTriangles& place) {
         return visit(touch_of(frame, a.transform(), contact, place));
     };
     return visit_contacts(a, b, pass_on, limit);

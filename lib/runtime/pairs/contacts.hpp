@@ -18,8 +18,8 @@ struct PairWork {
 /// Returns what first_contact() returns for a limit of `work.left`, and takes from it what the search has used.
 PairContact find_first_contact(const PlacedBlob& a, const PlacedBlob& b, PairWork& work) noexcept;
 
-/// Takes a pair, and what places its triangles.
-using OnContact = FunctionRef<Visit(const PairFrame&, const PairContact&, PlaceTriangles)>;
+/// Takes a pair, the references by which the walk has found it, and what places its triangles.
+using OnContact = FunctionRef<Visit(const PairFrame&, const PairContact&, const TrianglePair&, PlaceTriangles)>;
 using WriteContact = FunctionRef<void(std::size_t place, const PairFrame&, const PairContact&, PlaceTriangles)>;
 
 /// Visits the pairs of for_each_contact().

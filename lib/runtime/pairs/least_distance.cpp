@@ -1,6 +1,5 @@
-#include <runtime/pairs/least_distance.hpp>
-
-#include <runtime/base/bits.hpp>
+// The pair of triangles that is least apart, as a search keeps it: what is known of it so far.
+#include <runtime/pairs/queries.hpp>
 
 namespace espalier::detail {
 

@@ -128,12 +128,12 @@ ESPALIER_NOINLINE QueryStatus find_lower_references(const PairFrame& on_grid, co
     return is_found ? QueryStatus::stopped : status;
 }
 
-/// Calls visit(contact, references, place) with each pair that touches, once, behind the references `before` where
-/// there are some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
+/// Calls visit(frame, contact, references, place) with each pair that touches, once, behind the references `before`
+/// where there are some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
 struct ContactVisitor {
     PairFrame& frame;
     const TrianglePair* before;
-    FunctionRef<Visit(const PairContact&, const TrianglePair&, PlaceTriangles)> visit;
+    OnContact visit;
     std::uint64_t work;
     bool is_behind = before == nullptr;
     QueryStatus end = QueryStatus::ok;  ///< else why it stopped the walk
@@ -149,7 +149,7 @@ struct ContactVisitor {
             if (lower == QueryStatus::stopped) return Visit::next;
             end = lower;
         }
-        if (end == QueryStatus::ok && visit({pair.a, pair.b, QueryStatus::ok}, references, place) == Visit::stop)
+        if (end == QueryStatus::ok && visit(frame, {pair.a, pair.b, QueryStatus::ok}, references, place) == Visit::stop)
             end = QueryStatus::stopped;
         return end == QueryStatus::ok ? Visit::next : Visit::stop;
     }
@@ -208,7 +208,7 @@ YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexce
 
 QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
                              WorkLimit limit) noexcept {
-    const auto pass_on = [&](const PairFrame&, const PairContact& contact, const PlaceTriangles&) {
+    const auto pass_on = [&](const PairFrame&, const PairContact& contact, const TrianglePair&, const PlaceTriangles&) {
         return visit(contact);
     };
     return visit_contacts(a, b, pass_on, limit);
@@ -226,10 +226,7 @@ QueryStatus detail::visit_contacts(const PlacedBlob& a, const PlacedBlob& b, OnC
                                    WorkLimit limit) noexcept {
     PlacedPair placed(a, b);
     if (placed.status != QueryStatus::ok) return of_list(placed.status);
-    const auto pass_on = [&](const PairContact& contact, const TrianglePair&, const PlaceTriangles& place) {
-        return visit(placed.frame, contact, place);
-    };
-    return ContactVisitor{placed.frame, nullptr, pass_on, limit.visits()}.walk();
+    return ContactVisitor{placed.frame, nullptr, visit, limit.visits()}.walk();
 }
 
 Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::size_t capacity, WriteContact write,
@@ -245,9 +242,10 @@ Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::s
         return filled;
     }
     const TrianglePair before = pair_before(from);
-    const auto keep = [&](const PairContact& contact, const TrianglePair& references, const PlaceTriangles& place) {
+    const auto keep = [&](const PairFrame& frame, const PairContact& contact, const TrianglePair& references,
+                          const PlaceTriangles& place) {
         if (filled.count == capacity) return Visit::stop;
-        write(filled.count++, placed.frame, contact, place);
+        write(filled.count++, frame, contact, place);
         filled.next = cursor_behind(references);
         return Visit::next;
     };

@@ -1,15 +1,62 @@
 // The search through two blobs on their common grid, once for each instruction set.
 #pragma once
 
-#include <espalier/base/function_ref.hpp>
 #include <espalier/advanced/statistics.hpp>
-#include <runtime/base/options.hpp>
+#include <runtime/kernels/triangle_distance.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/pairs/frame.hpp>
-#include <runtime/pairs/least_distance.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 
 namespace espalier::detail {
+
+/// The least distance so far, on the common grid.
+struct FoundTriangles {
+    TriangleDistance distance;
+    LatticeTriangle a;
+    LatticeTriangle b;
+    TrianglePair pair;
+};
+
+/// Three perpendicular directions in one tree's frame, a hair less than 1 long, of which the first is the one in which
+/// the meshes are near each other: along these, pairs that are no nearer than others show it. All 0: nothing yet.
+struct PairAxes {
+    float at[3][3] = {};
+};
+
+/// The squared distance of two triangles' boxes.
+float gap_between(const LatticeTriangle& a, const LatticeTriangle& b);
+
+/// The pair that is least apart; of equal ones the lowest, but the first that touches. Or any pair within the radius.
+struct LeastDistance {
+    const PairFrame& frame;
+    float radius;  ///< steps of the grid
+    bool any;      ///< whether any pair within the radius is as good
+    bool found = false;
+    FoundTriangles best = {};
+    /// While looking first where the meshes may be near each other: of two leaves only the most promising pair is
+    /// visited, which need not be within the radius to tell the direction.
+    bool surveys = true;
+    float limit_of_boxes = radius * radius * distance_slack;
+    float limit_of_survey = infinity;
+    PairAxes axes[2] = {};  ///< in either tree's frame
+
+    void set_radius(float steps) {
+        radius = steps;
+        limit_of_boxes = steps * steps * distance_slack;
+    }
+    [[nodiscard]] bool is_done() const { return found && (any || best.distance.squared == 0.0f); }
+    /// For triangles.
+    [[nodiscard]] float limit() const { return surveys ? limit_of_survey : limit_of_boxes; }
+    void lower_limit(float limit) {
+        limit_of_survey = minimum(limit, limit_of_survey);
+        limit_of_boxes = minimum(limit, limit_of_boxes);
+    }
+    /// Takes a pair by the triangles' places on the grid and their storage indices, which may be those of copies.
+    Visit take(const LatticeTriangle& a, const LatticeTriangle& b, const TrianglePair& references);
+
+private:
+    void set_axes(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance);
+};
 
 /// Writes the triangles of a pair, on the common grid.
 using PlaceTriangles = FunctionRef<void(LatticeTriangle& a, LatticeTriangle& b)>;
