@@ -2,13 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 
-#include <espalier/format.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

@@ -1,12 +1,8 @@
 // What only deformable blobs have: the box around their pose, and the sources of their vertices.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

@@ -1,11 +1,8 @@
 // Triangles with copies in several leaves: which of them all is meant.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

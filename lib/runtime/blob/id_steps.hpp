@@ -1,13 +1,8 @@
 // The section of original ids: from a block's first triangle step by step to the one that is wanted.
 #pragma once
 
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

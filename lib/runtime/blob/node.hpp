@@ -4,14 +4,8 @@
 // `high(axis, child, bits)`; where the block of its leaves is.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include <espalier/blob.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>
-#include <runtime/lattice/triangle.hpp>
 
 namespace espalier::detail {
 

@@ -2,11 +2,6 @@
 // is in format/leaves.hpp. What comes out is integers on the lattice: triangles as corners.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/blob.hpp>
-#include <runtime/base/bits.hpp>
 #include <runtime/blob/deformable_blob.hpp>
 #include <runtime/blob/node.hpp>
 

@@ -3,11 +3,7 @@
 #pragma once
 
 #include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
 
-#include <espalier/types.hpp>
 #include <runtime/base/bits.hpp>
 
 namespace espalier::detail {

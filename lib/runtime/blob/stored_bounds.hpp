@@ -1,9 +1,6 @@
 // Where the bounds of the whole asset lie in a blob that has them, and the rotation of the oriented box.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 

@@ -1,10 +1,6 @@
 // The cost of a tree of plain nodes for an average ray, by the surface area heuristic (Goldsmith and Salmon 1987).
 #pragma once
 
-#include <cstdint>
-
-#include <espalier/blob.hpp>
-#include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
 
 namespace espalier::detail {

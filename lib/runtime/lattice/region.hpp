@@ -1,11 +1,6 @@
 // The regions of lattices that several blobs share.
 #pragma once
 
-#include <cstdint>
-
-#include <espalier/blob.hpp>
-#include <espalier/format.hpp>
-#include <espalier/status.hpp>
 #include <espalier/transform.hpp>
 #include <runtime/base/bits.hpp>
 

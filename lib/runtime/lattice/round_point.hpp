@@ -2,11 +2,6 @@
 // exactly.
 #pragma once
 
-#include <cstdint>
-
-#include <espalier/blob.hpp>
-#include <espalier/status.hpp>
-#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail {

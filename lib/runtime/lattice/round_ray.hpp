@@ -3,11 +3,6 @@
 // rounding moves.
 #pragma once
 
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
 #include <runtime/lattice/rounder.hpp>
 

@@ -1,10 +1,6 @@
 // A segment moved into lattice units and rounded there, once: both ends onto one grid.
 #pragma once
 
-#include <espalier/blob.hpp>
-#include <espalier/shapes.hpp>
-#include <espalier/status.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail {

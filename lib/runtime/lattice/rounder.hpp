@@ -1,12 +1,7 @@
 // World coordinates moved into lattice units, and the grid that a query is rounded to.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/blob.hpp>
-#include <espalier/shapes.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/lattice/triangle.hpp>
 
 namespace espalier::detail {

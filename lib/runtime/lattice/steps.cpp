@@ -1,8 +1,5 @@
 // Between local space and the lattice: exactly, in integers, so that no core needs floats for it.
-#include <espalier/format.hpp>
 #include <espalier/advanced/lattice.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier {

@@ -1,12 +1,6 @@
 // Vectors of integers, of 64 bits or of 128, and triangles of the lattice.
 #pragma once
 
-#include <cstdint>
-#include <type_traits>
-
-#include <espalier/types.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/base/wide_integer.hpp>
 
 namespace espalier::detail {

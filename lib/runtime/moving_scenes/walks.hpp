@@ -2,8 +2,6 @@
 #ifndef ESPALIER_MOVING_SCENES_WALKS_HPP
 #define ESPALIER_MOVING_SCENES_WALKS_HPP
 
-#include <bit>
-
 #include <runtime/lanes/set.hpp>
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/proximity/squared_distance.hpp>

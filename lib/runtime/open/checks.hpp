@@ -2,7 +2,6 @@
 // proves them a tree, and what it has seen so far.
 #pragma once
 
-#include <espalier/status.hpp>
 #include <runtime/blob/deformable_blob.hpp>
 #include <runtime/blob/node.hpp>
 

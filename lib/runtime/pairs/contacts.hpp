@@ -2,7 +2,6 @@
 // and the way from there back to the space of the first blob and to the world.
 #pragma once
 
-#include <espalier/pair.hpp>
 #include <runtime/lattice/to_local.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/transforms/rotation.hpp>

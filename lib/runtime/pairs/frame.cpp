@@ -1,5 +1,4 @@
 // Where the second blob's vertices land on the common grid: in integers, so that every machine places them alike.
-#include <runtime/base/wide_integer.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/pairs/frame.hpp>
 

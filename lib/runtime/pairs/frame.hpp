@@ -1,12 +1,7 @@
 // Two blobs moved onto one grid of integers, once: the pair of meshes that everything else answers exactly.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/transform.hpp>
-#include <espalier/types.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 
 namespace espalier::detail {

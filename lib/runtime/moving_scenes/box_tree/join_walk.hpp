@@ -3,8 +3,6 @@
 #ifndef ESPALIER_MOVING_SCENES_BOX_TREE_JOIN_WALK_HPP
 #define ESPALIER_MOVING_SCENES_BOX_TREE_JOIN_WALK_HPP
 
-#include <bit>
-
 #include <runtime/lanes/set.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <espalier/scene.hpp>
-#include <espalier/transform.hpp>
 #include <runtime/base/bits.hpp>
 
 namespace espalier::detail {
