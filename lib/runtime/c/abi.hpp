@@ -2,10 +2,11 @@
 //
 // Most structures have one layout in both languages, so that one passes for the other without a copy:
 // tests/c/layouts_test.cpp proves it field by field. The attribute may_alias of the C structures announces it to
-// optimisers. A function of C is `return c(query(cpp(blob), cpp(shape)))`.
+// optimisers. A function of C returns `c(query(cpp(blob), cpp(shape)))`.
 //
-// espalier.h declares the functions extern "C", and the definitions in this folder inherit that. The option
-// -Wmissing-declarations reports one whose parameters differ from its declaration.
+// espalier.h declares the functions extern "C", and the definitions in this folder inherit that. Those with more than a
+// line of parameters also take their types from there. Of others the option -Wmissing-declarations reports one whose
+// parameters differ from its declaration.
 #pragma once
 
 #include <bit>
@@ -60,6 +61,10 @@ namespace espalier::detail {
     twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)                 \
     other(scene_sweep_options, SceneSweepOptions) twin(vec3d, Vec3d)
 // clang-format on
+
+/// Applies a macro to each shape that sweeps take, and to each body of contacts.
+#define ESPALIER_C_SWEPT_SHAPES(apply) apply(sphere) apply(capsule) apply(box) apply(oriented_box) apply(convex_hull)
+#define ESPALIER_C_CONTACT_BODIES(apply) apply(sphere) apply(capsule) apply(oriented_box) apply(convex_hull)
 
 // Overloads without a body: what they return is the twin of what they take.
 #define ESPALIER_C_TWIN(name, Cpp) \
@@ -117,6 +122,18 @@ constexpr std::uint8_t c(Enumeration value) requires(std::is_enum_v<Enumeration>
     return static_cast<std::uint8_t>(value);
 }
 
+/// Whether a structure of C, written as that of C++, lies where that may: other languages allocate at any address.
+template <class T>
+bool is_aligned(const T* place) {
+    return reinterpret_cast<std::uintptr_t>(place) % alignof(Twin<T>) == 0;
+}
+/// Returns an array of C++ as C has it: the first element, and how many there are.
+template <class T>
+auto elements(std::span<T> array, std::size_t* count) {
+    *count = array.size();
+    return twin(array.data());
+}
+
 /// Returns what C++ passes to a visitor as C takes it: an id as a number, other objects by their address.
 constexpr espalier_triangle_id passed(TriangleId triangle) { return triangle.index; }
 constexpr espalier_instance_id passed(InstanceId instance) { return {instance.index, instance.in_tile}; }
@@ -141,4 +158,54 @@ struct Filter {
     bool operator()(TriangleId triangle) const { return function == nullptr || function(triangle.index, user); }
 };
 
+/// Returns options of a sweep as C++ takes them, with a filter that outlives the call.
+template <class Options>
+Options sweep_options(const auto& options, const auto& filter) {
+    Options result;
+    result.filter = filter;
+    result.culling = static_cast<FaceCulling>(options.culling);
+    result.ignore_leaving = options.ignore_leaving;
+    result.skin = options.skin;
+    return result;
+}
+
+/// The type of the parameter of a function that is the last but so many, counted from 1; and of its result.
+template <std::size_t from_end, class Function>
+struct ParameterOf;
+template <std::size_t from_end, class Result, class First, class... Others>
+struct ParameterOf<from_end, Result(First, Others...)> : ParameterOf<from_end, Result(Others...)> {};
+template <std::size_t from_end, class Result, class First, class... Others>
+requires(1 + sizeof...(Others) == from_end) struct ParameterOf<from_end, Result(First, Others...)> {
+    using Type = First;
+};
+template <class Result, class... Parameters>
+Result result_of(Result (*)(Parameters...));
+
 }  // namespace espalier::detail
+
+/// Defines a function of espalier.h, given the names of its parameters and what it returns.
+#define ESPALIER_C_FUNCTION(function, parameters, ...)                  \
+    decltype(espalier::detail::result_of(function)) function(           \
+        ESPALIER_C_PARAMETERS(function, ESPALIER_C_NAMES parameters)) { \
+        return __VA_ARGS__;                                             \
+    }
+/// The same of one that refuses to call no visitor.
+#define ESPALIER_C_VISITING(function, parameters, ...) \
+    ESPALIER_C_FUNCTION(function, parameters,          \
+                        visit == nullptr ? c(espalier::QueryStatus::invalid_argument) : __VA_ARGS__)
+
+#define ESPALIER_C_NAMES(...) __VA_ARGS__
+#define ESPALIER_C_PARAMETERS(function, ...) \
+    ESPALIER_C_CHOOSE(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1)(function, __VA_ARGS__)
+#define ESPALIER_C_CHOOSE(a, b, c, d, e, f, g, h, i, count, ...) ESPALIER_C_PARAMETERS_##count
+#define ESPALIER_C_PARAMETER(function, from_end, name) \
+    espalier::detail::ParameterOf<from_end, decltype(function)>::Type name
+#define ESPALIER_C_PARAMETERS_1(f, name) ESPALIER_C_PARAMETER(f, 1, name)
+#define ESPALIER_C_PARAMETERS_2(f, name, ...) ESPALIER_C_PARAMETER(f, 2, name), ESPALIER_C_PARAMETERS_1(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_3(f, name, ...) ESPALIER_C_PARAMETER(f, 3, name), ESPALIER_C_PARAMETERS_2(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_4(f, name, ...) ESPALIER_C_PARAMETER(f, 4, name), ESPALIER_C_PARAMETERS_3(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_5(f, name, ...) ESPALIER_C_PARAMETER(f, 5, name), ESPALIER_C_PARAMETERS_4(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_6(f, name, ...) ESPALIER_C_PARAMETER(f, 6, name), ESPALIER_C_PARAMETERS_5(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_7(f, name, ...) ESPALIER_C_PARAMETER(f, 7, name), ESPALIER_C_PARAMETERS_6(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_8(f, name, ...) ESPALIER_C_PARAMETER(f, 8, name), ESPALIER_C_PARAMETERS_7(f, __VA_ARGS__)
+#define ESPALIER_C_PARAMETERS_9(f, name, ...) ESPALIER_C_PARAMETER(f, 9, name), ESPALIER_C_PARAMETERS_8(f, __VA_ARGS__)

@@ -1,6 +1,4 @@
 // espalier/c/status.h, blob.h and contact.h: opening, the properties of a blob, contacts.
-#include <cstdint>
-
 #include <runtime/c/abi.hpp>
 
 using namespace espalier;
@@ -8,11 +6,10 @@ using namespace espalier::detail;
 
 namespace {
 
-/// Opens in place. Vectors of the blob are loaded at addresses that are multiples of 16, and other languages may
-/// allocate at any address.
+/// Opens in place. Vectors of the blob are loaded at addresses that are multiples of 16.
 template <Blob (*open)(std::span<const std::byte>) noexcept>
 espalier_open_status open_at(espalier_blob* place, const void* bytes, std::size_t size) {
-    if (reinterpret_cast<std::uintptr_t>(place) % alignof(Blob) != 0) return ESPALIER_OPEN_MISALIGNED;
+    if (!is_aligned(place)) return ESPALIER_OPEN_MISALIGNED;
     *place = c(open({static_cast<const std::byte*>(bytes), size}));
     return c(cpp(place).status());
 }
@@ -23,19 +20,13 @@ const char* espalier_describe_open_status(espalier_open_status status) { return 
 
 const char* espalier_describe_query_status(espalier_query_status status) { return describe(QueryStatus{status}); }
 
-espalier_open_status espalier_open(const void* bytes, size_t size, espalier_blob* blob) {
-    return open_at<open>(blob, bytes, size);
-}
+ESPALIER_C_FUNCTION(espalier_open, (bytes, size, blob), open_at<open>(blob, bytes, size))
 
-espalier_open_status espalier_open_unchecked(const void* bytes, size_t size, espalier_blob* blob) {
-    return open_at<open_unchecked>(blob, bytes, size);
-}
+ESPALIER_C_FUNCTION(espalier_open_unchecked, (bytes, size, blob), open_at<open_unchecked>(blob, bytes, size))
 
 espalier_open_status espalier_blob_status(const espalier_blob* blob) { return c(cpp(blob).status()); }
 uint32_t espalier_blob_triangle_count(const espalier_blob* blob) { return cpp(blob).triangle_count(); }
-uint32_t espalier_blob_duplicate_reference_count(const espalier_blob* blob) {
-    return cpp(blob).duplicate_reference_count();
-}
+ESPALIER_C_FUNCTION(espalier_blob_duplicate_reference_count, (blob), cpp(blob).duplicate_reference_count())
 uint32_t espalier_blob_vertex_count(const espalier_blob* blob) { return cpp(blob).vertex_count(); }
 uint32_t espalier_blob_size(const espalier_blob* blob) { return cpp(blob).size(); }
 uint32_t espalier_blob_checksum(const espalier_blob* blob) { return cpp(blob).checksum(); }
@@ -51,15 +42,9 @@ bool espalier_blob_has_original_ids(const espalier_blob* blob) { return cpp(blob
 bool espalier_blob_has_materials(const espalier_blob* blob) { return cpp(blob).has_materials(); }
 bool espalier_blob_has_edge_flags(const espalier_blob* blob) { return cpp(blob).has_edge_flags(); }
 
-uint16_t espalier_material(const espalier_blob* blob, espalier_triangle_id triangle) {
-    return material(cpp(blob), cpp(triangle));
-}
+ESPALIER_C_FUNCTION(espalier_material, (blob, triangle), material(cpp(blob), cpp(triangle)))
 
-espalier_edge_kinds_result espalier_edge_kinds_of(const espalier_blob* blob, espalier_triangle_id triangle) {
-    return c(edge_kinds(cpp(blob), cpp(triangle)));
-}
+ESPALIER_C_FUNCTION(espalier_edge_kinds_of, (blob, triangle), c(edge_kinds(cpp(blob), cpp(triangle))))
 
-espalier_vec3 espalier_fix_internal_edge_normal(const espalier_blob* blob, espalier_triangle_id triangle,
-                                                espalier_feature feature, espalier_vec3 normal) {
-    return c(fix_internal_edge_normal(cpp(blob), cpp(triangle), Feature{feature}, cpp(normal)));
-}
+ESPALIER_C_FUNCTION(espalier_fix_internal_edge_normal, (blob, triangle, feature, normal),
+                    c(fix_internal_edge_normal(cpp(blob), cpp(triangle), Feature{feature}, cpp(normal))))

@@ -1,6 +1,4 @@
 // espalier/c/deformation.h: meshes that change their vertices.
-#include <cstdint>
-
 #include <runtime/c/abi.hpp>
 
 using namespace espalier;
@@ -10,7 +8,7 @@ size_t espalier_deformable_bytes(const espalier_blob* blob) { return deformable_
 
 espalier_query_status espalier_create_deformable(const espalier_blob* blob, void* memory, size_t size,
                                                  espalier_deformable* mesh) {
-    if (reinterpret_cast<std::uintptr_t>(mesh) % alignof(Deformable) != 0) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    if (!is_aligned(mesh)) return ESPALIER_QUERY_INVALID_ARGUMENT;
     *mesh = c(create_deformable(cpp(blob), {static_cast<std::byte*>(memory), size}));
     return c(cpp(mesh).status());
 }
@@ -23,11 +21,7 @@ uint32_t espalier_deformable_position_count(const espalier_deformable* mesh) { r
 
 espalier_box espalier_deformable_range(const espalier_deformable* mesh) { return c(cpp(mesh).range()); }
 
-espalier_refit_result espalier_deformable_refit(espalier_deformable* mesh, const espalier_vec3* positions,
-                                                size_t count) {
-    return c(refit(cpp(mesh), cpp(positions, count)));
-}
+ESPALIER_C_FUNCTION(espalier_deformable_refit, (mesh, positions, count), c(refit(cpp(mesh), cpp(positions, count))))
 
-espalier_query_status espalier_deformable_seal(const espalier_deformable* mesh, void* bytes, size_t size) {
-    return c(seal(cpp(mesh), {static_cast<std::byte*>(bytes), size}));
-}
+ESPALIER_C_FUNCTION(espalier_deformable_seal, (mesh, bytes, size),
+                    c(seal(cpp(mesh), {static_cast<std::byte*>(bytes), size})))

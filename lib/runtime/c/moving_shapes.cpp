@@ -5,37 +5,21 @@ using namespace espalier::detail;
 
 namespace {
 
-/// Returns options of C as C++ takes them, with a filter that outlives the call.
+/// A null filter is none: no triangle is passed to it.
 espalier::SweepOptions cpp(const espalier_sweep_options& options, const Filter& filter) {
-    espalier::SweepOptions result;
-    if (options.filter != nullptr) result.filter = filter;
-    result.culling = static_cast<espalier::FaceCulling>(options.culling);
-    result.ignore_leaving = options.ignore_leaving;
-    result.skin = options.skin;
-    return result;
+    if (options.filter == nullptr) return sweep_options<espalier::SweepOptions>(options, espalier::TriangleFilter());
+    return sweep_options<espalier::SweepOptions>(options, filter);
 }
 
 }  // namespace
 
-#define SWEEP(name)                                                                                                  \
-    espalier_sweep_hit espalier_sweep_##name(const espalier_blob* blob, const espalier_##name* shape,                \
-                                             espalier_vec3 displacement) {                                           \
-        return c(sweep(cpp(blob), cpp(shape), cpp(displacement)));                                                   \
-    }                                                                                                                \
-    espalier_sweep_hit espalier_sweep_##name##_filtered(const espalier_blob* blob, const espalier_##name* shape,     \
-                                                        espalier_vec3 displacement, espalier_triangle_filter filter, \
-                                                        void* user) {                                                \
-        return c(sweep(cpp(blob), cpp(shape), cpp(displacement), Filter{filter, user}));                             \
-    }                                                                                                                \
-    espalier_sweep_hit espalier_sweep_##name##_with_options(const espalier_blob* blob, const espalier_##name* shape, \
-                                                            espalier_vec3 displacement,                              \
-                                                            const espalier_sweep_options* options) {                 \
-        const Filter filter{options->filter, options->user};                                                         \
-        return c(sweep(cpp(blob), cpp(shape), cpp(displacement), cpp(*options, filter)));                            \
-    }
+#define SWEEP(name)                                                                                  \
+    ESPALIER_C_FUNCTION(espalier_sweep_##name, (blob, shape, displacement),                          \
+                        c(sweep(cpp(blob), cpp(shape), cpp(displacement))))                          \
+    ESPALIER_C_FUNCTION(espalier_sweep_##name##_filtered, (blob, shape, displacement, filter, user), \
+                        c(sweep(cpp(blob), cpp(shape), cpp(displacement), Filter{filter, user})))    \
+    ESPALIER_C_FUNCTION(                                                                             \
+        espalier_sweep_##name##_with_options, (blob, shape, displacement, options),                  \
+        c(sweep(cpp(blob), cpp(shape), cpp(displacement), cpp(*options, Filter{options->filter, options->user}))))
 
-SWEEP(sphere)
-SWEEP(capsule)
-SWEEP(box)
-SWEEP(oriented_box)
-SWEEP(convex_hull)
+ESPALIER_C_SWEPT_SHAPES(SWEEP)
