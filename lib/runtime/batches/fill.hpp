@@ -16,9 +16,16 @@ QueryStatus check_arrays(const Blob& blob, std::size_t count, const Arrays&... a
     return count == 0 || (... && (arrays.first != nullptr)) ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
+/// Returns the status of such a check, or the refusal of an array of results that is null.
+template <class... Results>
+QueryStatus check_results(QueryStatus status, const std::span<Results>&... results) {
+    return (... && (results.empty() || results.data() != nullptr)) ? status : QueryStatus::invalid_argument;
+}
+
 /// Writes the answer to each query.
 template <class Answer, class Query>
 Filled fill_each(QueryStatus status, std::span<Answer> answers, Query query) {
+    status = check_results(status, answers);
     if (status != QueryStatus::ok) return {0, {}, status};
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = query(i);
     return {answers.size(), {}, status};
@@ -27,6 +34,7 @@ Filled fill_each(QueryStatus status, std::span<Answer> answers, Query query) {
 /// Has each query fill its row of the elements.
 template <class Element, class Query>
 Filled fill_rows(QueryStatus status, std::span<Element> elements, std::span<Filled> found, Query query) {
+    status = check_results(status, elements, found);
     if (status == QueryStatus::ok && !found.empty() && elements.size() % found.size() != 0)
         status = QueryStatus::invalid_argument;
     if (status != QueryStatus::ok) return {0, {}, status};
@@ -40,8 +48,8 @@ template <class Element, class Query>
 FilledLists fill_lists(QueryStatus status, std::span<QueryStatus> statuses, std::span<std::size_t> offsets,
                        std::span<Element> elements, Query query) {
     FilledLists filled;
-    filled.status = status;
-    if (status == QueryStatus::ok && offsets.size() != statuses.size() + 1)
+    filled.status = check_results(status, statuses, offsets, elements);
+    if (filled.status == QueryStatus::ok && (offsets.empty() || offsets.size() - 1 != statuses.size()))
         filled.status = QueryStatus::invalid_argument;
     if (filled.status != QueryStatus::ok) return filled;
     offsets[0] = 0;

@@ -13,7 +13,8 @@ namespace {
 template <class Answer, class Batch>
 Filled answer_in_pieces(const Blob& blob, const RayArrays& rays, std::span<Answer> answers, Batch batch) {
     constexpr std::size_t most = ESPALIER_SMALL_CODE ? 1 : 128;
-    const QueryStatus status = check_arrays(blob, answers.size(), rays.origins, rays.directions);
+    const QueryStatus status =
+        check_results(check_arrays(blob, answers.size(), rays.origins, rays.directions), answers);
     if (status != QueryStatus::ok) return {0, {}, status};
     Ray piece[most];
     for (std::size_t first = 0; first < answers.size(); first += most) {

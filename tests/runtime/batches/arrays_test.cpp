@@ -246,6 +246,7 @@ TEST_CASE("batch: sizes that do not match are refused and nothing is written") {
     std::vector<YesNo> answers(2, YesNo(QueryStatus::work_limit));
     CHECK(contains(Blob(), points, answers).status == QueryStatus::not_open);
     CHECK(contains(blob, {}, answers).status == QueryStatus::invalid_argument);
+    CHECK(contains(blob, points, {static_cast<YesNo*>(nullptr), 2}).status == QueryStatus::invalid_argument);
     CHECK(answers[0].status() == QueryStatus::work_limit);
     CHECK(closest_triangles(blob, points, nearest, {}).status == QueryStatus::ok);
 }
