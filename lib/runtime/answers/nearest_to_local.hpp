@@ -6,7 +6,6 @@
 #include <espalier/distance.hpp>
 #include <runtime/answers/found.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/kernels/face.hpp>
 #include <runtime/lattice/to_local.hpp>
 
 namespace espalier::detail {
@@ -22,13 +21,9 @@ ESPALIER_SHARED_CODE inline float to_local_distance(const BlobData& blob, float 
 /// Writes a closest point in lattice steps, in the structure of the result: the distance is squared, and the three
 /// points hold the corners of the triangle, whose 24 bits a float holds exactly.
 ESPALIER_SHARED_CODE inline void set_unfinished(ClosestPoint& result, const FoundNearest& found) {
-    const auto corner = [&](int i) {
-        const std::int32_t* c = found.triangle.corner[i];
-        return Vec3{static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
-    };
-    result.point = corner(0);
-    result.on_shape = corner(1);
-    result.face_normal = corner(2);
+    result.point = to_vector(found.triangle.corner[0]);
+    result.on_shape = to_vector(found.triangle.corner[1]);
+    result.face_normal = to_vector(found.triangle.corner[2]);
     result.distance = found.distance.squared;
     result.u = found.distance.u;
     result.v = found.distance.v;
@@ -46,9 +41,8 @@ ESPALIER_SHARED_CODE inline void finish(const BlobData& blob, const RoundedPoint
         triangle.corner[i][1] = static_cast<std::int32_t>(corners[i]->y);
         triangle.corner[i][2] = static_cast<std::int32_t>(corners[i]->z);
     }
-    float on_surface[3];
-    point_of(triangle, nearest.u, nearest.v, on_surface);
-    nearest.point = to_local(blob, on_surface[0], on_surface[1], on_surface[2]);
+    const Vec3 on_surface = point_of(triangle, nearest.u, nearest.v);
+    nearest.point = to_local(blob, on_surface.x, on_surface.y, on_surface.z);
     nearest.on_shape = local;
     nearest.face_normal = face_normal_of(triangle);
     nearest.distance = to_local_distance(blob, nearest.distance, point.distance_offset, max_distance);

@@ -40,7 +40,7 @@ Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId touched, Feature feat
     if (feature == Feature::face || !edge_kinds(blob, touched)) return normal;
     const Integer3 face = normal_of(integer_triangle(find_triangle(data_of(blob), touched.index)));
     if (is_zero(face)) return normal;  // a triangle without area, which no baker wrote
-    const bool behind = normal.x * to_float(face.x) + normal.y * to_float(face.y) + normal.z * to_float(face.z) < 0.0f;
+    const bool behind = dot(normal, to_vector(face)) < 0.0f;
     return internal_features(blob, touched).have(feature, behind) ? to_unit(behind ? -face : face) : normal;
 }
 

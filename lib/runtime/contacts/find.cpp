@@ -7,7 +7,6 @@
 #include <runtime/contacts/bodies.hpp>
 #include <runtime/contacts/surface_around.hpp>
 #include <runtime/contacts/touch.hpp>
-#include <runtime/kernels/face.hpp>
 #include <runtime/lattice/to_local.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 
@@ -103,7 +102,7 @@ struct ContactsOf : Each {
         if (touches.count == 0) return Visit::next;
         deepest = minimum(deepest, to_local_distance(touches.nearest));
         if (touches.is_beside && around.has_nearer(touches)) return Visit::next;
-        const float steepness = contacts::dot(face_normal_of(triangle), touches.touch[0].normal);
+        const float steepness = dot(face_normal_of(triangle), touches.touch[0].normal);
         for (unsigned i = 0; i < touches.count; ++i) {
             const Touch& touch = touches.touch[i];
             Contact contact;
@@ -123,11 +122,10 @@ private:
     /// the surface goes on below the middle in another blob.
     bool find_side_of_nearest(const Vec3& face, bool& is_behind) {
         if (nearest_.status == QueryStatus::not_open) nearest_ = closest_point(owner, body.shape_middle);
-        if (!(contacts::dot(face, nearest_.face_normal) > 0.5f)) return true;
+        if (!(dot(face, nearest_.face_normal) > 0.5f)) return true;
         is_behind = nearest_.side == Side::back;
-        using contacts::operator-;
         return !is_behind || !internal_features(owner, nearest_.triangle).have(nearest_.feature, true) ||
-               contacts::dot(nearest_.face_normal, nearest_.point - body.shape_middle) > 0.7f * nearest_.distance;
+               dot(nearest_.face_normal, nearest_.point - body.shape_middle) > 0.7f * nearest_.distance;
     }
     /// Returns the distance of the body's surface for that of its core in steps: a huge radius is more steps than a
     /// float holds.
@@ -155,11 +153,9 @@ QueryStatus find_exit(const Blob& blob, const Body& body, Contact& contact) {
     contact.triangle = nearest.triangle;
     contact.feature = nearest.feature;
     contact.side = nearest.side;
-    using contacts::operator-;
-    using contacts::operator*;
     const Vec3 outward = nearest.face_normal * (nearest.side == Side::back ? 1.0f : -1.0f);
     contact.normal = nearest.feature == Feature::face ? outward : contacts::direction_of(nearest.point - middle);
-    if (contacts::largest(contact.normal) == 0.0f) contact.normal = outward;  // far from the origin they round alike
+    if (largest(contact.normal) == 0.0f) contact.normal = outward;  // far from the origin they round alike
     contact.distance = -(nearest.distance + body.functions->reach_of(body.shape, contact.normal));
     return QueryStatus::ok;
 }

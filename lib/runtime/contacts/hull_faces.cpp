@@ -165,7 +165,7 @@ Integer3 HullBody::normal_of_face(unsigned face) const {
     const unsigned begin = first[face];
     if (first[face + 1u] - begin < 3) return {0, 0, 0};
     const Integer3 a = units_at(from[begin]);
-    return detail::cross(units_at(from[begin + 1]) - a, units_at(from[begin + 2]) - a);
+    return cross(units_at(from[begin + 1]) - a, units_at(from[begin + 2]) - a);
 }
 
 // Out of line: its stack is not needed beside the walk.

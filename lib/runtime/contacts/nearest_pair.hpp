@@ -4,12 +4,9 @@
 
 #include <runtime/base/bits.hpp>
 #include <runtime/contacts/touch.hpp>
-#include <runtime/kernels/face.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 
 namespace espalier::detail::contacts {
-
-inline Vec3 to_vector(const Integer3& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }
 
 /// A triangle as a shape has it before it, in lattice steps.
 struct SeenTriangle {

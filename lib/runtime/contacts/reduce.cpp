@@ -4,6 +4,7 @@
 
 namespace espalier {
 
+using namespace detail;
 using namespace detail::contacts;
 
 namespace {
@@ -22,7 +23,7 @@ public:
             share += 1.0f;
             middle_ = middle_ + (contact.point - middle_) * (1.0f / share);
         }
-        for (const Contact& contact : contacts) size_ = detail::maximum(size_, largest(contact.point - middle_));
+        for (const Contact& contact : contacts) size_ = maximum(size_, largest(contact.point - middle_));
     }
     [[nodiscard]] Support of(const Contact& contact) const {
         const Vec3 arm = size_ > 0.0f ? (contact.point - middle_) * (1.0f / size_) : Vec3{};
@@ -49,7 +50,7 @@ float squared_distance_to(const Support& a, const Support& b, const Support& p) 
     const float along = inner(from_a, side), length = inner(side, side);
     if (along <= 0.0f) return inner(from_a, from_a);
     if (along >= length) return squared_distance_to(b, p);
-    return detail::maximum(inner(from_a, from_a) - along * along / length, 0.0f);
+    return maximum(inner(from_a, from_a) - along * along / length, 0.0f);
 }
 /// Returns the squared distance to the triangle of three supports: to its inside if p lies over it, else to its sides.
 float squared_distance_to(const Support& a, const Support& b, const Support& c, const Support& p) {
@@ -57,9 +58,9 @@ float squared_distance_to(const Support& a, const Support& b, const Support& c, 
     const float bb = inner(ab, ab), cc = inner(ac, ac), bc = inner(ab, ac), pb = inner(ap, ab), pc = inner(ap, ac);
     const float whole = bb * cc - bc * bc, u = pb * cc - pc * bc, v = pc * bb - pb * bc;
     if (whole > 0.0f && u >= 0.0f && v >= 0.0f && u + v <= whole)
-        return detail::maximum(inner(ap, ap) - (u * pb + v * pc) / whole, 0.0f);
-    return detail::minimum(squared_distance_to(a, b, p),
-                           detail::minimum(squared_distance_to(b, c, p), squared_distance_to(a, c, p)));
+        return maximum(inner(ap, ap) - (u * pb + v * pc) / whole, 0.0f);
+    return minimum(squared_distance_to(a, b, p),
+                           minimum(squared_distance_to(b, c, p), squared_distance_to(a, c, p)));
 }
 
 void swap_places(Contact& a, Contact& b) {
@@ -103,7 +104,7 @@ std::size_t reduce_contacts(std::span<Contact> contacts) noexcept {
     constexpr float alike = 1e-4f;
     // Those that touch come first, since they alone carry the body. With others in their place it sinks, those of the
     // next step are others again, and it rocks.
-    float farthest = detail::maximum(contacts[deepest_of(contacts)].distance, 0.0f);
+    float farthest = maximum(contacts[deepest_of(contacts)].distance, 0.0f);
     std::size_t kept = 0;
     while (kept < contacts.size() && kept < max_reduced_contacts) {
         float most = kept == 0 ? -1.0f : alike;

@@ -11,25 +11,14 @@
 
 namespace espalier::detail::contacts {
 
-constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator*(const Vec3& a, float by) { return {a.x * by, a.y * by, a.z * by}; }
-constexpr float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline float largest(const Vec3& a) { return maximum(maximum(absolute(a.x), absolute(a.y)), absolute(a.z)); }
-
 /// Returns the direction of a vector, or zero for zero. No square overflows or vanishes.
 inline Vec3 direction_of(const Vec3& a) {
     const float size = largest(a);
     if (!(size > 0.0f)) return {};
     return to_unit(Vec3{a.x / size, a.y / size, a.z / size});
 }
-inline Vec3 direction_of(const WideVector& a) {
-    return direction_of(Vec3{to_float(a.x), to_float(a.y), to_float(a.z)});
-}
-inline Vec3 direction_of(const Integer3& a) { return direction_of(Vec3{to_float(a.x), to_float(a.y), to_float(a.z)}); }
+inline Vec3 direction_of(const WideVector& a) { return direction_of(to_vector(a)); }
+inline Vec3 direction_of(const Integer3& a) { return direction_of(to_vector(a)); }
 
 /// The prism over a triangle in a direction that is not in its plane: what is on the inner side of all its planes.
 struct Prism {

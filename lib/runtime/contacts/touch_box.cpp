@@ -34,7 +34,7 @@ ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Be
     for (const Integer3& half : box.units) {
         for (unsigned i = 0; i < 3; ++i) {
             // From integers: of nearly parallel edges floats would leave only rounding.
-            const Vec3 axis = direction_of(detail::cross(half, seen.side[i]));
+            const Vec3 axis = direction_of(cross(half, seen.side[i]));
             if (dot(axis, axis) > 0.0f) try_unit_axis(axis, box, seen, best);
         }
     }
@@ -83,7 +83,7 @@ NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriang
         for (unsigned i = 0; i < 3; ++i) {
             if ((corner >> i & 1u) != 0) continue;
             for (unsigned side = 0; side < 3; ++side) {
-                const Vec3 across = to_vector(detail::cross(box.units[i], seen.side[side])) * (2.0f * scale);
+                const Vec3 across = to_vector(cross(box.units[i], seen.side[side])) * (2.0f * scale);
                 try_edge(p, box.half[i] * 2.0f, across, seen, side, nearest);
             }
         }

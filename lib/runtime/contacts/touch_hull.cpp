@@ -74,9 +74,9 @@ private:
     }
     /// Tries both directions across an edge of the hull and a side.
     void try_edges(const HullEdge& edge, unsigned side) {
-        const Integer3 axis = detail::cross(edge.units, triangle_.side[side]);
+        const Integer3 axis = cross(edge.units, triangle_.side[side]);
         if (is_zero(axis)) return;
-        const Vec3 scaled = {to_float(axis.x), to_float(axis.y), to_float(axis.z)};
+        const Vec3 scaled = to_vector(axis);
         const Vec3 from = hull_.at(edge.from);
         // Only where each has the rest behind it, but for rounding.
         const float at_first = dot(scaled, hull_.at(edge.beside) - from),
@@ -96,7 +96,7 @@ private:
 
     /// Tries both directions across an edge within the triangle's plane, in which a flat hull may lie beside it.
     void try_within_plane(const Vec3& edge) {
-        const Vec3 way = direction_of(contacts::cross(triangle_.front, edge));
+        const Vec3 way = direction_of(cross(triangle_.front, edge));
         if (!(dot(way, way) > 0.0f)) return;
         try_way(way);
         try_way(way * -1.0f);
@@ -105,7 +105,7 @@ private:
     void try_across(const Integer3& along) {
         constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (const Integer3& unit : units) {
-            const Vec3 way = direction_of(detail::cross(along, unit));
+            const Vec3 way = direction_of(cross(along, unit));
             if (!(dot(way, way) > 0.0f)) continue;
             try_way(way);
             try_way(way * -1.0f);
@@ -172,7 +172,7 @@ NearestPair nearest_pair(const HullBody& hull, const Vec3& moved, const Triangle
     for_each_edge(hull, [&](const HullEdge& edge) {
         const Vec3 from = hull.at(edge.from) + moved, along = to_vector(edge.units) * hull.scale;
         for (unsigned side = 0; side < 3; ++side) {
-            const Vec3 across = to_vector(detail::cross(edge.units, triangle.side[side])) * hull.scale;
+            const Vec3 across = to_vector(cross(edge.units, triangle.side[side])) * hull.scale;
             try_edge(from, along, across, triangle, side, nearest);
         }
     });

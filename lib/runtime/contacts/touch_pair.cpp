@@ -43,12 +43,11 @@ struct Outline {
         if (count == 2) {
             const Integer3 along = corner[1] - corner[0];
             const std::int64_t at = dot(along, off);
-            return is_zero(detail::cross(along, off)) && at >= 0 && at <= dot(along, along);
+            return is_zero(cross(along, off)) && at >= 0 && at <= dot(along, along);
         }
         if (!dot<Int128>(normal, off).is_zero()) return false;
         for (unsigned i = 0; i < 3; ++i)
-            if (dot<Int128>(normal, detail::cross(end_of(i) - corner[i], point - corner[i])).is_negative())
-                return false;
+            if (dot<Int128>(normal, cross(end_of(i) - corner[i], point - corner[i])).is_negative()) return false;
         return true;
     }
     [[nodiscard]] bool has_corner(const Integer3& point) const {
@@ -66,11 +65,11 @@ Vec3 point_between(const Integer3& from, const Integer3& to, float share) {
 void add_crossing(const Integer3& p, const Integer3& p_end, const Integer3& q, const Integer3& q_end,
                   TrianglesTouch& touch) {
     const Integer3 along = p_end - p, other = q_end - q, between = q - p;
-    const Integer3 normal = detail::cross(along, other);
+    const Integer3 normal = cross(along, other);
     if (is_zero(normal) || !dot<Int128>(normal, between).is_zero()) return;
     const Int128 whole = dot<Int128>(normal, normal), zero = 0;
-    const Int128 at = dot<Int128>(normal, detail::cross(between, other));
-    const Int128 at_other = dot<Int128>(normal, detail::cross(between, along));
+    const Int128 at = dot<Int128>(normal, cross(between, other));
+    const Int128 at_other = dot<Int128>(normal, cross(between, along));
     if (!(zero < at && at < whole && zero < at_other && at_other < whole)) return;
     touch.add(point_between(p, p_end, to_float(at) / to_float(whole)));
 }
@@ -81,7 +80,7 @@ void add_piercing(const Integer3& from, const Integer3& to, const Outline& face,
     const Int128 at_to = dot<Int128>(face.normal, to - face.corner[0]);
     if (sign(at_from) * sign(at_to) >= 0) return;
     for (unsigned i = 0; i < 3; ++i) {
-        const Integer3 across = detail::cross(to - from, face.corner[i] - from);
+        const Integer3 across = cross(to - from, face.corner[i] - from);
         const int side = sign(dot<Int128>(across, face.end_of(i) - from));
         // The side goes up through the face or down, and passes all of its sides on the left or on the right.
         if (side != sign(at_to)) return;
@@ -118,8 +117,7 @@ public:
         try_direction_apart(front_of(a));
         try_direction_apart(front_of(b));
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                try_direction_apart(direction_of(detail::cross(side_from(a, i), side_from(b, j))));
+            for (int j = 0; j < 3; ++j) try_direction_apart(direction_of(cross(side_from(a, i), side_from(b, j))));
     }
     [[nodiscard]] const Separation& best() const { return best_; }
 

@@ -1,6 +1,5 @@
 // Contacts of spheres and capsules: distances and features by the exact kernels, directions from exact integers.
 #include <runtime/contacts/touch.hpp>
-#include <runtime/kernels/face.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/kernels/way_out.hpp>
@@ -8,12 +7,6 @@
 namespace espalier::detail::contacts {
 
 namespace {
-
-Vec3 place_at(const LatticeTriangle& triangle, float u, float v) {
-    float place[3];
-    point_of(triangle, u, v, place);
-    return {place[0], place[1], place[2]};
-}
 
 /// Returns the part of v that is perpendicular to d, times d * d.
 WideVector across(const Integer3& v, const Integer3& d) {
@@ -78,7 +71,7 @@ Vec3 front_of(const LatticeTriangle& triangle) {
     }
     Integer3 axis = {0, 0, 0};
     axis[shortest_axis(magnitude(longest))] = 1;
-    return direction_of(detail::cross(longest, axis));
+    return direction_of(cross(longest, axis));
 }
 
 void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, const FacingSide& side, Touches& touches) {
@@ -86,7 +79,7 @@ void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, con
     const OriginRelative t = relative_to(point, triangle);
     Vec3 normal = direction_from(distance.feature, t, triangle, point.fraction_bits);
     if (distance.squared == 0.0f || dot(normal, normal) == 0.0f) normal = front_of(triangle);
-    touches.touch[0] = {place_at(triangle, distance.u, distance.v), normal,
+    touches.touch[0] = {point_of(triangle, distance.u, distance.v), normal,
                         square_root(distance.squared) + point.distance_offset, distance.feature};
     touches.count = 1;
     touches.nearest = touches.touch[0].distance;
@@ -97,7 +90,7 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
                    Touches& touches) {
     const SegmentDistance distance = distance_to(segment, triangle);
     Touch& first = touches.touch[0];
-    first.point = place_at(triangle, distance.u, distance.v);
+    first.point = point_of(triangle, distance.u, distance.v);
     first.feature = distance.feature;
     if (distance.squared == 0.0f) {
         const WayOut out = way_out(segment, triangle);
@@ -117,14 +110,9 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     touches.nearest = first.distance;
 
     const Vec3 face = face_normal_of(triangle);
-    const auto from_start = [&](const std::int32_t* corner) {
-        return Vec3{static_cast<float>(corner[0]) - segment.from_steps[0],
-                    static_cast<float>(corner[1]) - segment.from_steps[1],
-                    static_cast<float>(corner[2]) - segment.from_steps[2]};
-    };
-    const Vec3 corner[3] = {from_start(triangle.corner[0]), from_start(triangle.corner[1]),
-                            from_start(triangle.corner[2])};
     const Vec3 start = {segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]};
+    const Vec3 corner[3] = {to_vector(triangle.corner[0]) - start, to_vector(triangle.corner[1]) - start,
+                            to_vector(triangle.corner[2]) - start};
     const Vec3 along = Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start;
     const bool is_deep = distance.squared == 0.0f;
     const Vec3 middle = along * 0.5f;

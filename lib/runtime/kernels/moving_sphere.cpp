@@ -11,12 +11,8 @@ namespace {
 /// What float arithmetic may be off by, with room to spare: 64 roundings.
 constexpr float slack = 0x1p-18f;
 
-float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// Each coordinate times 2^-40, rounded once.
-Vec3 rounded_cross(const Integer3& a, const Integer3& b) {
-    const auto [x, y, z] = wide_cross(a, b);
-    return {to_float(x) * 0x1p-40f, to_float(y) * 0x1p-40f, to_float(z) * 0x1p-40f};
-}
+Vec3 rounded_cross(const Integer3& a, const Integer3& b) { return to_vector(wide_cross(a, b)) * 0x1p-40f; }
 Vec3 unit_along(const Integer3& a, bool turned) { return to_unit(a, turned ? -0x1p-30f : 0x1p-30f); }
 
 enum class Part : std::uint8_t { corner, side, face };

@@ -5,17 +5,16 @@ namespace espalier::detail {
 void try_way(const WideVector& axis, const Span<Int128>& of_shape, const Integer3* corner, WayOut& best) noexcept {
     if (is_zero(axis)) return;
     const Span<Int128> of_triangle = span_of(dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2]));
-    const Vec3 rounded = {to_float(axis.x), to_float(axis.y), to_float(axis.z)};
-    const float size = maximum(maximum(absolute(rounded.x), absolute(rounded.y)), absolute(rounded.z));
-    const auto times = [](const Vec3& a, float by) { return Vec3{a.x * by, a.y * by, a.z * by}; };
-    const Vec3 scaled = times(rounded, 1.0f / size);
-    const float length = square_root(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
-    const Vec3 unit = times(scaled, 1.0f / length);
+    const Vec3 rounded = to_vector(axis);
+    const float size = largest(rounded);
+    const Vec3 scaled = rounded * (1.0f / size);
+    const float length = square_root(dot(scaled, scaled));
+    const Vec3 unit = scaled * (1.0f / length);
     for (const bool is_turned : {false, true}) {
         const Int128 way = is_turned ? of_shape.high - of_triangle.low : of_triangle.high - of_shape.low;
         const float depth = to_float(way) / size / length;
         if (is_zero(best.axis) || depth < best.depth)
-            best = {times(unit, is_turned ? -1.0f : 1.0f), depth, is_turned ? -axis : axis};
+            best = {unit * (is_turned ? -1.0f : 1.0f), depth, is_turned ? -axis : axis};
     }
 }
 

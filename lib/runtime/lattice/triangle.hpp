@@ -1,4 +1,4 @@
-// Vectors of integers, of 64 bits or of 128, and triangles of the lattice.
+// Vectors of integers, of 64 bits or of 128, and of floats; triangles of the lattice.
 #pragma once
 
 #include <runtime/base/wide_integer.hpp>
@@ -88,14 +88,26 @@ Vector cross_in(const Integer3& a, const Integer3& b) {
 }
 inline std::int64_t dot(const Integer3& a, const Integer3& b) { return dot<std::int64_t>(a, b); }
 
+constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3 operator*(const Vec3& a, float by) { return {a.x * by, a.y * by, a.z * by}; }
+constexpr float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline float largest(const Vec3& a) { return maximum(maximum(absolute(a.x), absolute(a.y)), absolute(a.z)); }
+inline Vec3 to_vector(const Integer3& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }
+inline Vec3 to_vector(const WideVector& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }
+inline Vec3 to_vector(const std::int32_t* a) {
+    return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
+}
+
 inline Vec3 to_unit(const Vec3& v) {
-    const float length = square_root(v.x * v.x + v.y * v.y + v.z * v.z);
+    const float length = square_root(dot(v, v));
     return {v.x / length, v.y / length, v.z / length};
 }
 /// The scale keeps squares of the coordinates from overflowing and from vanishing.
-inline Vec3 to_unit(const Integer3& a, float scale = 1.0f) {
-    return to_unit(Vec3{to_float(a.x) * scale, to_float(a.y) * scale, to_float(a.z) * scale});
-}
+inline Vec3 to_unit(const Integer3& a, float scale = 1.0f) { return to_unit(to_vector(a) * scale); }
 
 /// Corners a, b, c in lattice steps.
 struct LatticeTriangle {
@@ -119,13 +131,15 @@ inline auto span_of(const Triangle& triangle, int axis) {
 }
 
 /// Computes a point of the triangle in lattice steps from the weights of corners b and c.
-ESPALIER_SHARED_CODE inline void point_of(const LatticeTriangle& triangle, float u, float v, float* point) {
+ESPALIER_SHARED_CODE inline Vec3 point_of(const LatticeTriangle& triangle, float u, float v) {
     const auto& corner = triangle.corner;
+    float point[3];
     for (int k = 0; k < 3; ++k) {
         const float ab = static_cast<float>(corner[1][k] - corner[0][k]);
         const float ac = static_cast<float>(corner[2][k] - corner[0][k]);
         point[k] = static_cast<float>(corner[0][k]) + (u * ab + v * ac);
     }
+    return {point[0], point[1], point[2]};
 }
 
 /// The weights of corners b and c at a point of a triangle.
@@ -163,6 +177,11 @@ ESPALIER_SHARED_CODE inline IntegerTriangle integer_triangle(const LatticeTriang
     for (int i = 0; i < 3; ++i) result.corner[i] = corner_on_grid(triangle, i, fraction_bits);
     return result;
 }
+/// Returns the unit normal on the front of the triangle, its coordinates within 4 ulp of 1; zero if it has no area.
+ESPALIER_SHARED_CODE inline Vec3 face_normal_of(const LatticeTriangle& triangle) {
+    const Integer3 normal = normal_of(integer_triangle(triangle));
+    return is_zero(normal) ? Vec3{} : to_unit(normal);
+}
 
 /// A hit as the kernel returns it: the caller's result follows by a few divisions.
 struct TriangleHit {
@@ -180,6 +199,12 @@ struct OriginRelative {
     Integer3 ab;
     Integer3 ac;
 };
+
+/// Returns whether the origin of `triangle` lies behind the triangle's plane. The product of the normal with corner a
+/// must fit 128 bits.
+ESPALIER_SHARED_CODE inline bool is_origin_behind(const OriginRelative& triangle) {
+    return Int128(0) < dot<Int128>(cross(triangle.ab, triangle.ac), triangle.a);
+}
 
 template <class Point>
 ESPALIER_SHARED_CODE inline OriginRelative relative_to(const Point& origin, int fraction_bits,

@@ -56,10 +56,11 @@ Visit LeastDistance::take(const LatticeTriangle& a, const LatticeTriangle& b, co
 ESPALIER_SHARED_CODE void LeastDistance::set_axes(const LatticeTriangle& a, const LatticeTriangle& b,
                                                   const TriangleDistance& distance) {
     float(&own)[3][3] = axes[0].at;
-    float on_a[3], on_b[3];
-    point_of(a, distance.on_a.u, distance.on_a.v, on_a);
-    point_of(b, distance.on_b.u, distance.on_b.v, on_b);
-    for (int k = 0; k < 3; ++k) own[0][k] = on_b[k] - on_a[k];
+    const auto [x, y, z] =
+        point_of(b, distance.on_b.u, distance.on_b.v) - point_of(a, distance.on_a.u, distance.on_a.v);
+    own[0][0] = x;
+    own[0][1] = y;
+    own[0][2] = z;
     if (!shorten(own[0])) {
         axes[0] = axes[1] = PairAxes{};
         return;

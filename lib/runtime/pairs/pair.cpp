@@ -89,9 +89,7 @@ float radius_on_grid(const PairFrame& frame, float distance) {
 }
 
 Vec3 place_of(const LatticeTriangle& triangle, const Weights& weights) {
-    float steps[3];
-    point_of(triangle, weights.u, weights.v, steps);
-    return {steps[0], steps[1], steps[2]};
+    return point_of(triangle, weights.u, weights.v);
 }
 
 /// A search for the nearest pair, or for any within a distance.

@@ -47,8 +47,9 @@ void find_point_on(const DistantShape& shape, float along, const float* on_surfa
 ESPALIER_NOINLINE void finish_pair(const BlobData& blob, const DistantShape& shape, const FoundPair& found,
                                    float max_distance, ClosestPoint& pair) {
     const SegmentDistance& distance = found.distance;
-    float on_surface[3], on_shape[3];
-    point_of(found.triangle, distance.u, distance.v, on_surface);
+    const Vec3 place = point_of(found.triangle, distance.u, distance.v);
+    const float on_surface[3] = {place.x, place.y, place.z};
+    float on_shape[3];
     find_point_on(shape, distance.along, on_surface, on_shape);
     pair.point = to_local(blob, on_surface[0], on_surface[1], on_surface[2]);
     pair.on_shape = to_local(blob, on_shape[0], on_shape[1], on_shape[2]);

@@ -3,7 +3,6 @@
 
 #include <espalier/sweep.hpp>
 #include <runtime/answers/answer.hpp>
-#include <runtime/kernels/face.hpp>
 #include <runtime/lattice/to_local.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
@@ -87,11 +86,10 @@ ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep
     const std::uint32_t tick = tick_before(step);
     if (!(skin > 0.0f) || tick == 0) return tick;
     const float scale = power_of_two(-sweep.fraction_bits);
-    const auto& [x, y, z] = sweep.displacement;
-    const Vec3 way = {to_float(x) * scale, to_float(y) * scale, to_float(z) * scale};
+    const Vec3 way = to_vector(sweep.displacement) * scale;
     // The normal is within 4 ulp, so the shape is at least as fast as this.
     const float error = (absolute(way.x) + absolute(way.y) + absolute(way.z)) * 0x1p-20f;
-    const float speed = -(way.x * normal.x + way.y * normal.y + way.z * normal.z) - error;
+    const float speed = -dot(way, normal) - error;
     const float ticks = skin / speed * (0x1p24f * (1.0f + 0x1p-20f)) + 1.0f;
     if (!(speed > 0.0f) || !(ticks < static_cast<float>(tick))) return 0;
     return tick - static_cast<std::uint32_t>(ticks);
@@ -103,11 +101,10 @@ SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundConta
     const bool at_start = found.step == 0;
     const SweepContact contact =
         at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.step);
-    float point[3];
-    point_of(found.triangle, contact.u, contact.v, point);
+    const Vec3 point = point_of(found.triangle, contact.u, contact.v);
     SweepHit hit;
     hit.t = share_of_way(tick_at_skin(sweep, found.step, contact.normal, skin));
-    hit.point = to_local(blob, point[0], point[1], point[2]);
+    hit.point = to_local(blob, point.x, point.y, point.z);
     hit.normal = contact.normal;
     hit.face_normal = face_normal_of(found.triangle);
     hit.triangle = TriangleId{found.index};

@@ -16,8 +16,8 @@ using detail::Int128;
 using detail::Integer3;
 using detail::contacts::HullBody;
 using detail::contacts::Touches;
-using detail::contacts::operator*;
-using detail::contacts::operator+;
+using detail::operator*;
+using detail::operator+;
 
 using Vertices = std::vector<std::array<std::int64_t, 3>>;
 

@@ -14,7 +14,7 @@ namespace {
 
 using detail::Integer3;
 using detail::contacts::Touches;
-using detail::contacts::operator*;
+using detail::operator*;
 
 Integer3 integer_point(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
@@ -97,8 +97,8 @@ TEST_CASE("contact: a box has the distance or depth and the direction of the ref
         const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
         const Vec3 u = random.in_cube(reach), v = random.in_cube(reach);
         half[0] = whole(u);
-        half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
-        half[2] = whole(kind == 3 ? random.in_cube(reach) : detail::contacts::cross(half[0], half[1]) * (1.0f / reach));
+        half[1] = whole(kind == 3 ? v : detail::cross(u, v) * (1.0f / reach));
+        half[2] = whole(kind == 3 ? random.in_cube(reach) : detail::cross(half[0], half[1]) * (1.0f / reach));
         if (kind == 1) {
             half[0] = {std::round(u.x), 0.0f, 0.0f};
             half[1] = {0.0f, std::round(u.y), 0.0f};

@@ -119,10 +119,9 @@ void check_lists(const Blob& a, const PlacedBlob& b, const std::vector<detail::T
 
 /// A point of a triangle of the grid in a's space: the runtime's own translation, since the walk is compared here.
 Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& triangle, const detail::Weights& weights) {
-    float point[3];
-    detail::point_of(triangle, weights.u, weights.v, point);
-    const auto steps = [&](int axis) { return std::ldexp(point[axis], frame.shift); };
-    return detail::to_local(*frame.a, steps(0), steps(1), steps(2));
+    const Vec3 point = detail::point_of(triangle, weights.u, weights.v);
+    const auto steps = [&](float along) { return std::ldexp(along, frame.shift); };
+    return detail::to_local(*frame.a, steps(point.x), steps(point.y), steps(point.z));
 }
 
 /// At the least distance, and within some ulp around it, by turns: the paths and the public functions.
