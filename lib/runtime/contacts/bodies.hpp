@@ -73,13 +73,17 @@ protected:
     }
 };
 
-/// A sphere.
-struct SphereBody : Body {
+/// A shape of the caller as a body: round() fills it in.
+template <class Shape>
+struct BodyOf;
+
+template <>
+struct BodyOf<Sphere> : Body {
     RoundedPoint center;
     Integer3 origin;
 
     QueryStatus round(const BlobData& blob, const Sphere& sphere, float margin) {
-        refer_to<SphereBody>(sphere);
+        refer_to<BodyOf>(sphere);
         radius = radius_in_steps(blob, sphere.radius);
         const QueryStatus status = round_point(blob, sphere.center, sphere.radius + margin, center);
         origin = {center.origin[0], center.origin[1], center.origin[2]};
@@ -100,13 +104,13 @@ struct SphereBody : Body {
     static Sphere grown(const Sphere& sphere, float margin) { return {sphere.center, sphere.radius + margin}; }
 };
 
-/// A capsule.
-struct CapsuleBody : Body {
+template <>
+struct BodyOf<Capsule> : Body {
     RoundedSegment segment;
     Integer3 doubled_middle;
 
     QueryStatus round(const BlobData& blob, const Capsule& capsule, float) {
-        refer_to<CapsuleBody>(capsule);
+        refer_to<BodyOf>(capsule);
         radius = radius_in_steps(blob, capsule.radius);
         const QueryStatus status = round_segment(blob, {capsule.from, capsule.to}, segment);
         if (status == QueryStatus::ok) {
@@ -119,14 +123,9 @@ struct CapsuleBody : Body {
     void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_segment(segment, triangle, side, reach, touches);
     }
-    static Vec3 middle_of(const Capsule& capsule) {
-        const Vec3 &a = capsule.from, &b = capsule.to;
-        return {0.5f * a.x + 0.5f * b.x, 0.5f * a.y + 0.5f * b.y, 0.5f * a.z + 0.5f * b.z};
-    }
+    static Vec3 middle_of(const Capsule& capsule) { return capsule.from * 0.5f + capsule.to * 0.5f; }
     static float reach_of(const Capsule& capsule, const Vec3& way) {
-        const Vec3 &a = capsule.from, &b = capsule.to;
-        const Vec3 half = {0.5f * b.x - 0.5f * a.x, 0.5f * b.y - 0.5f * a.y, 0.5f * b.z - 0.5f * a.z};
-        return capsule.radius + absolute(half.x * way.x + half.y * way.y + half.z * way.z);
+        return capsule.radius + absolute(dot(capsule.to * 0.5f - capsule.from * 0.5f, way));
     }
     static float least_reach_of(const Capsule& capsule) { return capsule.radius; }
     static float most_reach_of(const Capsule& capsule) { return capsule.radius; }
@@ -138,39 +137,26 @@ struct CapsuleBody : Body {
     }
 };
 
-/// An oriented box.
-struct OrientedBoxBody : Body {
+template <>
+struct BodyOf<OrientedBox> : Body {
     BoxBody box;
 
     QueryStatus round(const BlobData& blob, const OrientedBox& local, float margin) {
-        refer_to<OrientedBoxBody>(local);
+        refer_to<BodyOf>(local);
         radius = 0.0f;
-        float center[3], half[3][3], spread[3] = {};
         Rounder rounder(blob);
-        for (int i = 0; i < 3; ++i) {
-            rounder.add_vector(local.half_axes[i], half[i]);
-            for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
-        }
-        rounder.add_point(local.center, center);
-        const float near = radius_in_steps(blob, margin);
-        bool is_away = false;
-        for (int k = 0; k < 3; ++k) {
-            rounder.extend(rounder.distance(k, center[k]) + spread[k]);
-            const float last = blob.extent_steps[k];
-            const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
-            is_away = is_away || gap > (spread[k] + near) * (1.0f + 0x1p-20f) + 4.0f;
-        }
-        if (is_away) return QueryStatus::not_found;
+        const OrientedBoxInSteps steps(local, rounder);
+        if (steps.is_away(blob, radius_in_steps(blob, margin))) return QueryStatus::not_found;
         if (!(rounder.reach() < shape_reach)) return QueryStatus::out_of_range;
         box.fraction_bits = fraction_bits_for(rounder.reach(), volume_grid);
-        box.center = to_grid(center, box.fraction_bits);
+        box.center = to_grid(steps.center, box.fraction_bits);
         const float scale = power_of_two(-box.fraction_bits);
         auto& units = box.units;
         box.size = 0.0f;
         for (int i = 0; i < 3; ++i) {
-            units[i] = to_grid(half[i], box.fraction_bits);
-            box.half[i] = {to_float(units[i].x) * scale, to_float(units[i].y) * scale, to_float(units[i].z) * scale};
-            box.size += absolute(box.half[i].x) + absolute(box.half[i].y) + absolute(box.half[i].z);
+            units[i] = to_grid(steps.half[i], box.fraction_bits);
+            box.half[i] = to_vector(units[i]) * scale;
+            box.size += sum_of_coordinates(box.half[i]);
         }
         for (int i = 0; i < 3; ++i)
             box.face[i] = direction_of(wide_cross(units[i == 2 ? 0 : i + 1], units[i == 0 ? 2 : i - 1]));
@@ -182,7 +168,11 @@ struct OrientedBoxBody : Body {
         touch_box(box, triangle, side, reach, touches);
     }
     static Vec3 middle_of(const OrientedBox& local) { return local.center; }
-    static float reach_of(const OrientedBox& local, const Vec3& way) { return reach_along(local.half_axes, way); }
+    static float reach_of(const OrientedBox& local, const Vec3& way) {
+        float sum = 0.0f;
+        for (const Vec3& half : local.half_axes) sum += absolute(dot(half, way));
+        return sum;
+    }
     static ClosestPoint nearest(const Blob& blob, const OrientedBox& local, float within) {
         return closest_point(blob, local.center, within);
     }
@@ -192,35 +182,27 @@ struct OrientedBoxBody : Body {
         for (const Vec3& half : local.half_axes) sum += sum_of_coordinates(half);
         return sum;
     }
-    static float reach_along(const Vec3 (&half_axes)[3], const Vec3& way) {
-        float sum = 0.0f;
-        for (const Vec3& half : half_axes) sum += absolute(dot(half, way));
-        return sum;
-    }
     /// The box along the axes around it and the margin, with room for rounding.
     static Box grown(const OrientedBox& local, float margin) {
         Vec3 reach;
-        for (const Vec3& half : local.half_axes) {
-            reach.x += absolute(half.x);
-            reach.y += absolute(half.y);
-            reach.z += absolute(half.z);
-        }
+        for (const Vec3& half : local.half_axes)
+            reach = reach + Vec3{absolute(half.x), absolute(half.y), absolute(half.z)};
         const Vec3& c = local.center;
         constexpr float more = 1.0f + 0x1p-20f;
         const auto far = [&](float at, float by) { return by * more + margin * more + absolute(at) * 0x1p-20f; };
         const Vec3 by = {far(c.x, reach.x), far(c.y, reach.y), far(c.z, reach.z)};
-        return {{c.x - by.x, c.y - by.y, c.z - by.z}, {c.x + by.x, c.y + by.y, c.z + by.z}};
+        return {c - by, c + by};
     }
 };
 
-/// A convex hull.
-struct ConvexHullBody : Body {
+template <>
+struct BodyOf<ConvexHull> : Body {
     HullBody hull;
     bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
 
     ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& local, float margin) {
         if (local.vertices.empty()) return QueryStatus::not_found;
-        refer_to<ConvexHullBody>(local);
+        refer_to<BodyOf>(local);
         radius = 0.0f;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
         Rounder rounder(blob);

@@ -14,11 +14,7 @@ namespace espalier {
 
 using namespace detail;
 using detail::contacts::Body;
-using detail::contacts::CapsuleBody;
-using detail::contacts::ConvexHullBody;
 using detail::contacts::FacingSide;
-using detail::contacts::OrientedBoxBody;
-using detail::contacts::SphereBody;
 using detail::contacts::SurfaceAround;
 using detail::contacts::Touch;
 using detail::contacts::Touches;
@@ -204,47 +200,26 @@ Filled find_contacts_of_body(const Blob& blob, Body& body, float margin, std::sp
     }
 }
 
-template <class BodyOfShape, class Shape>
-Filled find_contacts_of(const Blob& blob, const Shape& shape, float margin, std::span<Contact> contacts) {
-    if (!blob) return {};
-    if (!is_radius(margin) || !is_finite(margin)) return {0, {}, QueryStatus::invalid_argument};
-    BodyOfShape body;
-    const QueryStatus rounded = body.round(data_of(blob), shape, margin);
-    if (is_refused(rounded)) return {0, {}, rounded};
-    if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
-    return find_contacts_of_body(blob, body, margin, contacts);
-}
-
 bool is_sound(const Sphere& sphere) { return is_radius(sphere.radius) && is_finite(sphere.radius); }
 bool is_sound(const Capsule& capsule) { return is_radius(capsule.radius) && is_finite(capsule.radius); }
-bool is_sound(const OrientedBox& box) {
-    bool all_finite = is_finite(box.center);
-    for (const Vec3& half : box.half_axes) all_finite = all_finite && is_finite(half);
-    return all_finite;
-}
+bool is_sound(const OrientedBox& box) { return is_finite(box); }
 bool is_sound(const ConvexHull& hull) {
     bool sound = hull.vertices.size() <= max_hull_vertices;
     for (std::size_t i = 0; sound && i < hull.vertices.size(); ++i) sound = is_finite(hull.vertices[i]);
     return sound;
 }
 
-template <class Shape>
-struct BodyOf;
-template <>
-struct BodyOf<Sphere> : SphereBody {};
-template <>
-struct BodyOf<Capsule> : CapsuleBody {};
-template <>
-struct BodyOf<OrientedBox> : OrientedBoxBody {};
-template <>
-struct BodyOf<ConvexHull> : ConvexHullBody {};
-
 }  // namespace
 
-template <ContactBody Body>
-Filled find_contacts(const Blob& blob, const Body& body, float margin, std::span<Contact> contacts) noexcept {
-    if (blob && !is_sound(body)) return {0, {}, QueryStatus::invalid_argument};
-    return find_contacts_of<BodyOf<Body>>(blob, body, margin, contacts);
+template <ContactBody Shape>
+Filled find_contacts(const Blob& blob, const Shape& shape, float margin, std::span<Contact> contacts) noexcept {
+    if (!blob) return {};
+    if (!is_sound(shape) || !is_radius(margin) || !is_finite(margin)) return {0, {}, QueryStatus::invalid_argument};
+    detail::contacts::BodyOf<Shape> body;
+    const QueryStatus rounded = body.round(data_of(blob), shape, margin);
+    if (is_refused(rounded)) return {0, {}, rounded};
+    if (rounded == QueryStatus::not_found) return {0, {}, QueryStatus::ok};
+    return find_contacts_of_body(blob, body, margin, contacts);
 }
 template Filled find_contacts(const Blob&, const Sphere&, float, std::span<Contact>) noexcept;
 template Filled find_contacts(const Blob&, const Capsule&, float, std::span<Contact>) noexcept;

@@ -59,8 +59,7 @@ float squared_distance_to(const Support& a, const Support& b, const Support& c, 
     const float whole = bb * cc - bc * bc, u = pb * cc - pc * bc, v = pc * bb - pb * bc;
     if (whole > 0.0f && u >= 0.0f && v >= 0.0f && u + v <= whole)
         return maximum(inner(ap, ap) - (u * pb + v * pc) / whole, 0.0f);
-    return minimum(squared_distance_to(a, b, p),
-                           minimum(squared_distance_to(b, c, p), squared_distance_to(a, c, p)));
+    return minimum(squared_distance_to(a, b, p), minimum(squared_distance_to(b, c, p), squared_distance_to(a, c, p)));
 }
 
 void swap_places(Contact& a, Contact& b) {

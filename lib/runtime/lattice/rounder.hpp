@@ -83,6 +83,32 @@ private:
     float reach_ = 0.0f;
 };
 
+/// An oriented box in lattice steps.
+struct OrientedBoxInSteps {
+    float center[3], half[3][3];
+    float spread[3] = {};  ///< how far it reaches from its center along each axis of space
+
+    /// Also extends the reach to all of the box.
+    OrientedBoxInSteps(const OrientedBox& local, Rounder& rounder) {
+        for (int i = 0; i < 3; ++i) {
+            rounder.add_vector(local.half_axes[i], half[i]);
+            for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
+        }
+        rounder.add_point(local.center, center);
+        for (int k = 0; k < 3; ++k) rounder.extend(rounder.distance(k, center[k]) + spread[k]);
+    }
+    /// Whether it is surely farther than that from the box of the asset.
+    [[nodiscard]] bool is_away(const BlobData& blob, float near) const {
+        bool is_away = false;
+        for (int k = 0; k < 3; ++k) {
+            const float last = blob.extent_steps[k];
+            const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
+            is_away = is_away || gap > (spread[k] + near) * (1.0f + 0x1p-20f) + 4.0f;
+        }
+        return is_away;
+    }
+};
+
 /// A radius >= 0 in lattice steps. No distance between lattice triangles and rounded shapes is in (0, 2^-100): a
 /// smaller one is as good as that.
 ESPALIER_SHARED_CODE inline float radius_in_steps(const BlobData& blob, float radius) {
@@ -96,6 +122,10 @@ ESPALIER_SHARED_CODE inline bool is_radius(float radius) {
 }
 
 ESPALIER_SHARED_CODE inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+inline bool is_finite(const OrientedBox& box) {
+    const Vec3(&half)[3] = box.half_axes;
+    return is_finite(box.center) && is_finite(half[0]) && is_finite(half[1]) && is_finite(half[2]);
+}
 ESPALIER_SHARED_CODE inline bool is_nan(const Vec3& v) { return is_nan(v.x) || is_nan(v.y) || is_nan(v.z); }
 
 /// Whether a coordinate of `min` is above that of `max`; subnormal ones are zero, here as everywhere.

@@ -37,30 +37,16 @@ void enclose(Rounded<OrientedBox>& box) {
 }  // namespace
 
 QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept {
-    if (!is_finite(local.center)) return QueryStatus::invalid_argument;
-    for (const Vec3& half : local.half_axes)
-        if (!is_finite(half)) return QueryStatus::invalid_argument;
-    float center[3], half[3][3], spread[3] = {};
+    if (!is_finite(local)) return QueryStatus::invalid_argument;
     Rounder rounder(blob);
-    for (int i = 0; i < 3; ++i) {
-        rounder.add_vector(local.half_axes[i], half[i]);
-        for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
-    }
-    rounder.add_point(local.center, center);
-    bool is_away = false;
-    for (int k = 0; k < 3; ++k) {
-        rounder.extend(rounder.distance(k, center[k]) + spread[k]);
-        const float last = blob.extent_steps[k];
-        const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
-        is_away = is_away || gap > spread[k] * (1.0f + 0x1p-20f) + 4.0f;
-    }
-    if (is_away) return QueryStatus::not_found;
+    const OrientedBoxInSteps steps(local, rounder);
+    if (steps.is_away(blob, 0.0f)) return QueryStatus::not_found;
     const float reach = rounder.reach();
     if (!(reach < shape_reach)) return QueryStatus::out_of_range;
     box.is_near = exponent_of(reach) <= volume_grid;
     box.fraction_bits = fraction_bits_for(reach, volume_grid);
-    box.center = to_grid(center, box.fraction_bits);
-    for (int i = 0; i < 3; ++i) box.half[i] = to_grid(half[i], box.fraction_bits);
+    box.center = to_grid(steps.center, box.fraction_bits);
+    for (int i = 0; i < 3; ++i) box.half[i] = to_grid(steps.half[i], box.fraction_bits);
     enclose(box);
     return QueryStatus::ok;
 }

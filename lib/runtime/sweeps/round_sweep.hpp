@@ -178,21 +178,16 @@ ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const Con
 /// Rounds the center and the half axes: the corners are exact sums of those.
 ESPALIER_NOINLINE inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& local,
                                                  const Vec3& displacement, HullSweep& sweep) {
-    if (!is_finite(local.center) || !is_finite(displacement)) return QueryStatus::invalid_argument;
-    float center[3], half[3][3], way[3], spread[3] = {};
+    if (!is_finite(local) || !is_finite(displacement)) return QueryStatus::invalid_argument;
+    float way[3];
     Rounder rounder(blob);
     rounder.add_vector(displacement, way);
-    for (int i = 0; i < 3; ++i) {
-        if (!is_finite(local.half_axes[i])) return QueryStatus::invalid_argument;
-        rounder.add_vector(local.half_axes[i], half[i]);
-        for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
-    }
-    rounder.add_point(local.center, center);
-    for (int k = 0; k < 3; ++k) rounder.extend(rounder.distance(k, center[k]) + spread[k]);
+    const OrientedBoxInSteps steps(local, rounder);
     if (!(rounder.reach() < hull_sweep_reach)) return QueryStatus::out_of_range;
     const int bits = fraction_bits_for(rounder.reach(), point_grid);
-    const Integer3 middle = to_grid(center, bits);
-    const Integer3 halves[3] = {to_grid(half[0], bits), to_grid(half[1], bits), to_grid(half[2], bits)};
+    const Integer3 middle = to_grid(steps.center, bits);
+    const Integer3 halves[3] = {to_grid(steps.half[0], bits), to_grid(steps.half[1], bits),
+                                to_grid(steps.half[2], bits)};
     sweep.is_box = true;
     sweep.moving.point_count = 8;
     for (unsigned i = 0; i < 8; ++i) {
