@@ -46,12 +46,14 @@ OriginalHit turned(const OriginalTriangle& original, const RayHit& hit) {
     return result;
 }
 
-/// Returns the status of a batch that wrote `count` results.
-Filled filled(const Blob& blob, std::size_t count) {
-    return {count, {}, status_of_section(data_of(blob), data_of(blob).ids)};
+/// Writes the result for each argument. Refuses only spans of different sizes.
+template <class Argument, class Original, class Query>
+Filled fill_originals(const Blob& blob, std::span<const Argument> arguments, std::span<Original> originals,
+                      Query query) {
+    if (arguments.size() != originals.size()) return {0, {}, QueryStatus::invalid_argument};
+    for (std::size_t i = 0; i < arguments.size(); ++i) originals[i] = query(arguments[i]);
+    return {arguments.size(), {}, status_of_section(data_of(blob), data_of(blob).ids)};
 }
-
-constexpr Filled different_sizes = {0, {}, QueryStatus::invalid_argument};
 
 }  // namespace
 
@@ -64,9 +66,8 @@ Result<OriginalTriangle> original_triangle(const Blob& blob, TriangleId triangle
 
 Filled original_triangle(const Blob& blob, std::span<const TriangleId> triangles,
                          std::span<Result<OriginalTriangle>> originals) noexcept {
-    if (triangles.size() != originals.size()) return different_sizes;
-    for (std::size_t i = 0; i < triangles.size(); ++i) originals[i] = original_triangle(blob, triangles[i]);
-    return filled(blob, triangles.size());
+    return fill_originals(blob, triangles, originals,
+                          [&](TriangleId triangle) { return original_triangle(blob, triangle); });
 }
 
 OriginalHit original_hit(const Blob& blob, const RayHit& hit) noexcept {
@@ -76,9 +77,7 @@ OriginalHit original_hit(const Blob& blob, const RayHit& hit) noexcept {
 }
 
 Filled original_hit(const Blob& blob, std::span<const RayHit> hits, std::span<OriginalHit> originals) noexcept {
-    if (hits.size() != originals.size()) return different_sizes;
-    for (std::size_t i = 0; i < hits.size(); ++i) originals[i] = original_hit(blob, hits[i]);
-    return filled(blob, hits.size());
+    return fill_originals(blob, hits, originals, [&](const RayHit& hit) { return original_hit(blob, hit); });
 }
 
 OriginalHit original_hit(std::span<const OriginalTriangle> remap, const RayHit& hit) noexcept {

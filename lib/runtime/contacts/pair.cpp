@@ -1,7 +1,7 @@
 // Where two blobs touch: the pairs of the walk through two trees, each with what its triangles have in common.
 #include <espalier/pair.hpp>
 
-#include <runtime/contacts/touch_pair.hpp>
+#include <runtime/contacts/touch.hpp>
 #include <runtime/pairs/contacts.hpp>
 
 namespace espalier {

@@ -1,7 +1,5 @@
 // Where two triangles touch. The corners of what they have in common are corners of one in the other, crossings of two
 // sides, and sides that pierce a face: each is decided in integers, and is found once.
-#include <runtime/contacts/touch_pair.hpp>
-
 #include <runtime/contacts/nearest_pair.hpp>
 
 namespace espalier::detail::contacts {

@@ -81,13 +81,7 @@ public:
     [[nodiscard]] unsigned last_axis() const { return last_axis_; }
     /// The first tick at or after the first contact.
     [[nodiscard]] SweepStep step() const {
-        if (!has_enter_) return 0;
-        auto ticks = to_integer(enter_.top / enter_.bottom * 0x1p24f);
-        const Int128 whole = enter_.numerator << tick_bits;
-        const auto is_reached = [&](std::int64_t tick) { return !(multiply(enter_.denominator, tick) < whole); };
-        while (is_reached(ticks - 1)) --ticks;
-        while (!is_reached(ticks)) ++ticks;
-        return static_cast<SweepStep>(ticks);
+        return has_enter_ ? first_tick_from(enter_.numerator, enter_.denominator) : 0;
     }
 
 private:

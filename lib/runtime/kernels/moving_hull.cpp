@@ -1,7 +1,6 @@
 // The kernel of convex hulls that move. Widths and proofs: docs/numerics.md.
-#include <runtime/kernels/moving_hull.hpp>
-
 #include <runtime/base/bits.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 
 namespace espalier::detail {
@@ -18,6 +17,12 @@ constexpr std::uint32_t auxiliary = 4 * max_hull_vertices;
 
 Int128 triple_product(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
 
+/// How far the nearest corner is along an axis.
+Int128 lowest_along(const Integer3& axis, const IntegerTriangle& triangle) {
+    const Integer3(&c)[3] = triangle.corner;
+    return span_of(dot<Int128>(axis, c[0]), dot<Int128>(axis, c[1]), dot<Int128>(axis, c[2])).low;
+}
+
 Integer3 unit_axis(int k, bool is_down) {
     Integer3 unit = {0, 0, 0};
     unit[k] = is_down ? -1 : 1;
@@ -28,13 +33,8 @@ Integer3 unit_axis(int k, bool is_down) {
 class PointDifferences {
 public:
     PointDifferences(const MovingHull& hull, const IntegerTriangle& triangle) : hull_(hull), triangle_(triangle) {}
+    [[nodiscard]] const IntegerTriangle& triangle() const { return triangle_; }
 
-    [[nodiscard]] const Integer3& lowest_corner(const Integer3& axis) const {
-        const Integer3* lowest = &triangle_.corner[0];
-        for (unsigned i = 1; i < 3; ++i)
-            if (dot<Int128>(axis, triangle_.corner[i]) < dot<Int128>(axis, *lowest)) lowest = &triangle_.corner[i];
-        return *lowest;
-    }
     /// Returns the one that is least far along an axis, the first of several.
     [[nodiscard]] PointDifference lowest(const Integer3& axis) const {
         unsigned corner = 0, point = 0;
@@ -164,17 +164,10 @@ public:
     }
 
     /// The first tick at or after the one at which the line meets the plane, which is on the way.
-    [[nodiscard]] SweepStep step() const {
-        const Int128 whole = level_ << tick_bits;
-        const auto is_reached = [&](std::int64_t tick) { return !(multiply(speed_, tick) < whole); };
-        auto ticks = to_integer(to_float(level_) / to_float(speed_) * 0x1p24f);
-        while (is_reached(ticks - 1)) --ticks;
-        while (!is_reached(ticks)) ++ticks;
-        return static_cast<SweepStep>(ticks);
-    }
+    [[nodiscard]] SweepStep step() const { return first_tick_from(level_, speed_); }
     /// The normal along which nothing is earlier than the contact, or than the step.
     [[nodiscard]] PlaneAhead plane() const {
-        return {normal_, dot<Int128>(normal_, differences_.lowest_corner(normal_)) - bound_, speed_};
+        return {normal_, lowest_along(normal_, differences_.triangle()) - bound_, speed_};
     }
     /// Whether the hull reaches the triangle's own plane at the time of the contact, exactly, and so not before.
     [[nodiscard]] bool is_reached_with(const PlaneAhead& face, const IntegerTriangle& triangle) const {
@@ -288,10 +281,8 @@ private:
 /// Whether the hull reaches the triangle along the plane's normal after that step.
 bool is_late_for(const PlaneAhead& plane, const IntegerTriangle& triangle, SweepStep most) {
     if (plane.speed.is_zero()) return false;
-    const Int128 reached = multiply(plane.speed, std::int64_t{most});
-    for (const Integer3& corner : triangle.corner)
-        if (!(reached < (dot<Int128>(plane.normal, corner) - plane.hull_end) << tick_bits)) return false;
-    return true;
+    const Int128 gap = lowest_along(plane.normal, triangle) - plane.hull_end;
+    return multiply(plane.speed, std::int64_t{most}) < gap << tick_bits;
 }
 
 /// Returns the triangle's plane, its normal along the way.

@@ -6,7 +6,7 @@
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
-#include <runtime/transforms/local_ray.hpp>
+#include <runtime/transforms/local_shape.hpp>
 
 namespace espalier::detail {
 

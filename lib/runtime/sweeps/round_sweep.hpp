@@ -7,7 +7,6 @@
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/kernels/moving_hull.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lanes/prepared_ray.hpp>

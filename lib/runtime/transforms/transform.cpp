@@ -1,6 +1,6 @@
 // Shapes moved into the local space of a transform and back into the world.
 #include <espalier/transform.hpp>
-#include <runtime/transforms/local_ray.hpp>
+#include <runtime/transforms/local_shape.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier {

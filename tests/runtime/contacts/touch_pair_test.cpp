@@ -2,7 +2,7 @@
 // reference in double.
 #include "support/testing.hpp"
 
-#include <runtime/contacts/touch_pair.hpp>
+#include <runtime/contacts/touch.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 
 #include "support/exact/as_rationals.hpp"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <runtime/kernels/moving_hull.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 
 #include "moving_scene.hpp"
