@@ -34,7 +34,7 @@ struct Body {
                       Touches& touches);
         /// How far it reaches from its middle against a unit vector.
         float (*reach_of)(const void* shape, const Vec3& way);
-        ClosestPoint (*nearest)(const Blob& blob, const void* shape, float within);
+        ClosestPoint (*nearest)(const Blob& blob, const Body& self, float within);
         /// Hands over the triangles that are no farther away than the margin, and maybe others.
         QueryStatus (*find_near)(const BlobData& blob, const void* shape, float margin, Each& answer);
     };
@@ -50,26 +50,29 @@ struct Body {
         functions->touch(*this, triangle, side, reach, touches);
     }
 
+    /// Returns the closest point to its middle; that of a capsule to its axis.
+    static ClosestPoint nearest(const Blob& blob, const Body& self, float within) {
+        return closest_point(blob, self.shape_middle, within);
+    }
+
 protected:
     template <class OwnBody, class Shape>
-    void refer_to(const Shape& own) {
+    void refer_to(const Shape& own, const Vec3& own_middle, float least, float most) {
         static constexpr Functions of_body = {
             [](Body& self, const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) {
                 static_cast<OwnBody&>(self).touch_triangle(triangle, side, reach, touches);
             },
             [](const void* of, const Vec3& way) { return OwnBody::reach_of(*static_cast<const Shape*>(of), way); },
-            [](const Blob& blob, const void* of, float within) {
-                return OwnBody::nearest(blob, *static_cast<const Shape*>(of), within);
-            },
+            OwnBody::nearest,
             [](const BlobData& blob, const void* of, float margin, Each& answer) {
                 const auto grown = OwnBody::grown(*static_cast<const Shape*>(of), margin);
                 return find_overlaps_of<std::remove_const_t<decltype(grown)>>(blob, &grown, answer, exactly);
             }};
         functions = &of_body;
         shape = &own;
-        shape_middle = OwnBody::middle_of(own);
-        least_reach = OwnBody::least_reach_of(own);
-        most_reach = OwnBody::most_reach_of(own);
+        shape_middle = own_middle;
+        least_reach = least;
+        most_reach = most;
     }
 };
 
@@ -83,7 +86,7 @@ struct BodyOf<Sphere> : Body {
     Integer3 origin;
 
     QueryStatus round(const BlobData& blob, const Sphere& sphere, float margin) {
-        refer_to<BodyOf>(sphere);
+        refer_to<BodyOf>(sphere, sphere.center, sphere.radius, sphere.radius);
         radius = radius_in_steps(blob, sphere.radius);
         const QueryStatus status = round_point(blob, sphere.center, sphere.radius + margin, center);
         origin = {center.origin[0], center.origin[1], center.origin[2]};
@@ -94,13 +97,7 @@ struct BodyOf<Sphere> : Body {
     void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float, Touches& touches) const {
         touch_point(center, triangle, side, touches);
     }
-    static Vec3 middle_of(const Sphere& sphere) { return sphere.center; }
     static float reach_of(const Sphere& sphere, const Vec3&) { return sphere.radius; }
-    static float least_reach_of(const Sphere& sphere) { return sphere.radius; }
-    static float most_reach_of(const Sphere& sphere) { return sphere.radius; }
-    static ClosestPoint nearest(const Blob& blob, const Sphere& sphere, float within) {
-        return closest_point(blob, sphere.center, within);
-    }
     static Sphere grown(const Sphere& sphere, float margin) { return {sphere.center, sphere.radius + margin}; }
 };
 
@@ -110,7 +107,7 @@ struct BodyOf<Capsule> : Body {
     Integer3 doubled_middle;
 
     QueryStatus round(const BlobData& blob, const Capsule& capsule, float) {
-        refer_to<BodyOf>(capsule);
+        refer_to<BodyOf>(capsule, capsule.from * 0.5f + capsule.to * 0.5f, capsule.radius, capsule.radius);
         radius = radius_in_steps(blob, capsule.radius);
         const QueryStatus status = round_segment(blob, {capsule.from, capsule.to}, segment);
         if (status == QueryStatus::ok) {
@@ -123,13 +120,11 @@ struct BodyOf<Capsule> : Body {
     void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_segment(segment, triangle, side, reach, touches);
     }
-    static Vec3 middle_of(const Capsule& capsule) { return capsule.from * 0.5f + capsule.to * 0.5f; }
     static float reach_of(const Capsule& capsule, const Vec3& way) {
         return capsule.radius + absolute(dot(capsule.to * 0.5f - capsule.from * 0.5f, way));
     }
-    static float least_reach_of(const Capsule& capsule) { return capsule.radius; }
-    static float most_reach_of(const Capsule& capsule) { return capsule.radius; }
-    static ClosestPoint nearest(const Blob& blob, const Capsule& capsule, float within) {
+    static ClosestPoint nearest(const Blob& blob, const Body& self, float within) {
+        const auto& capsule = *static_cast<const Capsule*>(self.shape);
         return closest_point(blob, Segment{capsule.from, capsule.to}, within);
     }
     static Capsule grown(const Capsule& capsule, float margin) {
@@ -142,7 +137,9 @@ struct BodyOf<OrientedBox> : Body {
     BoxBody box;
 
     QueryStatus round(const BlobData& blob, const OrientedBox& local, float margin) {
-        refer_to<BodyOf>(local);
+        float sum = 0.0f;
+        for (const Vec3& half : local.half_axes) sum += sum_of_coordinates(half);
+        refer_to<BodyOf>(local, local.center, 0.0f, sum);
         radius = 0.0f;
         Rounder rounder(blob);
         const OrientedBoxInSteps steps(local, rounder);
@@ -167,19 +164,9 @@ struct BodyOf<OrientedBox> : Body {
     void touch_triangle(const LatticeTriangle& triangle, const FacingSide& side, float reach, Touches& touches) const {
         touch_box(box, triangle, side, reach, touches);
     }
-    static Vec3 middle_of(const OrientedBox& local) { return local.center; }
     static float reach_of(const OrientedBox& local, const Vec3& way) {
         float sum = 0.0f;
         for (const Vec3& half : local.half_axes) sum += absolute(dot(half, way));
-        return sum;
-    }
-    static ClosestPoint nearest(const Blob& blob, const OrientedBox& local, float within) {
-        return closest_point(blob, local.center, within);
-    }
-    static float least_reach_of(const OrientedBox&) { return 0.0f; }
-    static float most_reach_of(const OrientedBox& local) {
-        float sum = 0.0f;
-        for (const Vec3& half : local.half_axes) sum += sum_of_coordinates(half);
         return sum;
     }
     /// The box along the axes around it and the margin, with room for rounding.
@@ -202,7 +189,10 @@ struct BodyOf<ConvexHull> : Body {
 
     ESPALIER_NOINLINE QueryStatus round(const BlobData& blob, const ConvexHull& local, float margin) {
         if (local.vertices.empty()) return QueryStatus::not_found;
-        refer_to<BodyOf>(local);
+        const Vec3 own_middle = middle_of(local);
+        float most = 0.0f;
+        for (const Vec3& vertex : local.vertices) most = maximum(most, sum_of_coordinates(vertex - own_middle));
+        refer_to<BodyOf>(local, own_middle, 0.0f, most);
         radius = 0.0f;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
         Rounder rounder(blob);
@@ -244,16 +234,6 @@ struct BodyOf<ConvexHull> : Body {
         const Vec3 middle = middle_of(local);
         float most = 0.0f;
         for (const Vec3& vertex : local.vertices) most = maximum(most, dot(middle - vertex, way));
-        return most;
-    }
-    static ClosestPoint nearest(const Blob& blob, const ConvexHull& local, float within) {
-        return closest_point(blob, middle_of(local), within);
-    }
-    static float least_reach_of(const ConvexHull&) { return 0.0f; }
-    static float most_reach_of(const ConvexHull& local) {
-        const Vec3 middle = middle_of(local);
-        float most = 0.0f;
-        for (const Vec3& vertex : local.vertices) most = maximum(most, sum_of_coordinates(vertex - middle));
         return most;
     }
     /// The box along the axes around it and the margin, with room for rounding.

@@ -160,7 +160,7 @@ QueryStatus find_exit(const Blob& blob, const Body& body, Contact& contact) {
 /// are then found without those that are far away.
 float first_margin(const Blob& blob, const Body& body, float margin) {
     const float reach = body.most_reach;
-    const ClosestPoint nearest = body.functions->nearest(blob, body.shape, (reach + margin) * (1.0f + 0x1p-16f));
+    const ClosestPoint nearest = body.functions->nearest(blob, body, (reach + margin) * (1.0f + 0x1p-16f));
     if (nearest.status != QueryStatus::ok) return margin;
     // For a sphere and a capsule this is the distance, and below 0 the depth.
     const float least = maximum(nearest.distance - reach, -body.least_reach);

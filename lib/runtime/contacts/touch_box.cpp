@@ -7,9 +7,10 @@ namespace espalier::detail::contacts {
 
 namespace {
 
-/// Offers both senses of an axis to a Separation or a GapAlong.
+/// Offers both senses of an axis to a Separation or a GapAlong, unless it is zero.
 template <class Best>
 void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Best& best) {
+    if (!(dot(unit, unit) > 0.0f)) return;
     float reach = 0.0f;
     for (const Vec3& half : box.half) reach += absolute(dot(unit, half));
     const float at[3] = {dot(unit, seen.corner[0]), dot(unit, seen.corner[1]), dot(unit, seen.corner[2])};
@@ -19,24 +20,16 @@ void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& see
 }
 
 template <class Best>
-void try_direction(const Vec3& axis, const BoxBody& box, const SeenTriangle& seen, Best& best) {
-    if (largest(axis) > 0.0f) try_unit_axis(direction_of(axis), box, seen, best);
-}
-
-template <class Best>
 ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Best& best) {
     try_unit_axis(seen.front, box, seen, best);
     bool is_flat = false;
     for (const Vec3& face : box.face) {
-        if (dot(face, face) > 0.0f) try_unit_axis(face, box, seen, best);
-        else is_flat = true;
+        try_unit_axis(face, box, seen, best);
+        is_flat = is_flat || !(dot(face, face) > 0.0f);
     }
     for (const Integer3& half : box.units) {
-        for (unsigned i = 0; i < 3; ++i) {
-            // From integers: of nearly parallel edges floats would leave only rounding.
-            const Vec3 axis = direction_of(cross(half, seen.side[i]));
-            if (dot(axis, axis) > 0.0f) try_unit_axis(axis, box, seen, best);
-        }
+        // From integers: of nearly parallel edges floats would leave only rounding.
+        for (const Integer3& side : seen.side) try_unit_axis(direction_of(cross(half, side)), box, seen, best);
     }
     if (!is_flat) return;
     // Without volume, also the normals of each direction within whichever plane all may lie in.
@@ -44,8 +37,8 @@ ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Be
     for (const Vec3& unit : units) {
         try_unit_axis(unit, box, seen, best);
         for (unsigned i = 0; i < 3; ++i) {
-            try_direction(cross(unit, box.half[i]), box, seen, best);
-            try_direction(cross(unit, seen.along[i]), box, seen, best);
+            try_unit_axis(direction_of(cross(unit, box.half[i])), box, seen, best);
+            try_unit_axis(direction_of(cross(unit, seen.along[i])), box, seen, best);
         }
     }
 }

@@ -46,13 +46,18 @@ public:
         : hull_(hull), triangle_(triangle), best_(best) {
         for (const float sense : {1.0f, -1.0f}) try_way(triangle.front * sense);
         for (unsigned face = 0; face < hull.face_count; ++face) try_face(face);
+        const bool is_flat = hull.face_count <= 2;
         for_each_edge(hull, [&](const HullEdge& edge) {
             for (unsigned side = 0; side < 3; ++side) try_edges(edge, side);
-            if (hull.vertex_count == 2) try_across(edge.units);
-            if (is_flat(hull)) try_within_plane(to_vector(edge.units));
+            // A triangle that is a point has no sides, so that no product of it and a segment gives a direction.
+            constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+            for (const Integer3& unit : units)
+                if (hull.vertex_count == 2) try_both_ways(to_vector(cross(edge.units, unit)));
+            // Within the triangle's plane, in which a flat hull may lie beside it.
+            if (is_flat) try_both_ways(cross(triangle.front, to_vector(edge.units)));
         });
-        if (!is_flat(hull)) return;
-        for (const Vec3& side : triangle.along) try_within_plane(side);
+        if (!is_flat) return;
+        for (const Vec3& side : triangle.along) try_both_ways(cross(triangle.front, side));
     }
 
 private:
@@ -92,24 +97,12 @@ private:
         if (goes_down && !best_.rules_out(-gap)) try_way(way * -1.0f);
     }
 
-    static bool is_flat(const HullBody& hull) { return hull.face_count <= 2; }
-
-    /// Tries both directions across an edge within the triangle's plane, in which a flat hull may lie beside it.
-    void try_within_plane(const Vec3& edge) {
-        const Vec3 way = direction_of(cross(triangle_.front, edge));
+    /// Tries both senses of an axis of any length.
+    void try_both_ways(const Vec3& axis) {
+        const Vec3 way = direction_of(axis);
         if (!(dot(way, way) > 0.0f)) return;
         try_way(way);
         try_way(way * -1.0f);
-    }
-    /// Tries directions across a segment. A triangle that is a point has no sides, so that no product gives one.
-    void try_across(const Integer3& along) {
-        constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        for (const Integer3& unit : units) {
-            const Vec3 way = direction_of(cross(along, unit));
-            if (!(dot(way, way) > 0.0f)) continue;
-            try_way(way);
-            try_way(way * -1.0f);
-        }
     }
 
     const HullBody& hull_;
