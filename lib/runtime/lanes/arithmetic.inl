@@ -121,3 +121,15 @@ struct PairTableIn : FloatTable {
         return __builtin_bit_cast(Ints, FloatTable::look_up(index));
     }
 };
+
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
+struct Frame {
+    Floats scale[3];
+    Floats base[3];
+};
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};

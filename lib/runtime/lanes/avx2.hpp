@@ -4,7 +4,6 @@
 #include <runtime/lanes/intrinsics.hpp>
 
 #include <runtime/lanes/vocabulary.hpp>
-#include <runtime/lanes/pivot_table.hpp>
 
 #define ESPALIER_AVX2 "avx2,fma,bmi,bmi2,lzcnt,popcnt"
 
@@ -61,8 +60,7 @@ struct PlacedRayLanes {
 
 /// What the slab tests of a kind of node need.
 template <class Node>
-using RayLanesOf =
-    std::conditional_t<std::is_same_v<Node, PackedNode>, PlacedRayLanes, typename RayLanesFor<Node>::Type>;
+using RayLanesOf = std::conditional_t<std::is_same_v<Node, PackedNode>, PlacedRayLanes, detail::RayLanesOf<Node>>;
 
 }  // namespace espalier::detail::avx2
 
@@ -89,14 +87,6 @@ inline Ints load_words(const std::byte* at) {
 inline Floats to_floats(Ints a) { return _mm256_cvtepi32_ps(__m256i(a)); }
 
 #include <runtime/lanes/arithmetic.inl>
-
-/// A vertex for each lane, and the three vertices of a triangle in each.
-using Numbers = Ints;
-struct CornerNumbers {
-    Numbers a, b, c;
-};
-inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
-inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 
 inline unsigned bits_of(AxisInts comparison) {
     return static_cast<unsigned>(_mm_movemask_ps(__builtin_bit_cast(Axes, comparison)));
@@ -135,35 +125,19 @@ inline WideInts multiply_even(WideInts a, std::int32_t b) {
     return WideInts(_mm256_mul_epi32(__m256i(a), _mm256_set1_epi32(b)));
 }
 
-/// Values by vertex, in registers.
-template <unsigned groups>
-struct Table {
-    Floats group[groups];
-    static unsigned groups_of(unsigned) { return groups; }
-    void set(unsigned number, Floats a) { group[number] = a; }
-    /// By the low bits of each index; bits above those that number the vertices are ignored.
-    [[nodiscard]] Floats look_up(Ints index) const { return pick<0, groups>(index); }
-    /// Where only the first groups are set.
-    template <unsigned used>
-    [[nodiscard]] Floats look_up_among(Ints index) const {
-        return pick<0, used>(index);
+/// From the first of `count` registers on.
+template <unsigned count>
+inline Floats look_up_in(const Floats* group, Ints index) {
+    if constexpr (count == 1) {
+        return _mm256_permutevar8x32_ps(group[0], __m256i(index));
+    } else {
+        constexpr unsigned half = std::bit_ceil(count) / 2;
+        constexpr int bit_above = 31 - std::countr_zero(8 * half);  // moves the deciding bit to the sign
+        return _mm256_blendv_ps(look_up_in<half>(group, index), look_up_in<count - half>(group + half, index),
+                                __builtin_bit_cast(Floats, index << bit_above));
     }
-
-private:
-    template <unsigned first, unsigned count>
-    [[nodiscard]] Floats pick(Ints index) const {
-        if constexpr (count == 1) {
-            return _mm256_permutevar8x32_ps(group[first], __m256i(index));
-        } else {
-            constexpr unsigned half = std::bit_ceil(count) / 2;
-            constexpr int bit_above = 31 - std::countr_zero(8 * half);  // moves the deciding bit to the sign
-            return _mm256_blendv_ps(pick<first, half>(index), pick<first + half, count - half>(index),
-                                    __builtin_bit_cast(Floats, index << bit_above));
-        }
-    }
-};
-template <unsigned groups>
-using PairTable = PairTableIn<Table<groups>>;
+}
+#include <runtime/lanes/tables.inl>
 
 #if defined(__x86_64__)
 
@@ -292,10 +266,6 @@ inline PredictedFrom predicted_from(const StripLeaf& leaf) {
 
 #endif
 
-// GCC makes more than one instruction of a comparison with a constant.
-inline Axes smaller(Axes a, Axes b) { return Axes(_mm_min_ps(a, b)); }
-inline Axes larger(Axes a, Axes b) { return Axes(_mm_max_ps(a, b)); }
-inline AxisInts round_to_integers(Axes a) { return AxisInts(_mm_cvtps_epi32(a)); }
 inline Axes multiply_add(Axes a, Axes b, Axes c) { return _mm_fmadd_ps(a, b, c); }
 inline Axes words_to_axes(const std::byte* at) {
     return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at))));

@@ -33,14 +33,6 @@ unsigned bits_of(SignedInts) = delete;  // comparisons give masks
 
 #include <runtime/lanes/arithmetic.inl>
 
-/// A vertex for each lane, and the three vertices of a triangle in each.
-using Numbers = Ints;
-struct CornerNumbers {
-    Numbers a, b, c;
-};
-inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
-inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
-
 inline Floats smaller(Floats a, Floats b) { return _mm512_min_ps(a, b); }
 inline Floats larger(Floats a, Floats b) { return _mm512_max_ps(a, b); }
 inline Floats square_roots(Floats a) { return _mm512_sqrt_ps(a); }
@@ -106,29 +98,18 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     return Ints(spread) >> load_ints(entry.shift) & ((1u << width) - 1u);
 }
 
-/// Values by vertex, in registers.
-template <unsigned groups>
-struct Table {
-    Floats group[groups];
-    static unsigned groups_of(unsigned) { return groups; }
-    void set(unsigned number, Floats a) { group[number] = a; }
-    /// By the low bits of each index; bits above those that number the vertices are ignored.
-    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
-    /// Where only the first groups are set.
-    template <unsigned used>
-    [[nodiscard]] Floats look_up_among(Ints index) const {
-        const auto numbers = __m512i(index);
-        if constexpr (used == 1) return _mm512_permutexvar_ps(numbers, group[0]);
-        else if constexpr (used == 2) return _mm512_permutex2var_ps(group[0], numbers, group[1]);
-        else
-            return _mm512_mask_blend_ps(_mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32)),
-                                        _mm512_permutex2var_ps(group[0], numbers, group[1]),
-                                        _mm512_permutex2var_ps(group[2], numbers, group[used - 1]));
-    }
-};
-
-template <unsigned groups>
-using PairTable = PairTableIn<Table<groups>>;
+/// In the first `count` of three registers or fewer.
+template <unsigned count>
+inline Floats look_up_in(const Floats* group, Ints index) {
+    const auto numbers = __m512i(index);
+    if constexpr (count == 1) return _mm512_permutexvar_ps(numbers, group[0]);
+    else if constexpr (count == 2) return _mm512_permutex2var_ps(group[0], numbers, group[1]);
+    else
+        return _mm512_mask_blend_ps(_mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32)),
+                                    _mm512_permutex2var_ps(group[0], numbers, group[1]),
+                                    _mm512_permutex2var_ps(group[2], numbers, group[count - 1]));
+}
+#include <runtime/lanes/tables.inl>
 
 /// The windows of a strip, sixteen at a time; all entries are decoded at once, as the bytes of one register.
 class StripCorners {

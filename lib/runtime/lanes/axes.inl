@@ -17,11 +17,6 @@ inline void spread(Axes a, Floats* to) {
     to[2] = splat(a[2]);
 }
 
-/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
-struct Frame {
-    Floats scale[3];
-    Floats base[3];
-};
 inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
     Frame frame;
     spread(load_scales(node), frame.scale);
@@ -29,12 +24,6 @@ inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
     return frame;
 }
 
-/// The planes of a node as tau along a ray: plane * scale + offset.
-struct SlabFrame {
-    Floats scale[3];
-    Floats near_offset[3];
-    Floats far_offset[3];
-};
 inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     const Axes steps = load_bases(node) * load_as<Axes>(ray.base_inverse);
     SlabFrame frame;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
@@ -98,15 +99,7 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const Lanes
 
 /// What the slab tests of a kind of node need, where an instruction set has no way of its own.
 template <class Node>
-struct RayLanesFor {
-    using Type = RayLanes;
-};
-template <>
-struct RayLanesFor<PlainNode> {
-    using Type = PlainRayLanes;
-};
-template <class Node>
-using RayLanesOf = typename RayLanesFor<Node>::Type;
+using RayLanesOf = std::conditional_t<std::is_same_v<Node, PlainNode>, PlainRayLanes, RayLanes>;
 
 inline void set_zero(LatticeRay& ray) {
     // mutant(< -> <=) sanitizer: reads behind an array; the fourth element is unused

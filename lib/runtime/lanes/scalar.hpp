@@ -10,11 +10,6 @@ using Floats = float;
 using Ints = std::uint32_t;
 using SignedInts = std::int32_t;
 using Compared = Floats;
-/// A vertex for each lane, and the three vertices of a triangle in each.
-using Numbers = Ints;
-struct CornerNumbers {
-    Numbers a, b, c;
-};
 
 inline unsigned bits_of(bool comparison) { return comparison ? 1u : 0u; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
@@ -50,8 +45,6 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     // mutant(< -> <=) equivalent: both sides are equal then
     return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
 }
-inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
-inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
 inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
@@ -61,29 +54,14 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
                                   fraction_bits));
 }
 
-/// Values by vertex.
-template <unsigned groups>
-struct Table {
-    Floats value[groups];
-    static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
-    void set(unsigned group, Floats a) { value[group] = a; }
-    [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
-    template <unsigned>
-    [[nodiscard]] Floats look_up_among(Ints index) const {
-        return value[index];
-    }
-};
-template <unsigned groups>
-using PairTable = PairTableIn<Table<groups>>;
-
+template <unsigned>
+inline Floats look_up_in(const Floats* value, Ints index) {
+    return value[index];
+}
+#include <runtime/lanes/tables.inl>
 #include <runtime/lanes/strip_corners_portable.inl>
 #include <runtime/lanes/leaves.inl>
 
-/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
-struct Frame {
-    Floats scale[3];
-    Floats base[3];
-};
 inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
@@ -93,12 +71,6 @@ inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
     return frame;
 }
 
-/// The planes of a node as tau along a ray: plane * scale + offset.
-struct SlabFrame {
-    Floats scale[3];
-    Floats near_offset[3];
-    Floats far_offset[3];
-};
 inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     SlabFrame frame;
     for (int k = 0; k < 3; ++k) {

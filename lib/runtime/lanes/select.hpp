@@ -10,18 +10,10 @@
 #endif
 
 /// Whether a set of x86 is a part of this build.
-#if ESPALIER_X86 && ESPALIER_SET_SSE42
-#define ESPALIER_HAS_SSE42 1
-#else
-#define ESPALIER_HAS_SSE42 0
-#endif
-#if ESPALIER_X86 && ESPALIER_SET_AVX2
-#define ESPALIER_HAS_AVX2 1
-#else
-#define ESPALIER_HAS_AVX2 0
-#endif
-#if ESPALIER_X86 && ESPALIER_SET_AVX512 && defined(__x86_64__)
-#define ESPALIER_HAS_AVX512 1
+#define ESPALIER_HAS_SSE42 (ESPALIER_X86 && ESPALIER_SET_SSE42)
+#define ESPALIER_HAS_AVX2 (ESPALIER_X86 && ESPALIER_SET_AVX2)
+#if defined(__x86_64__)
+#define ESPALIER_HAS_AVX512 (ESPALIER_X86 && ESPALIER_SET_AVX512)
 #else
 #define ESPALIER_HAS_AVX512 0
 #endif
@@ -37,49 +29,18 @@
 
 /// Declares functions once for each instruction set of this program, in the namespace of each. `small` is the code of
 /// small cores, which has queries of one ray alone.
-#if ESPALIER_X86 && defined(__x86_64__)
 #define ESPALIER_IN_EACH_SET(...) \
-    namespace small {             \
-    __VA_ARGS__                   \
-    }                             \
-    namespace scalar {            \
-    __VA_ARGS__                   \
-    }                             \
-    namespace sse42 {             \
-    __VA_ARGS__                   \
-    }                             \
-    namespace avx2 {              \
-    __VA_ARGS__                   \
-    }                             \
-    namespace avx512 {            \
-    __VA_ARGS__                   \
-    }
-#elif ESPALIER_X86
-#define ESPALIER_IN_EACH_SET(...) \
-    namespace small {             \
-    __VA_ARGS__                   \
-    }                             \
-    namespace scalar {            \
-    __VA_ARGS__                   \
-    }                             \
-    namespace sse42 {             \
-    __VA_ARGS__                   \
-    }                             \
-    namespace avx2 {              \
-    __VA_ARGS__                   \
-    }
+    ESPALIER_IN_SET(small, __VA_ARGS__) ESPALIER_IN_SET(scalar, __VA_ARGS__) ESPALIER_IN_SETS_WITH_LANES(__VA_ARGS__)
+#if ESPALIER_X86
+#define ESPALIER_IN_SETS_WITH_LANES(...) \
+    ESPALIER_IN_SET(sse42, __VA_ARGS__) ESPALIER_IN_SET(avx2, __VA_ARGS__) ESPALIER_IN_SET(avx512, __VA_ARGS__)
 #else
-#define ESPALIER_IN_EACH_SET(...) \
-    namespace small {             \
-    __VA_ARGS__                   \
-    }                             \
-    namespace scalar {            \
-    __VA_ARGS__                   \
-    }                             \
-    namespace ESPALIER_ONLY_SET { \
+#define ESPALIER_IN_SETS_WITH_LANES(...) ESPALIER_IN_SET(ESPALIER_ONLY_SET, __VA_ARGS__)
+#endif
+#define ESPALIER_IN_SET(set, ...) \
+    namespace set {               \
     __VA_ARGS__                   \
     }
-#endif
 
 namespace espalier::detail {
 
@@ -89,18 +50,8 @@ enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon, si
 
 /// Returns whether a set is a part of this build.
 constexpr bool is_built(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::scalar:
-            return true;
-        case InstructionSet::sse42:
-            return ESPALIER_HAS_SSE42 != 0;
-        case InstructionSet::avx2:
-            return ESPALIER_HAS_AVX2 != 0;
-        case InstructionSet::avx512:
-            return ESPALIER_HAS_AVX512 != 0;
-        default:
-            return false;
-    }
+    return set == InstructionSet::scalar || (ESPALIER_HAS_SSE42 && set == InstructionSet::sse42) ||
+           (ESPALIER_HAS_AVX2 && set == InstructionSet::avx2) || (ESPALIER_HAS_AVX512 && set == InstructionSet::avx512);
 }
 
 /// Returns the best set that the processor and the operating system support.

@@ -36,10 +36,6 @@ inline Floats to_floats(Ints a) { return _mm_cvtepi32_ps(__m128i(a)); }
 
 #include <runtime/lanes/arithmetic.inl>
 
-// GCC makes more than one instruction of a comparison with a constant.
-inline Axes smaller(Axes a, Axes b) { return Axes(_mm_min_ps(a, b)); }
-inline Axes larger(Axes a, Axes b) { return Axes(_mm_max_ps(a, b)); }
-inline AxisInts round_to_integers(Axes a) { return AxisInts(_mm_cvtps_epi32(a)); }
 inline Floats square_roots(Floats a) { return _mm_sqrt_ps(a); }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }

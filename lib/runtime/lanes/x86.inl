@@ -1,5 +1,10 @@
 // What the x86 instruction sets share.
 
+// GCC makes more than one instruction of a comparison with a constant.
+inline Axes smaller(Axes a, Axes b) { return Axes(_mm_min_ps(a, b)); }
+inline Axes larger(Axes a, Axes b) { return Axes(_mm_max_ps(a, b)); }
+inline AxisInts round_to_integers(Axes a) { return AxisInts(_mm_cvtps_epi32(a)); }
+
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
 inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
     // Words of 64 bits have no arithmetic shift here: 2^62 keeps them above zero, and is taken away again modulo 2^32.
