@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <runtime/lattice/triangle.hpp>
-#include <runtime/traversal/plane_nodes.hpp>
+#include <runtime/traversal/box_nodes.hpp>
 
 namespace espalier::detail {
 

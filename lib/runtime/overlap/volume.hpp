@@ -9,7 +9,6 @@
 #include <runtime/answers/answer.hpp>
 #include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/plane_nodes.hpp>
 
 namespace espalier::detail {
 

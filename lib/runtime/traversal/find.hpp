@@ -3,33 +3,57 @@
 #define ESPALIER_TRAVERSAL_FIND_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/traversal/any_visitor.hpp>
 #include <runtime/traversal/query.hpp>
 
 ESPALIER_BEGIN_SET
 
-/// The walks, of which small code has one copy for all visitors.
+/// Any visitor over leaves of that kind, called by pointers.
+template <class Leaf>
+class AnyVisitor {
+public:
+    using Node = typename Leaf::Node;
+    struct CostlyLeaves {};
+
+    template <class Visitor>
+    explicit AnyVisitor(Visitor& visitor)
+        : visitor_(&visitor),
+          children_([](void* self, const Node& node, float* keys) {
+              return static_cast<Visitor*>(self)->children(node, keys);
+          }),
+          visit_leaf_([](void* self, const Leaf& leaf) { return static_cast<Visitor*>(self)->visit_leaf(leaf); }),
+          limit_([](const void* self) {
+              if constexpr (requires { static_cast<const Visitor*>(self)->limit(); })
+                  return static_cast<const Visitor*>(self)->limit();
+              else return infinity;
+          }) {}
+    unsigned children(const Node& node, float* keys) { return children_(visitor_, node, keys); }
+    Visit visit_leaf(const Leaf& leaf) { return visit_leaf_(visitor_, leaf); }
+    [[nodiscard]] float limit() const { return limit_(visitor_); }
+
+private:
+    void* visitor_;
+    unsigned (*children_)(void*, const Node&, float*);
+    Visit (*visit_leaf_)(void*, const Leaf&);
+    float (*limit_)(const void*);
+};
+
+/// How the walks take a visitor: small code has one copy of each walk for all of them.
+template <class Leaf, class Visitor>
+using AnyInSmallCode = std::conditional_t<small_code, AnyVisitor<Leaf>, Visitor&>;
+
 template <class Leaf, class Visitor>
 ESPALIER_ALWAYS_INLINE inline Visit visit_in_storage_order(const BlobData& blob, Visitor& visitor) {
-    if constexpr (small_code) {
-        AnyVisitor<Leaf> any(visitor);
-        return (traverse_in_storage_order<Leaf>)(blob, any);
-    } else {
-        return (traverse_in_storage_order<Leaf>)(blob, visitor);
-    }
+    AnyInSmallCode<Leaf, Visitor> any(visitor);
+    return (traverse_in_storage_order<Leaf>)(blob, any);
 }
-template <class Leaf>
-ESPALIER_SHARED_CODE inline void visit_any_nearest_first(const BlobData& blob, AnyVisitor<Leaf>& visitor) {
+template <class Leaf, class Visitor>
+ESPALIER_SHARED_OR_PART_OF_CALLER inline void walk_nearest_first(const BlobData& blob, Visitor& visitor) {
     (traverse_nearest_first<Leaf>)(blob, visitor);
 }
 template <class Leaf, class Visitor>
 ESPALIER_ALWAYS_INLINE inline void visit_nearest_first(const BlobData& blob, Visitor& visitor) {
-    if constexpr (small_code) {
-        AnyVisitor<Leaf> any(visitor);
-        (visit_any_nearest_first)(blob, any);
-    } else {
-        (traverse_nearest_first<Leaf>)(blob, visitor);
-    }
+    AnyInSmallCode<Leaf, Visitor> any(visitor);
+    (walk_nearest_first<Leaf>)(blob, any);
 }
 
 /// Calls the function with a query, of no accuracy or of the one that is given.
@@ -63,17 +87,13 @@ inline bool find_in_order(const BlobData& blob, Shape& shape, SomeAnswer& answer
 template <class SomeAnswer, class Shape>
 inline bool find_each(const BlobData& blob, Shape& shape, Each& answer, const WalkAccuracy& accuracy) {
     auto& some_answer = static_cast<SomeAnswer&>(answer);
-    if constexpr (reads_duplicate_references) {
-        const auto reached = [&](const PlainNode& node, unsigned children) {
-            Shape again = shape;  // the walk's own may remember a node
-            alignas(register_alignment) float keys[PlainNode::max_children];
-            return again.cull(node, answer.limit, keys) & children;
-        };
-        answer.reached = reached;
-        return find_in_order(blob, shape, some_answer, accuracy);
-    } else {
-        return find_in_order(blob, shape, some_answer, accuracy);
-    }
+    [[maybe_unused]] const auto reached = [&](const PlainNode& node, unsigned children) {
+        Shape again = shape;  // the walk's own may remember a node
+        alignas(register_alignment) float keys[PlainNode::max_children];
+        return again.cull(node, answer.limit, keys) & children;
+    };
+    if constexpr (reads_duplicate_references) answer.reached = reached;
+    return find_in_order(blob, shape, some_answer, accuracy);
 }
 
 /// The nearest first.

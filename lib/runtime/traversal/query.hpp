@@ -19,7 +19,6 @@
 
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/set.hpp>
-#include <runtime/traversal/bounded_triangles.hpp>
 #include <runtime/traversal/leaf_triangles.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 #include <runtime/traversal/traverse.hpp>

@@ -3,7 +3,6 @@
 
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/plane_nodes.hpp>
 
 #include "support/blobs/node_kinds.hpp"
 #include "support/loops/triangle_loop.hpp"

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/plane_nodes.hpp>
 
 namespace espalier::tests::node_boxes_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <runtime/lattice/triangle.hpp>
-#include <runtime/traversal/plane_nodes.hpp>
+#include <runtime/traversal/box_nodes.hpp>
 
 namespace espalier::tests {
 
