@@ -4,7 +4,7 @@
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/proximity/squared_distance.hpp>
+#include <runtime/proximity/point_nodes.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 
 ESPALIER_BEGIN_SET

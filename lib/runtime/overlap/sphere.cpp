@@ -1,7 +1,7 @@
 // Spheres find what they overlap by lanes of their own (proximity/point_search.hpp).
 #include <espalier/overlap.hpp>
 #include <runtime/lanes/select.hpp>
-#include <runtime/proximity/point_queries.hpp>
+#include <runtime/proximity/queries.hpp>
 
 namespace espalier::detail {
 

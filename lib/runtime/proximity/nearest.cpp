@@ -1,9 +1,10 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
+#include <espalier/approximate.hpp>
 #include <espalier/distance.hpp>
 #include <runtime/answers/nearest_to_local.hpp>
 #include <runtime/lattice/rounder.hpp>
-#include <runtime/proximity/closest_pair.hpp>
-#include <runtime/proximity/point_queries.hpp>
+#include <runtime/proximity/queries.hpp>
+#include <runtime/traversal/small_boxes.hpp>
 
 #define ESPALIER_PER_SET <runtime/proximity/pair_search.hpp>
 #include <runtime/lanes/for_each_set.hpp>
@@ -25,6 +26,35 @@ Visit NearestFew::take_found(Answer& self, const Found& found) {
     }
     return Visit::next;
 }
+
+namespace {
+
+void prepare(DistantShape& shape, bool is_box) {
+    const RoundedSegment& segment = shape.segment;
+    shape.is_box = is_box;
+    shape.distance_to = distance_to;
+    shape.is_within_radius = is_within_radius;
+    if (is_box) shape.distance_to = distance_to_box, shape.is_within_radius = is_within_radius_of_box;
+    float along[3];
+    for (int k = 0; k < 3; ++k) {
+        along[k] = is_box ? 0.0f : to_float(segment.to[k] - segment.from[k]);
+        shape.lowest[k] = minimum(segment.from_steps[k], segment.to_steps[k]);
+        shape.highest[k] = maximum(segment.from_steps[k], segment.to_steps[k]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
+        const float squared = along[y] * along[y] + along[z] * along[z];
+        const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
+        shape.across[axis][axis] = 0.0f;
+        shape.across[axis][y] = along[z] * inverse;
+        shape.across[axis][z] = -along[y] * inverse;
+    }
+}
+
+}  // namespace
+
+void prepare(DistantSegment& segment) noexcept { prepare(segment, false); }
+void prepare(DistantBox& box) noexcept { prepare(box, true); }
 
 }  // namespace detail
 
@@ -83,7 +113,7 @@ ClosestPoint closest_pair(const BlobData& blob, const Segment& segment, float ma
     shape.radius = radius_in_steps(blob, max_distance);
     FoundPair found;
     Closest<FoundPair> closest(found);
-    find_nearest(blob, shape, closest);
+    ESPALIER_DISPATCH(find_nearest_pair, blob, shape, closest);
     if (closest.found()) finish_pair(blob, shape, found, max_distance, pair);
     return pair;
 }
@@ -128,6 +158,30 @@ Filled closest_triangles(const Blob& blob, Vec3 point, std::span<ClosestPoint> n
     for (ClosestPoint& each : found) finish(data_of(blob), rounded, point, max_distance, each);
     filled.count = found.size();
     return filled;
+}
+
+Result<DistanceBounds> distance_bounds(const Blob& blob, Vec3 point, float max_distance, Accuracy accuracy,
+                                       QueryCounters* counters) noexcept {
+    Result<DistanceBounds> bounds;
+    RoundedPoint rounded;
+    bounds.status = round_query(data_of(blob), point, max_distance, rounded);
+    if (bounds.status != QueryStatus::ok) return bounds;
+    Bounds answer;
+    ESPALIER_DISPATCH(find_nearest, data_of(blob), rounded, answer,
+                      WalkAccuracy{steps_in(data_of(blob), accuracy.distance), counters});
+    const SquaredBounds& squared = answer.squared;
+    bounds.status = QueryStatus::not_found;
+    if (squared.lower == infinity) return bounds;
+    // Roundings of squares, sums, roots and what a far point was moved by: covered 16 times.
+    const auto distance = [&](float square, float slack) {
+        return scale_by_power_of_two((square_root(square) + rounded.distance_offset) * slack,
+                                     data_of(blob).step_exponent);
+    };
+    const float lower = distance(squared.lower, 1.0f - 0x1p-18f);
+    bounds.value = {magnitude_bits(max_distance) < magnitude_bits(lower) ? max_distance : lower,
+                    distance(squared.upper, 1.0f + 0x1p-18f)};
+    bounds.status = QueryStatus::ok;
+    return bounds;
 }
 
 }  // namespace espalier

@@ -1,15 +1,141 @@
 // Closest points to segments and boxes: bounds of nodes and triangles in lanes, and the query. Bounds only ever reject
-// (closest_pair.cpp has them without lanes); what they leave open is decided by segment_triangle.hpp and
+// (small cores have others); what they leave open is decided by segment_triangle.hpp and
 // triangle_distance.hpp.
 #ifndef ESPALIER_PROXIMITY_PAIR_SEARCH_HPP
 #define ESPALIER_PROXIMITY_PAIR_SEARCH_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/proximity/closest_pair.hpp>
-#include <runtime/proximity/pair_nodes.hpp>
+#include <runtime/proximity/queries.hpp>
 #include <runtime/proximity/point_search.hpp>
 
 ESPALIER_BEGIN_SET
+
+/// A bound on the squared distance of a shape from boxes: of the gaps along the axes and, of a segment, along the
+/// directions across it and one axis: of the separating axes of boxes and segments (Gottschalk, Lin and Manocha 1996),
+/// the only ones.
+ESPALIER_SHARED_OR_PART_OF_CALLER inline Floats bound_of_boxes(const DistantShape& shape, const Floats* low,
+                                                               const Floats* high, float limit) {
+    const float* const from = shape.segment.from_steps;
+    Floats bound = splat(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const Floats below = subtract(low[k], splat(shape.highest[k])),
+                     above = subtract(splat(shape.lowest[k]), high[k]);
+        const Floats gap = larger(larger(below, above), splat(0.0f));
+        bound = add(multiply(gap, gap), bound);
+    }
+    if (shape.is_box || at_most(bound, splat(limit)) == 0) return bound;
+    Floats middle[3], size[3], reach[3];  // all of these twice as large as they should be
+    for (int k = 0; k < 3; ++k) {
+        const Floats to_low = subtract(low[k], splat(from[k])), to_high = subtract(high[k], splat(from[k]));
+        middle[k] = add(to_low, to_high);
+        size[k] = subtract(high[k], low[k]);
+        reach[k] = add(magnitude(to_low), magnitude(to_high));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
+        const Floats at_y = splat(shape.across[axis][y]), at_z = splat(shape.across[axis][z]);
+        const Floats length_y = magnitude(at_y), length_z = magnitude(at_z);
+        const Floats apart = magnitude(add(multiply(at_y, middle[y]), multiply(at_z, middle[z])));
+        const Floats covered = add(multiply(length_y, size[y]), multiply(length_z, size[z]));
+        const Floats slack = multiply(add(multiply(length_y, reach[y]), multiply(length_z, reach[z])), splat(0x1p-19f));
+        const Floats gap = multiply(larger(subtract(subtract(apart, covered), slack), splat(0.0f)), splat(0.5f));
+        bound = larger(multiply(gap, gap), bound);
+    }
+    return bound;
+}
+
+#if ESPALIER_LANES == 16
+
+using avx2::pair_test;  // as in point_nodes.hpp
+
+#else
+
+/// The children of a node whose box is within the limit of the shape, and a bound on the squared distance of each.
+template <class Node>
+inline unsigned pair_test(const Node& node, const DistantShape& shape, const BlobData& blob, float limit,
+                          float* distances) {
+    const auto boxes = boxes_of(node, blob);
+    unsigned mask = 0;
+    for (unsigned first = 0; first < Node::max_children; first += lanes) {
+        Floats low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            low[k] = boxes.low(k, first);
+            high[k] = boxes.high(k, first);
+        }
+        const Floats bound = bound_of_boxes(shape, low, high, limit);
+        mask |= at_most(bound, splat(limit)) << first;
+        store(distances + first, bound);
+    }
+    return mask & all_children(node);
+}
+
+#endif
+
+#if ESPALIER_SMALL_CODE
+
+/// Between the plane of a triangle and all that is between two points; of a box its corners farthest apart across the
+/// plane. Squared; 0 where that is not clear.
+inline float squared_gap_to_plane(const DistantShape& shape, const LatticeTriangle& triangle) {
+    const float* from = shape.segment.from_steps;
+    const float* to = shape.segment.to_steps;
+    const auto& c = triangle.corner;
+    const auto edge = [&](int end, int k) { return static_cast<float>(c[end][k] - c[0][k]); };
+    float from_side = 0.0f, to_side = 0.0f, slack = 0.0f, squared_length = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const int y = k == 2 ? 0 : k + 1, z = k == 0 ? 2 : k - 1;
+        const float plus = edge(1, y) * edge(2, z), minus = edge(1, z) * edge(2, y);
+        const float normal = plus - minus, size = absolute(plus) + absolute(minus);
+        const bool backward = shape.is_box && normal < 0.0f;
+        const float corner = static_cast<float>(c[0][k]);
+        const float to_from = (backward ? to : from)[k] - corner, to_to = (backward ? from : to)[k] - corner;
+        from_side += normal * to_from;
+        to_side += normal * to_to;
+        slack += size * (absolute(to_from) + absolute(to_to));
+        const float length = absolute(normal) + size * 0x1p-22f;
+        squared_length += length * length;
+    }
+    if ((from_side < 0.0f) != (to_side < 0.0f)) return 0.0f;
+    const float nearer = minimum(absolute(from_side), absolute(to_side)) - slack * 0x1p-20f;
+    if (!(nearer > 0.0f)) return 0.0f;
+    const float gap = nearer / square_root(squared_length);
+    return gap * gap;
+}
+
+/// The same for small cores: triangles in the order of their bounds, one by one.
+struct PairShape {
+    const DistantShape& shape;
+    const BlobData& blob;
+    float reach;
+
+    template <class Node>
+    unsigned cull(const Node& node, float limit, float* keys) const {
+        return pair_test(node, shape, blob, limit, keys);
+    }
+    [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const {
+        Floats low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            const Span span = span_of(triangle, k);
+            low[k] = static_cast<float>(span.low);
+            high[k] = static_cast<float>(span.high);
+        }
+        return bound_of_boxes(shape, low, high, limit);
+    }
+    [[nodiscard]] float tighten(const LatticeTriangle& triangle, float bound, float limit) const {
+        bound = maximum(squared_gap_to_plane(shape, triangle), bound);
+        return shape.is_box || bound > limit
+                   ? bound
+                   : maximum(squared_gap_to_segment(triangle, shape.segment.from_steps, shape.segment.to_steps, reach),
+                             bound);
+    }
+    template <class Leaf>
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float, Answer& answer) const {
+        FoundPair found;
+        static_cast<Found&>(found) = found_at(leaf, storage_index(leaf, slot));
+        return shape.decide(triangle, found, answer);
+    }
+};
+
+#else
 
 /// Bounds on the squared distances of triangles, seen from the start of the segment or the lowest corner of the box.
 class PairBounds {
@@ -44,10 +170,6 @@ public:
     }
 
 private:
-    static Floats3 cross(const Floats3& a, const Floats3& b) {
-        return {multiply_subtract(a.y, b.z, multiply(a.z, b.y)), multiply_subtract(a.z, b.x, multiply(a.x, b.z)),
-                multiply_subtract(a.x, b.y, multiply(a.y, b.x))};
-    }
     static Floats share_of(Floats part, Floats whole, float least) {
         return larger(smaller(divide(part, larger(whole, splat(least))), splat(1.0f)), splat(0.0f));
     }
@@ -103,12 +225,8 @@ private:
                                 multiply(add(add(t.a.y, t.b.y), t.c.y), third),
                                 multiply(add(add(t.a.z, t.b.z), t.c.z), third)};
         const Floats3 place = within_box(middle);
-        const Floats3 a = subtract(t.a, place), b = subtract(t.b, place), c = subtract(t.c, place);
-        Floats3 to_side = {splat(0.0f), splat(0.0f), splat(0.0f)};
-        nearest = splat(infinity);
-        offer(closest_on_side(a, b), to_side, nearest);
-        offer(closest_on_side(b, c), to_side, nearest);
-        offer(closest_on_side(c, a), to_side, nearest);
+        const Floats3 to_side =
+            closest_on_sides(subtract(t.a, place), subtract(t.b, place), subtract(t.c, place), nearest);
         const Floats3 on_side = {add(place.x, to_side.x), add(place.y, to_side.y), add(place.z, to_side.z)};
         return subtract(on_side, within_box(on_side));
     }
@@ -116,14 +234,6 @@ private:
         const auto within = [](Floats at, Floats end) { return larger(smaller(at, end), splat(0.0f)); };
         return {within(p.x, way_.x), within(p.y, way_.y), within(p.z, way_.z)};
     }
-    static void offer(const Floats3& other, Floats3& closest, Floats& squared) {
-        const Floats other_squared = dot(other, other);
-        closest = {where_at_most(other_squared, squared, other.x, closest.x),
-                   where_at_most(other_squared, squared, other.y, closest.y),
-                   where_at_most(other_squared, squared, other.z, closest.z)};
-        squared = smaller(other_squared, squared);
-    }
-
     Floats3 way_;
     Floats squared_way_;
     Floats reach_;
@@ -151,9 +261,17 @@ struct PairShape {
     }
 };
 
-ESPALIER_QUERY_OF_SET void find_nearest_pair(const BlobData& blob, const DistantShape& shape, float reach,
-                                             Answer& answer) {
+#endif
+
+ESPALIER_QUERY_OF_SET void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer) {
+    answer.limit = shape.radius * shape.radius * distance_slack;
+    float reach = reach_from(blob, shape.segment.from_steps);
+#if ESPALIER_SMALL_CODE
+    PairShape pair = {shape, blob, reach};
+#else
+    for (int k = 0; k < 3; ++k) reach += shape.highest[k] - shape.lowest[k];
     PairShape pair = {shape, blob, PairBounds(shape, reach)};
+#endif
     find_nearest_first(blob, pair, answer);
 }
 

@@ -3,7 +3,6 @@
 #define ESPALIER_PROXIMITY_POINT_BOUNDS_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/proximity/squared_distance.hpp>
 
 ESPALIER_BEGIN_SET
 
@@ -42,14 +41,23 @@ inline Floats3 subtract(const Floats3& a, const Floats3& b) {
     return {subtract(a.x, b.x), subtract(a.y, b.y), subtract(a.z, b.z)};
 }
 
+inline Floats3 splat_each(const float* a) { return {splat(a[0]), splat(a[1]), splat(a[2])}; }
+inline Floats3 negate(const Floats3& a) { return {negate(a.x), negate(a.y), negate(a.z)}; }
+inline Floats3 cross(const Floats3& a, const Floats3& b) {
+    return {multiply_subtract(a.y, b.z, multiply(a.z, b.y)), multiply_subtract(a.z, b.x, multiply(a.x, b.z)),
+            multiply_subtract(a.x, b.y, multiply(a.y, b.x))};
+}
+inline Floats absolute_of(Floats a) { return larger(a, negate(a)); }
+/// The sum of the absolute coordinates: at least the length.
+inline Floats length_bound(const Floats3& a) { return add(absolute_of(a.x), add(absolute_of(a.y), absolute_of(a.z))); }
+inline Floats largest_of(Floats a, Floats b, Floats c) { return larger(larger(a, b), c); }
+
 /// Any direction bounds the squared distance of a convex body from below: nothing of it is nearer than its corner that
 /// is least far along. `reach` is at least the sum of a corner's coordinates; it bounds what all of this can round.
 inline Floats lower_bound_along(const Floats3& direction, const CornersFromPoint& t, Floats reach) {
     const Floats to_a = dot(direction, t.a), to_b = dot(direction, t.b), to_c = dot(direction, t.c);
     const Floats least = larger(smaller(to_a, smaller(to_b, to_c)), negate(larger(to_a, larger(to_b, to_c))));
-    const auto absolute_of = [](Floats a) { return larger(a, negate(a)); };
-    const Floats length_bound = add(absolute_of(direction.x), add(absolute_of(direction.y), absolute_of(direction.z)));
-    const Floats rounding = multiply(multiply(length_bound, splat(0x1p-21f)), reach);
+    const Floats rounding = multiply(multiply(length_bound(direction), splat(0x1p-21f)), reach);
     const Floats along = larger(subtract(least, rounding), splat(0.0f));
     // No squared length of a direction that matters is as small as this.
     return multiply(along, divide(along, larger(dot(direction, direction), splat(0x1p-60f))));
@@ -64,25 +72,28 @@ inline Floats3 closest_on_side(const Floats3& a, const Floats3& b) {
     return {multiply_add(share, side.x, a.x), multiply_add(share, side.y, a.y), multiply_add(share, side.z, a.z)};
 }
 
+/// Puts another point in the place of the closest one if that is not nearer.
+inline void offer(const Floats3& other, Floats3& closest, Floats& squared) {
+    const Floats other_squared = dot(other, other);
+    closest = {where_at_most(other_squared, squared, other.x, closest.x),
+               where_at_most(other_squared, squared, other.y, closest.y),
+               where_at_most(other_squared, squared, other.z, closest.z)};
+    squared = smaller(other_squared, squared);
+}
+/// The closest point of the sides, nearly, and its squared distance.
+inline Floats3 closest_on_sides(const Floats3& a, const Floats3& b, const Floats3& c, Floats& squared) {
+    Floats3 closest = closest_on_side(a, b);
+    squared = dot(closest, closest);
+    offer(closest_on_side(b, c), closest, squared);
+    offer(closest_on_side(c, a), closest, squared);
+    return closest;
+}
+
 /// A lower bound of the squared distance, from the plane and from the closest point of the sides: one of them is tight.
 /// `squared_to_sides` is about what the sides alone give.
 inline Floats lower_bound(const CornersFromPoint& t, Floats reach, Floats& squared_to_sides) {
-    Floats3 closest = closest_on_side(t.a, t.b);
-    Floats squared = dot(closest, closest);
-    const auto offer = [&](const Floats3& other) {
-        const Floats other_squared = dot(other, other);
-        closest = {where_at_most(other_squared, squared, other.x, closest.x),
-                   where_at_most(other_squared, squared, other.y, closest.y),
-                   where_at_most(other_squared, squared, other.z, closest.z)};
-        squared = smaller(other_squared, squared);
-    };
-    offer(closest_on_side(t.b, t.c));
-    offer(closest_on_side(t.c, t.a));
-    squared_to_sides = squared;
-    const Floats3 ab = subtract(t.b, t.a), ac = subtract(t.c, t.a);
-    const Floats3 normal = {multiply_subtract(ab.y, ac.z, multiply(ab.z, ac.y)),
-                            multiply_subtract(ab.z, ac.x, multiply(ab.x, ac.z)),
-                            multiply_subtract(ab.x, ac.y, multiply(ab.y, ac.x))};
+    const Floats3 closest = closest_on_sides(t.a, t.b, t.c, squared_to_sides);
+    const Floats3 normal = cross(subtract(t.b, t.a), subtract(t.c, t.a));
     return larger(lower_bound_along(closest, t, reach), lower_bound_along(normal, t, reach));
 }
 

@@ -7,7 +7,6 @@
 #include <runtime/proximity/overlap_candidates.hpp>
 #include <runtime/proximity/point_bounds.hpp>
 #include <runtime/proximity/point_nodes.hpp>
-#include <runtime/proximity/squared_distance.hpp>
 #include <runtime/proximity/triangle_gap.hpp>
 #include <runtime/traversal/find.hpp>
 

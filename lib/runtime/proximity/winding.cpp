@@ -1,7 +1,9 @@
-// Counting crossings: the kernel and the walk. The proof is in docs/numerics.md.
-
+// Inside or outside by counting crossings: the kernel, the walk and the queries. The proof is in docs/numerics.md.
+#include <espalier/distance.hpp>
+#include <espalier/ray.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/kernels/point_triangle.hpp>
+#include <runtime/lattice/round_point.hpp>
 #include <runtime/proximity/winding.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/find.hpp>
@@ -126,3 +128,102 @@ Winding winding_number(const BlobData& blob, const WindingRay& ray) noexcept {
 }
 
 }  // namespace espalier::detail
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Returns ok, or why the blob or the point has no inside.
+QueryStatus refusal(const Blob& blob, const Vec3& point) {
+    if (!blob) return QueryStatus::not_open;
+    if (!blob.is_closed()) return QueryStatus::not_closed;
+    return is_finite(point) ? QueryStatus::ok : QueryStatus::invalid_argument;
+}
+
+/// Returns a closest point that is none, with the reason.
+ClosestPoint nothing_near(QueryStatus status) {
+    ClosestPoint nothing;
+    nothing.status = status;
+    return nothing;
+}
+
+Winding winding_around(const BlobData& blob, const RoundedPoint& point) {
+    WindingRay ray;
+    return shortest_way_out(blob, point, ray) ? winding_number(blob, ray) : Winding{};
+}
+
+/// The points of a Fibonacci lattice on the upper half of the unit sphere, one after the other.
+class HalfSphere {
+public:
+    explicit HalfSphere(unsigned count) : step_(1.0f / static_cast<float>(count)) {}
+
+    /// Returns the next direction, of about unit length.
+    Vec3 next() {
+        const float z = (static_cast<float>(number_) + 0.5f) * step_;
+        const float radius = square_root((1.0f - z) * (1.0f + z));
+        const Vec3 direction = {radius * cosine_, radius * sine_, z};
+        // Turns by the golden angle, pi * (3 - sqrt(5)).
+        constexpr float cosine = -0.737368878f, sine = 0.675490294f;
+        const float turned = cosine_ * cosine - sine_ * sine;
+        sine_ = cosine_ * sine + sine_ * cosine;
+        cosine_ = turned;
+        ++number_;
+        return direction;
+    }
+
+private:
+    float step_;
+    unsigned number_ = 0;
+    float cosine_ = 1.0f;
+    float sine_ = 0.0f;
+};
+
+/// Adds what a ray counts: 1 where it leaves the surface's inside, -1 where it enters.
+QueryStatus add_crossings(const Blob& blob, const Ray& ray, std::int64_t& sum) {
+    return for_each_crossing(blob, ray, [&sum](const RayHit& hit) { sum += hit.side == Side::back ? 1 : -1; });
+}
+
+}  // namespace
+
+YesNo contains(const Blob& blob, Vec3 point) noexcept {
+    if (const QueryStatus status = refusal(blob, point); status != QueryStatus::ok) return YesNo(status);
+    RoundedPoint rounded;
+    return YesNo::of(round_point(data_of(blob), point, infinity, rounded) == QueryStatus::ok &&
+                     winding_around(data_of(blob), rounded).is_inside());
+}
+
+ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance) noexcept {
+    const QueryStatus status = refusal(blob, point);
+    // Built where the caller keeps it: a second one would be on the stack during the walk.
+    ClosestPoint nearest = status == QueryStatus::ok ? closest_point(blob, point, max_distance) : nothing_near(status);
+    if (is_refused(nearest.status)) return nearest;
+    RoundedPoint rounded;
+    // A point out of range was refused above.
+    if (round_point(data_of(blob), point, infinity, rounded) != QueryStatus::ok) return nearest;
+    const Winding winding = winding_around(data_of(blob), rounded);
+    if (nearest.status == QueryStatus::not_found) nearest.distance = absolute(max_distance);
+    if (winding.is_inside() && !winding.on_surface) nearest.distance = -nearest.distance;
+    return nearest;
+}
+
+Result<float> winding_number(const Blob& blob, Vec3 point, unsigned directions) noexcept {
+    Result<float> winding;
+    winding.status = blob ? QueryStatus::invalid_argument : QueryStatus::not_open;
+    if (!blob || directions < 2 || directions > max_winding_directions) return winding;
+    const unsigned pairs = (directions + 1) / 2;
+    HalfSphere lattice(pairs);
+    std::int64_t sum = 0;
+    for (unsigned i = 0; i < pairs; ++i) {
+        const Vec3 up = lattice.next();
+        for (const Vec3& way : {up, Vec3{-up.x, -up.y, -up.z}}) {
+            winding.status = add_crossings(blob, {.origin = point, .direction = way}, sum);
+            if (winding.status != QueryStatus::ok) return winding;
+        }
+    }
+    winding.value = static_cast<float>(sum) / static_cast<float>(2 * pairs);
+    return winding;
+}
+
+}  // namespace espalier

@@ -9,17 +9,6 @@
 
 ESPALIER_BEGIN_SET
 
-inline Floats3 splat_each(const float* a) { return {splat(a[0]), splat(a[1]), splat(a[2])}; }
-inline Floats3 negate(const Floats3& a) { return {negate(a.x), negate(a.y), negate(a.z)}; }
-inline Floats3 cross(const Floats3& a, const Floats3& b) {
-    return {multiply_subtract(a.y, b.z, multiply(a.z, b.y)), multiply_subtract(a.z, b.x, multiply(a.x, b.z)),
-            multiply_subtract(a.x, b.y, multiply(a.y, b.x))};
-}
-inline Floats absolute_of(Floats a) { return larger(a, negate(a)); }
-/// The sum of the absolute coordinates: at least the length.
-inline Floats length_bound(const Floats3& a) { return add(absolute_of(a.x), add(absolute_of(a.y), absolute_of(a.z))); }
-inline Floats largest_of(Floats a, Floats b, Floats c) { return larger(larger(a, b), c); }
-
 namespace time_bounds {
 
 /// Sixteen roundings of a float.
@@ -62,6 +51,22 @@ struct Interval {
         const Floats outside = subtract(larger(subtract(low, at), subtract(at, high)), multiply(error, splat(4.0f)));
         return where_positive(outside, splat(never), splat(0.0f));
     }
+};
+
+/// When none of some axes separates a moving shape and triangles: their ends along each are linear functions.
+class CommonTime {
+public:
+    // An initializer of a member would be compiled without the instruction set.
+    CommonTime() : enter_(splat(0.0f)), leave_(splat(never)) {}
+
+    ESPALIER_ALWAYS_INLINE void narrow(const Interval& interval) {
+        enter_ = larger(enter_, interval.entry());
+        leave_ = smaller(leave_, interval.exit());
+    }
+    [[nodiscard]] Floats first() const { return where_at_most(enter_, leave_, enter_, splat(never)); }
+
+private:
+    Floats enter_, leave_;
 };
 
 /// Returns the smaller t of a t^2 - 2 b t + c = 0, where something that begins outside comes in; 0 where it begins

@@ -2,7 +2,7 @@
 #include "support/testing.hpp"
 
 #include <runtime/lattice/rounder.hpp>
-#include <runtime/proximity/closest_pair.hpp>
+#include <runtime/proximity/queries.hpp>
 
 #include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
@@ -21,7 +21,8 @@ bool equals_loop(const TestBlob& blob, const TriangleLoop& loop, Shape& shape, f
     const std::optional<detail::FoundPair> expected = loop.closest_pair(shape);
     detail::FoundPair found;
     detail::Closest<detail::FoundPair> closest(found);
-    detail::find_nearest(detail::data_of(blob.opened.blob), shape, closest);
+    using namespace detail;
+    ESPALIER_DISPATCH(find_nearest_pair, data_of(blob.opened.blob), shape, closest);
     if (closest.found() != expected.has_value()) return false;
     if (!expected) return pair.status == QueryStatus::not_found && pair.triangle == no_triangle;
     return pair.triangle.index == expected->index && found.index == expected->index &&

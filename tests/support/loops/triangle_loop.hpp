@@ -10,7 +10,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/answers/found.hpp>
 #include <runtime/overlap/rounded_shapes.hpp>
-#include <runtime/proximity/closest_pair.hpp>
+#include <runtime/proximity/queries.hpp>
 #include <runtime/proximity/winding.hpp>
 #include <runtime/rays/whole_segment.hpp>
 #include <runtime/sweeps/queries.hpp>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <runtime/pairs/queries.hpp>
-#include <runtime/proximity/point_queries.hpp>
+#include <runtime/proximity/queries.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 

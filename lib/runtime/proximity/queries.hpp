@@ -1,8 +1,10 @@
-// Triangles by their distance from a shape with a segment or a box. One walk serves both.
+// The queries by distance in lattice units, once for each instruction set: from a point, and from a segment or a box,
+// which one walk serves.
 #pragma once
 
 #include <runtime/answers/answer.hpp>
 #include <runtime/kernels/triangle_distance.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/round_segment.hpp>
 
 namespace espalier::detail {
@@ -40,14 +42,19 @@ struct DistantShape {
     }
 };
 
-/// The triangles within the radius as FoundPair, the nearest first.
-void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer);
-
 struct DistantSegment : DistantShape {};
 struct DistantBox : DistantShape {};
 
 /// Sets what follows from the rounded segment or diagonal, and from the kind of shape.
 void prepare(DistantSegment& segment) noexcept;
 void prepare(DistantBox& box) noexcept;
+
+// find_overlaps: triangles of which something is within the radius, in storage order; true when the answer stopped it.
+// find_nearest: triangles within the radius as FoundNearest, the nearest first; find_nearest_pair: as FoundPair.
+ESPALIER_IN_EACH_SET(bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer,
+                                        const WalkAccuracy& accuracy);
+                     void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer,
+                                       const WalkAccuracy& accuracy);
+                     void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer);)
 
 }  // namespace espalier::detail
