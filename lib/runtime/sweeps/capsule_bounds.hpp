@@ -6,9 +6,7 @@
 #define ESPALIER_SWEEPS_CAPSULE_BOUNDS_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/sweeps/beside_way.hpp>
-#include <runtime/sweeps/shapes_in_lanes.hpp>
-#include <runtime/sweeps/time_bounds.hpp>
+#include <runtime/sweeps/leaf_bounds.hpp>
 
 ESPALIER_BEGIN_SET
 

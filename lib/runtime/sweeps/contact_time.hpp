@@ -5,14 +5,9 @@
 
 namespace espalier::detail {
 
-// Each returns what sweep() returns. Where that is a contact, it writes the t that it has without a skin.
-SweepHit sweep_to_contact(const Blob& blob, const Sphere& sphere, const Vec3& displacement, const SweepOptions& options,
+/// Returns what sweep() returns. Where that is a contact, writes the t that it has without a skin.
+template <SweptShape Shape>
+SweepHit sweep_to_contact(const Blob& blob, const Shape& shape, const Vec3& displacement, const SweepOptions& options,
                           float& contact_t) noexcept;
-SweepHit sweep_to_contact(const Blob& blob, const Capsule& capsule, const Vec3& displacement,
-                          const SweepOptions& options, float& contact_t) noexcept;
-SweepHit sweep_to_contact(const Blob& blob, const OrientedBox& box, const Vec3& displacement,
-                          const SweepOptions& options, float& contact_t) noexcept;
-SweepHit sweep_to_contact(const Blob& blob, const ConvexHull& hull, const Vec3& displacement,
-                          const SweepOptions& options, float& contact_t) noexcept;
 
 }  // namespace espalier::detail

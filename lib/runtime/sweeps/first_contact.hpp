@@ -5,12 +5,9 @@
 #include <runtime/lanes/set.hpp>
 #include <runtime/rays/plain_slab_test.hpp>
 #include <runtime/rays/prepare_ray.hpp>
-#include <runtime/sweeps/box_bounds.hpp>
 #include <runtime/sweeps/capsule_bounds.hpp>
 #include <runtime/sweeps/hull_bounds.hpp>
-#include <runtime/sweeps/leaf_bounds.hpp>
 #include <runtime/sweeps/queries.hpp>
-#include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/traversal/find.hpp>
 
 ESPALIER_BEGIN_SET

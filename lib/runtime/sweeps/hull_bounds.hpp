@@ -1,16 +1,58 @@
-// Lower bounds of the time at which a moving convex hull first touches triangles, in lanes: none of some axes separates
-// the two at that time. They are the triangle's normal, axes of which the hull's ends are known, and what is across the
-// triangle's sides and the edges of an oriented box, or the way of another hull.
+// Lower bounds of the time at which a moving box or convex hull first touches triangles, in lanes: none of some axes
+// separates the two at that time (Eberly 2001).
 #ifndef ESPALIER_SWEEPS_HULL_BOUNDS_HPP
 #define ESPALIER_SWEEPS_HULL_BOUNDS_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/sweeps/beside_way.hpp>
-#include <runtime/sweeps/shapes_in_lanes.hpp>
-#include <runtime/sweeps/time_bounds.hpp>
+#include <runtime/sweeps/leaf_bounds.hpp>
 
 ESPALIER_BEGIN_SET
 
+/// By all axes that may separate but those of the box itself, which SweptBox compares.
+/// The box has gone `begin` of its way before, without touching any of the triangles.
+class BoxBounds {
+public:
+    using Beside = AnyPlace;
+
+    explicit BoxBounds(const BoxInLanes& box)
+        : way_(splat_each(box.way)), half_(splat_each(box.half)), size_(add(length_bound(way_), length_bound(half_))) {}
+
+    /// Returns a bound for each triangle, whose three corners are seen from the middle of the box.
+    [[nodiscard]] ESPALIER_NOINLINE Floats operator()(const Floats3* corners) const {
+        const Floats3 &a = corners[0], &b = corners[1], &c = corners[2];
+        const Floats3 sides[3] = {subtract(b, a), subtract(c, b), subtract(a, c)};
+        const Floats reach = largest_of(length_bound(a), length_bound(b), length_bound(c));
+        const Floats far = multiply(add(reach, size_), splat(time_bounds::rounding));
+        time_bounds::CommonTime common;
+        const Floats product = multiply(length_bound(sides[0]), length_bound(sides[1]));
+        narrow(common, cross(sides[0], sides[1]), a, a, multiply(product, far));
+        for (int i = 0; i < 3; ++i) {
+            const Floats3& side = sides[i];
+            const Floats3 &on_side = corners[i], &opposite = corners[i == 0 ? 2 : i - 1];
+            const Floats error = multiply(length_bound(side), far), zero = splat(0.0f);
+            narrow(common, {zero, negate(side.z), side.y}, on_side, opposite, error);
+            narrow(common, {side.z, zero, negate(side.x)}, on_side, opposite, error);
+            narrow(common, {negate(side.y), side.x, zero}, on_side, opposite, error);
+        }
+        return common.first();
+    }
+
+private:
+    /// The triangle lies between two of its corners along the axis.
+    ESPALIER_ALWAYS_INLINE void narrow(time_bounds::CommonTime& common, const Floats3& axis, const Floats3& one,
+                                       const Floats3& other, Floats error) const {
+        const Floats reach = dot({absolute_of(axis.x), absolute_of(axis.y), absolute_of(axis.z)}, half_);
+        const Floats at_one = dot(axis, one), at_other = dot(axis, other);
+        common.narrow({splat(0.0f), dot(axis, way_), subtract(smaller(at_one, at_other), reach),
+                       add(larger(at_one, at_other), reach), error});
+    }
+
+    Floats3 way_, half_;
+    Floats size_;
+};
+
+/// By the triangle's normal, axes of which the hull's ends are known, and what is across the triangle's sides and the
+/// edges of an oriented box, or the way of another hull.
 /// The hull has gone `begin` of its way before, without touching any of the triangles.
 class HullBounds {
 public:
@@ -27,14 +69,14 @@ public:
         const Floats3 sides[3] = {subtract(b, a), subtract(c, b), subtract(a, c)};
         const Floats reach = largest_of(length_bound(a), length_bound(b), length_bound(c));
         const Floats far = multiply(add(reach, size_), splat(time_bounds::rounding));
-        CommonTime common;
+        time_bounds::CommonTime common;
         for (unsigned i = 0; i < hull_.axis_count; ++i) {
             const HullInLanes::Axis& axis = hull_.axis[i];
             const Floats3 along = splat_each(axis.along);
             const Floats at[3] = {dot(along, a), dot(along, b), dot(along, c)};
-            common.narrow(dot(along, way_), {splat(axis.low), splat(axis.high)},
-                          {smaller(at[0], smaller(at[1], at[2])), largest_of(at[0], at[1], at[2])},
-                          multiply(length_bound(along), far));
+            narrow(common, dot(along, way_), {splat(axis.low), splat(axis.high)},
+                   {smaller(at[0], smaller(at[1], at[2])), largest_of(at[0], at[1], at[2])},
+                   multiply(length_bound(along), far));
         }
         const Floats product = multiply(length_bound(sides[0]), length_bound(sides[1]));
         narrow(common, cross(sides[0], sides[1]), a, a, multiply(product, far));
@@ -54,29 +96,15 @@ private:
     struct Ends {
         Floats low, high;
     };
-    /// When no axis separates hull and triangle.
-    class CommonTime {
-    public:
-        // An initializer of a member would be compiled without the instruction set.
-        CommonTime() : enter_(splat(0.0f)), leave_(splat(time_bounds::never)) {}
-
-        ESPALIER_ALWAYS_INLINE void narrow(Floats way, const Ends& hull, const Ends& triangle, Floats error) {
-            const time_bounds::Interval interval = {splat(0.0f), way, subtract(triangle.low, hull.high),
-                                                    subtract(triangle.high, hull.low), error};
-            enter_ = larger(enter_, interval.entry());
-            leave_ = smaller(leave_, interval.exit());
-        }
-        [[nodiscard]] Floats first() const { return where_at_most(enter_, leave_, enter_, splat(time_bounds::never)); }
-
-    private:
-        Floats enter_, leave_;
-    };
-
+    ESPALIER_ALWAYS_INLINE static void narrow(time_bounds::CommonTime& common, Floats way, const Ends& hull,
+                                              const Ends& triangle, Floats error) {
+        common.narrow({splat(0.0f), way, subtract(triangle.low, hull.high), subtract(triangle.high, hull.low), error});
+    }
     /// The triangle lies between two of its corners along the axis.
-    ESPALIER_ALWAYS_INLINE void narrow(CommonTime& common, const Floats3& axis, const Floats3& one,
+    ESPALIER_ALWAYS_INLINE void narrow(time_bounds::CommonTime& common, const Floats3& axis, const Floats3& one,
                                        const Floats3& other, Floats error) const {
         const Floats at_one = dot(axis, one), at_other = dot(axis, other);
-        common.narrow(dot(axis, way_), ends_along(axis), {smaller(at_one, at_other), larger(at_one, at_other)}, error);
+        narrow(common, dot(axis, way_), ends_along(axis), {smaller(at_one, at_other), larger(at_one, at_other)}, error);
     }
     /// Grown by what floats may move hull and triangles.
     [[nodiscard]] Ends ends_along(const Floats3& axis) const {

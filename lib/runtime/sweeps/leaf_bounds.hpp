@@ -4,10 +4,108 @@
 #define ESPALIER_SWEEPS_LEAF_BOUNDS_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/sweeps/beside_way.hpp>
-#include <runtime/sweeps/swept_box.hpp>
+#include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/sweeps/time_bounds.hpp>
 
 ESPALIER_BEGIN_SET
+
+/// When the boxes around triangles are met by the one around a shape.
+class SweptBox {
+public:
+    explicit SweptBox(const SweepInLanes& sweep) {
+        for (unsigned k = 0; k < 3; ++k) {
+            const float way = sweep.way[k];
+            inverse_[k] = splat(1.0f / (absolute(way) < still ? still : way));
+            low_[k] = splat(sweep.low[k]);
+            high_[k] = splat(sweep.high[k]);
+        }
+    }
+    /// Stores the times, and returns the lanes whose boxes are met up to the limit.
+    ESPALIER_ALWAYS_INLINE unsigned meet(const CornersFromPoint& t, float limit, float* times) const {
+        const BoxesFromPoint boxes(t);
+        Floats enter = splat(0.0f), leave = splat(limit);
+        for (int k = 0; k < 3; ++k) {
+            const Floats one = multiply(subtract(boxes.low[k], high_[k]), inverse_[k]);
+            const Floats other = multiply(subtract(boxes.high[k], low_[k]), inverse_[k]);
+            enter = larger(smaller(one, other), enter);
+            leave = smaller(larger(one, other), leave);
+        }
+        store(times, enter);
+        return at_most(enter, leave);
+    }
+
+private:
+    static constexpr float still = 0x1p-40f;
+    Floats inverse_[3], low_[3], high_[3];
+};
+
+/// The test in place of BesideWay where bounds take no longer. It rejects nothing.
+struct AnyPlace {
+    using Shape = SweepInLanes;
+    AnyPlace(const SweepInLanes&, float) {}
+    [[nodiscard]] unsigned meet(const CornersFromPoint&) const { return ~0u; }
+};
+
+/// The test that rejects triangles beside the way, by one direction each. It takes less time than a bound. A direction
+/// leads from the nearest point of the way of the capsule's middle to the mean of the corners.
+class BesideWay {
+public:
+    using Shape = CapsuleInLanes;
+
+    BesideWay(const CapsuleInLanes& capsule, float limit)
+        : axis_(splat_each(capsule.axis)), thick_(splat(capsule.radius + rounding)) {
+        float way[3], squared = 0.0f;
+        for (unsigned k = 0; k < 3; ++k) {
+            way[k] = capsule.way[k] * limit;
+            squared += way[k] * way[k];
+        }
+        way_ = splat_each(way);
+        inverse_ = splat(1.0f / maximum(squared, 0x1p-100f));
+        middle_ = {multiply(axis_.x, splat(0.5f)), multiply(axis_.y, splat(0.5f)), multiply(axis_.z, splat(0.5f))};
+    }
+    /// Returns the lanes whose triangles may be touched up to the limit.
+    [[nodiscard]] ESPALIER_ALWAYS_INLINE unsigned meet(const CornersFromPoint& t) const {
+        const auto mean = [](Floats a, Floats b, Floats c, Floats middle) {
+            return multiply_subtract(add(a, add(b, c)), splat(1.0f / 3.0f), middle);
+        };
+        const Floats3 to_mean = {mean(t.a.x, t.b.x, t.c.x, middle_.x), mean(t.a.y, t.b.y, t.c.y, middle_.y),
+                                 mean(t.a.z, t.b.z, t.c.z, middle_.z)};
+        const Floats zero = splat(0.0f);
+        const Floats share = larger(smaller(multiply(dot(to_mean, way_), inverse_), splat(1.0f)), zero);
+        const Floats3 along = {subtract(to_mean.x, multiply(share, way_.x)),
+                               subtract(to_mean.y, multiply(share, way_.y)),
+                               subtract(to_mean.z, multiply(share, way_.z))};
+        // At least the length, also where squares would be subnormal.
+        const Floats length = square_roots(add(dot(along, along), splat(0x1p-100f)));
+        const Floats ends = add(larger(dot(along, way_), zero), larger(dot(along, axis_), zero));
+        const Floats nearest = smaller(dot(along, t.a), smaller(dot(along, t.b), dot(along, t.c)));
+        return at_most(nearest, multiply_add(length, thick_, ends));
+    }
+
+private:
+    static constexpr float rounding = 0x1p-18f;
+    Floats3 way_, axis_, middle_;
+    Floats thick_, inverse_;
+};
+
+/// The bounds of a shape, once it has gone a part of its way: nearer to the triangles, numbers round less.
+template <class Bounds>
+class LaterBounds {
+public:
+    LaterBounds(const Bounds& bounds, const SweepInLanes& sweep, float begin)
+        : bounds_(bounds), begin_(splat(begin * (1.0f - 0x1p-22f))) {
+        gone_ = {splat(begin * sweep.way[0]), splat(begin * sweep.way[1]), splat(begin * sweep.way[2])};
+    }
+    [[nodiscard]] Floats operator()(const CornersFromPoint& t) const {
+        const Floats3 corners[3] = {subtract(t.a, gone_), subtract(t.b, gone_), subtract(t.c, gone_)};
+        return add(bounds_(corners), begin_);
+    }
+
+private:
+    const Bounds& bounds_;
+    Floats begin_;
+    Floats3 gone_;
+};
 
 /// Returns a time that is not after any of those in lanes that are set; below all times where boxes are met.
 template <class Slots>
@@ -17,43 +115,13 @@ inline float earliest(const float* times, Slots slots) {
     return maximum(first - 0x1p-20f, 0.0f);
 }
 
-/// The vertices of a leaf, relative to where a moving shape starts, whatever number of groups they fill. Each
-/// shape has its code once for a kind of leaf, not once for each number of groups. The call through a pointer takes
-/// little of the time that a bound takes.
-template <class Leaf>
-class VerticesFromShape {
-public:
-    using Slots = typename Leaf::Slots;
-    static constexpr Slots every_slot = static_cast<Slots>(~Slots{0});
-
-    /// Calls `function(start, corners)` with the first slot and the triangles of each group of lanes, of which one is
-    /// wanted. The function returns a bit for each lane. Returns all of them.
-    template <class Function>
-    ESPALIER_ALWAYS_INLINE Slots for_each_group(Slots wanted, Function function) const {
-        return visit_groups_(*this, wanted, &function, call<Function>);
-    }
-
-protected:
-    using Call = unsigned (*)(void* function, unsigned start, const CornersFromPoint& corners);
-    using VisitGroups = Slots (*)(const VerticesFromShape& self, Slots wanted, void* function, Call call);
-
-    explicit VerticesFromShape(VisitGroups visit_groups) : visit_groups_(visit_groups) {}
-
-private:
-    template <class Function>
-    static unsigned call(void* function, unsigned start, const CornersFromPoint& corners) {
-        return (*static_cast<Function*>(function))(start, corners);
-    }
-    VisitGroups visit_groups_;
-};
-
+/// The vertices of a leaf, relative to where a moving shape starts.
 template <class Leaf, unsigned groups>
-class VerticesInTable : public VerticesFromShape<Leaf> {
-    using Base = VerticesFromShape<Leaf>;
-    using typename Base::Slots;
+class VerticesFromShape {
+    using Slots = typename Leaf::Slots;
 
 public:
-    VerticesInTable(const Leaf& leaf, const SweepInLanes& sweep) : Base(visit), leaf_(leaf) {
+    VerticesFromShape(const Leaf& leaf, const SweepInLanes& sweep) : leaf_(leaf) {
         for (unsigned k = 0; k < 3; ++k) {
             const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
             const Floats from = splat(sweep.from[k]), scale = splat(sweep.scale);
@@ -63,8 +131,8 @@ public:
             }
         }
     }
-
-    /// Calls the function directly, without a pointer.
+    /// Calls `function(start, corners)` with the first slot and the triangles of each group of lanes, of which one is
+    /// wanted. The function returns a bit for each lane. Returns all of them.
     template <class Function>
     ESPALIER_ALWAYS_INLINE Slots for_each_group(Slots wanted, Function function) const {
         constexpr Slots all = (Slots{1} << lanes) - 1;
@@ -84,12 +152,6 @@ public:
     }
 
 private:
-    ESPALIER_NOINLINE static Slots visit(const Base& base, Slots wanted, void* function, typename Base::Call call) {
-        return static_cast<const VerticesInTable&>(base).for_each_group(
-            wanted, [&](unsigned start, const CornersFromPoint& seen)
-                        ESPALIER_ALWAYS_INLINE_LAMBDA { return call(function, start, seen); });
-    }
-
     const Leaf& leaf_;
     Table<groups> coordinates_[3];
 };
@@ -98,45 +160,28 @@ private:
 template <class Leaf>
 struct LeafTimes {
     using Slots = typename Leaf::Slots;
-    using Vertices = VerticesFromShape<Leaf>;
     static constexpr unsigned room = (Leaf::max_slots + lanes - 1) / lanes * lanes;
     float first[room];  ///< of the triangles that fill() returns
 
     /// Returns the triangles that the shape may touch up to the limit.
     template <class Bounds, class Sweep>
     Slots fill(const Leaf& leaf, const Sweep& sweep, float limit) {
-        return with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
-            // The call through a pointer costs eight lanes and more 2 to 5 %, and few groups hold every leaf there.
-            if constexpr (lanes >= 8) return fill_alone<groups, Bounds>(leaf, sweep, limit);
-            else return fill_with<groups>(leaf, sweep, &sweep, limit, finish<Bounds, Sweep>);
-        });
+        // Tables in memory are looked up as fast whatever their size: with four lanes a bound has its code once, not
+        // once for each number of groups.
+        const unsigned vertex_count = lanes > 4 ? leaf.vertex_count : Leaf::max_vertices;
+        return with_table_groups<Leaf::max_vertices>(
+            vertex_count, [&](auto groups) { return fill_in<groups, Bounds>(leaf, sweep, limit); });
     }
 
 private:
-    using Finish = Slots (*)(LeafTimes& self, const Leaf& leaf, const Vertices& vertices, const void* sweep,
-                             float limit);
+    // Out of line: in one function, compilers give each step a place on the stack of its own.
 
-    template <unsigned groups>
-    ESPALIER_NOINLINE Slots fill_with(const Leaf& leaf, const SweepInLanes& sweep, const void* shape, float limit,
-                                      Finish finish_with) {
-        const VerticesInTable<Leaf, groups> vertices(leaf, sweep);
-        return finish_with(*this, leaf, vertices, shape, limit);
-    }
     template <unsigned groups, class Bounds, class Sweep>
-    ESPALIER_NOINLINE Slots fill_alone(const Leaf& leaf, const Sweep& sweep, float limit) {
-        const VerticesInTable<Leaf, groups> vertices(leaf, sweep);
+    ESPALIER_NOINLINE Slots fill_in(const Leaf& leaf, const Sweep& sweep, float limit) {
+        const VerticesFromShape<Leaf, groups> vertices(leaf, sweep);
         const Slots met = meet<typename Bounds::Beside>(leaf, vertices, sweep, limit);
         return met == 0 || sweep.is_far ? met : tighten<Bounds>(vertices, sweep, limit, met);
     }
-    template <class Bounds, class Sweep>
-    static Slots finish(LeafTimes& self, const Leaf& leaf, const Vertices& vertices, const void* shape, float limit) {
-        const Sweep& sweep = *static_cast<const Sweep*>(shape);
-        const Slots met = self.template meet<typename Bounds::Beside>(leaf, vertices, sweep, limit);
-        return met == 0 || sweep.is_far ? met : self.template tighten<Bounds>(vertices, sweep, limit, met);
-    }
-
-    // Out of line: in one function, compilers give either step a place on the stack of its own.
-
     /// Returns the triangles that are not beside the way, and whose boxes the box of the shape meets.
     template <class Beside, class SomeVertices>
     ESPALIER_NOINLINE Slots meet(const Leaf& leaf, const SomeVertices& vertices, const typename Beside::Shape& sweep,
@@ -144,7 +189,7 @@ private:
         const SweptBox box(sweep);
         const Beside beside(sweep, limit);
         const Slots met = vertices.for_each_group(
-            Vertices::every_slot, [&](unsigned start, const CornersFromPoint& t) ESPALIER_ALWAYS_INLINE_LAMBDA {
+            ~Slots{0}, [&](unsigned start, const CornersFromPoint& t) ESPALIER_ALWAYS_INLINE_LAMBDA {
                 const unsigned here = box.meet(t, limit, first + start);
                 return here != 0 ? here & beside.meet(t) : here;
             });

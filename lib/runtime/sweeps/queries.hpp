@@ -6,7 +6,6 @@
 #include <runtime/lattice/to_local.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
-#include <runtime/sweeps/start.hpp>
 
 namespace espalier::detail {
 
@@ -61,6 +60,22 @@ inline SweepContact contact_at(const HullSweep& sweep, const LatticeTriangle& tr
 inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {
     return contact_at(MovingSphere{sweep.displacement, 0}, sweep.seen_from(sweep.middle(), triangle), 0);
 }
+
+// How deep a shape is in a triangle that it touches at the start: the smaller the number, the deeper.
+
+/// The squared distance from the axis, or less than 0 where the two touch.
+float gap_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle);
+float gap_at_start(const BoxSweep& sweep, const LatticeTriangle& triangle);
+float gap_at_start(const HullSweep& sweep, const LatticeTriangle& triangle);
+
+// Whether the way leads a shape no deeper into a triangle that it touches at the start. It then gets no deeper until
+// the end of the way: a distance is convex along it, and a depth concave (docs/numerics.md, Sweeps).
+
+/// Exactly. False where the axis touches the triangle.
+bool leaves_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle);
+// Along the shortest way out.
+bool leaves_at_start(const BoxSweep& sweep, const LatticeTriangle& triangle);
+bool leaves_at_start(const HullSweep& sweep, const LatticeTriangle& triangle);
 
 /// Whether the way leads along the normal of a face that is culled, or against it, exactly.
 ESPALIER_SHARED_CODE inline bool is_culled(const LatticeSweep& sweep, const LatticeTriangle& triangle,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
@@ -49,6 +50,12 @@ struct HullSweep : LatticeSweep {
     MovingHull moving;
     bool is_box;  ///< then corners 1, 2 and 4 are at the other ends of the edges from corner 0
 };
+
+/// What a shape is rounded to.
+template <class Shape>
+using SweepOf = std::conditional_t<
+    std::is_same_v<Shape, Box>, BoxSweep,
+    std::conditional_t<std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Capsule>, CapsuleSweep, HullSweep>>;
 
 /// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
 /// kernel.

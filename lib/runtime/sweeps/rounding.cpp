@@ -18,12 +18,12 @@ constexpr float up = 1.0f + 0x1p-21f;               // more than the roundings o
 
 /// Returns the bound for a shape whose place is given by `points`. Each of its own points is a sum of `terms` vectors
 /// that are rounded to the grid, the first of which is a place.
-template <class Sweep, class Shape>
+template <class Shape>
 Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displacement, std::span<const Vec3> points,
                     unsigned terms = 1) {
     if (!blob) return {};
     const BlobData& data = data_of(blob);
-    Sweep sweep;
+    SweepOf<Shape> sweep;
     const QueryStatus status = round_sweep(data, shape, displacement, sweep);
     if (status != QueryStatus::ok || blob.triangle_count() == 0) return {0.0f, status};
     float largest = 0.0f;
@@ -40,21 +40,21 @@ Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displaceme
 }
 
 Result<float> error_of(const Blob& blob, const Sphere& sphere, Vec3 displacement) {
-    return bound<CapsuleSweep>(blob, sphere, displacement, {&sphere.center, 1});
+    return bound(blob, sphere, displacement, {&sphere.center, 1});
 }
 Result<float> error_of(const Blob& blob, const Capsule& capsule, Vec3 displacement) {
     const Vec3 ends[] = {capsule.from, capsule.to};
-    return bound<CapsuleSweep>(blob, capsule, displacement, ends);
+    return bound(blob, capsule, displacement, ends);
 }
 Result<float> error_of(const Blob& blob, const Box& box, Vec3 displacement) {
     const Vec3 ends[] = {box.min, box.max};
-    return bound<BoxSweep>(blob, box, displacement, ends);
+    return bound(blob, box, displacement, ends);
 }
 Result<float> error_of(const Blob& blob, const OrientedBox& box, Vec3 displacement) {
-    return bound<HullSweep>(blob, box, displacement, {&box.center, 1}, 4);
+    return bound(blob, box, displacement, {&box.center, 1}, 4);
 }
 Result<float> error_of(const Blob& blob, const ConvexHull& hull, Vec3 displacement) {
-    return bound<HullSweep>(blob, hull, displacement, hull.vertices);
+    return bound(blob, hull, displacement, hull.vertices);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include <runtime/sweeps/start.hpp>
-
+// Shapes that touch a triangle where they start: how deep they are in it, and whether they leave it.
 #include <runtime/kernels/way_out.hpp>
+#include <runtime/sweeps/queries.hpp>
 
 namespace espalier::detail {
 

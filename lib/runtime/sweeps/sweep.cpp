@@ -14,14 +14,14 @@ using namespace detail;
 
 namespace {
 
-template <class Sweep, class Shape>
+template <class Shape>
 SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement, const SweepOptions& options,
                      float& contact_t) {
     SweepHit hit;
     if (!blob) return hit;
     hit.status = QueryStatus::invalid_argument;
     if (!is_radius(options.skin) || !is_finite(options.skin)) return hit;
-    Sweep rounded;
+    SweepOf<Shape> rounded;
     hit.status = round_sweep(data_of(blob), shape, displacement, rounded);
     if (hit.status != QueryStatus::ok) return hit;
     hit.t = 1.0f;
@@ -39,31 +39,25 @@ SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacem
 
 }  // namespace
 
-SweepHit detail::sweep_to_contact(const Blob& blob, const Sphere& sphere, const Vec3& displacement,
+template <SweptShape Shape>
+SweepHit detail::sweep_to_contact(const Blob& blob, const Shape& shape, const Vec3& displacement,
                                   const SweepOptions& options, float& contact_t) noexcept {
-    return sweep_shape<CapsuleSweep>(blob, sphere, displacement, options, contact_t);
+    return sweep_shape(blob, shape, displacement, options, contact_t);
 }
-SweepHit detail::sweep_to_contact(const Blob& blob, const Capsule& capsule, const Vec3& displacement,
-                                  const SweepOptions& options, float& contact_t) noexcept {
-    return sweep_shape<CapsuleSweep>(blob, capsule, displacement, options, contact_t);
-}
-SweepHit detail::sweep_to_contact(const Blob& blob, const OrientedBox& box, const Vec3& displacement,
-                                  const SweepOptions& options, float& contact_t) noexcept {
-    return sweep_shape<HullSweep>(blob, box, displacement, options, contact_t);
-}
-SweepHit detail::sweep_to_contact(const Blob& blob, const ConvexHull& hull, const Vec3& displacement,
-                                  const SweepOptions& options, float& contact_t) noexcept {
-    return sweep_shape<HullSweep>(blob, hull, displacement, options, contact_t);
-}
+template SweepHit detail::sweep_to_contact(const Blob&, const Sphere&, const Vec3&, const SweepOptions&,
+                                           float&) noexcept;
+template SweepHit detail::sweep_to_contact(const Blob&, const Capsule&, const Vec3&, const SweepOptions&,
+                                           float&) noexcept;
+template SweepHit detail::sweep_to_contact(const Blob&, const OrientedBox&, const Vec3&, const SweepOptions&,
+                                           float&) noexcept;
+template SweepHit detail::sweep_to_contact(const Blob&, const ConvexHull&, const Vec3&, const SweepOptions&,
+                                           float&) noexcept;
 
 template <SweptShape Shape>
 SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, const SweepOptions& options) noexcept {
     float contact_t;
-    if constexpr (std::is_same_v<Shape, Box>) {
-        return sweep_shape<BoxSweep>(blob, shape, displacement, options, contact_t);
-    } else {
-        return sweep_to_contact(blob, shape, displacement, options, contact_t);
-    }
+    if constexpr (std::is_same_v<Shape, Box>) return sweep_shape(blob, shape, displacement, options, contact_t);
+    else return sweep_to_contact(blob, shape, displacement, options, contact_t);
 }
 template SweepHit sweep(const Blob&, const Sphere&, Vec3, const SweepOptions&) noexcept;
 template SweepHit sweep(const Blob&, const Capsule&, Vec3, const SweepOptions&) noexcept;

@@ -2,12 +2,11 @@
 // sweep_test.cpp runs all instruction sets.
 #include "support/testing.hpp"
 
-#include <runtime/sweeps/box_bounds.hpp>
 #include <runtime/sweeps/capsule_bounds.hpp>
 #include <runtime/sweeps/hull_bounds.hpp>
+#include <runtime/sweeps/leaf_bounds.hpp>
 #include <runtime/sweeps/queries.hpp>
 #include <runtime/sweeps/separating_directions.hpp>
-#include <runtime/sweeps/swept_box.hpp>
 
 using namespace espalier;
 using namespace espalier::tests;
