@@ -32,12 +32,10 @@ EXCUSED_PARTS = {
         "baker/encode/plain_leaf.cpp", "baker/encode/strip_leaf.cpp", "baker/encode/predicted_strip_leaf.cpp",
         "baker/collapse/numbered_entries.hpp", "baker/collapse/predicted_strip.cpp", "baker/quantise/closed.cpp"],
     "traversal": [
-        "runtime/traversal/traverse.hpp", "runtime/rays/slab_test.hpp", "runtime/rays/plain_slab_test.hpp",
+        "runtime/traversal/traverse.hpp", "runtime/rays/slab_test.hpp",
         "runtime/traversal/node_boxes.hpp", "runtime/lanes/prepared_ray.hpp",
         "runtime/traversal/box_nodes.hpp", "runtime/proximity/point_nodes.hpp", "runtime/proximity/point_bounds.hpp",
-        "runtime/proximity/squared_distance.hpp", "runtime/traversal/plane_nodes.hpp", "runtime/pairs/nodes.hpp",
-        "runtime/pairs/trees.hpp", "runtime/pairs/walk.hpp",
-        "runtime/traversal/first_reference.cpp"],
+        "runtime/pairs/nodes.hpp", "runtime/pairs/trees.hpp", "runtime/pairs/walk.hpp"],
     "rounding": [
         "runtime/lattice/round_ray.hpp", "runtime/lattice/round_point.hpp", "runtime/lattice/rounder.hpp",
         "runtime/lattice/to_local.hpp", "runtime/rays/rounded_ray.cpp", "runtime/lattice/rounding.cpp",
@@ -45,14 +43,14 @@ EXCUSED_PARTS = {
     "small": [
         "runtime/rays/small_code/walk.hpp", "runtime/rays/small_code/seen_ray.hpp",
         "runtime/rays/small_code/seen_boxes.hpp", "runtime/rays/small_code/seen_planes.hpp",
-        "runtime/rays/small_code/seen_triangles.hpp", "runtime/traversal/small_boxes.hpp"],
+        "runtime/traversal/small_boxes.hpp"],
     "queries": [
-        "runtime/rays/closest.hpp", "runtime/rays/in_order.hpp", "runtime/rays/single.hpp", "runtime/answers/best_k.hpp",
-        "runtime/rays/batch/group.hpp", "runtime/rays/batch/ray_in_batch.hpp", "runtime/rays/batch/groups.hpp",
+        "runtime/rays/answers.hpp", "runtime/rays/single.hpp", "runtime/answers/best_k.hpp",
+        "runtime/rays/batch/group.hpp", "runtime/rays/batch/groups.hpp",
         "runtime/answers/found.hpp", "runtime/answers/answer.hpp", "runtime/traversal/query.hpp",
         "runtime/traversal/find.hpp", "runtime/proximity/point_search.hpp", "runtime/pairs/search.hpp",
         "runtime/pairs/beam.hpp", "runtime/traversal/walk.cpp", "runtime/traversal/find_triangle.cpp",
-        "runtime/traversal/any_visitor.hpp", "runtime/asset/original.cpp", "runtime/asset/remap.cpp",
+        "runtime/asset/original.cpp", "runtime/asset/remap.cpp",
         "runtime/rays/small_code/queries.cpp"],
     "scenes": [
         "runtime/scenes/open.cpp", "runtime/scenes/instances.cpp", "runtime/scenes/instances.hpp",

@@ -1,6 +1,6 @@
 // The slab test of an instruction set, for both kinds of nodes: for for_each_set.hpp, once for each set.
 #include <runtime/lanes/set.hpp>
-#include <runtime/rays/plain_slab_test.hpp>
+#include <runtime/rays/slab_test.hpp>
 #include <runtime/rays/prepare_ray.hpp>
 
 ESPALIER_BEGIN_SET

@@ -1,6 +1,10 @@
 // The vocabulary of the lanes, one lane wide: for every machine.
 #pragma once
 
+#if defined(__ARM_FEATURE_SIMD32)
+#include <arm_acle.h>  // pairs of 16 bits in one instruction
+#endif
+
 #include <runtime/lanes/vocabulary.hpp>
 
 namespace espalier::detail::scalar {
@@ -28,11 +32,15 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { re
 inline Ints pair_of(Floats x, Floats y) {
     return (std::bit_cast<std::uint32_t>(x) & 0xFFFFu) | std::bit_cast<std::uint32_t>(y) << 16;
 }
-/// x of p times y of q less y of p times x of q, of pairs of integers: exact within +-32767.
+/// x of p times y of q less y of p times x of q, of pairs of integers: exact within +-32767, else modulo 2^32.
 inline SignedInts cross_pairs(Ints p, Ints q) {
+#if defined(__ARM_FEATURE_SIMD32)
+    return __smusdx(static_cast<std::int32_t>(p), static_cast<std::int32_t>(q));
+#else
     const auto x = [](Ints pair) { return std::int32_t{static_cast<std::int16_t>(pair)}; };
     const auto y = [](Ints pair) { return static_cast<std::int32_t>(pair) >> 16; };
-    return x(p) * y(q) - y(p) * x(q);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(x(p) * y(q)) - static_cast<std::uint32_t>(y(p) * x(q)));
+#endif
 }
 /// Returns the sum of both coordinates of |a| + |b| + |c|, saturated to 16 bits, times a weight below 2^15.
 inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {

@@ -6,7 +6,7 @@
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lanes/set.hpp>
-#include <runtime/rays/plain_slab_test.hpp>
+#include <runtime/rays/slab_test.hpp>
 
 ESPALIER_BEGIN_SET
 
@@ -200,23 +200,30 @@ ESPALIER_ALWAYS_INLINE inline float anchor_from_origin(const Leaf& leaf, const f
     else return static_cast<float>(leaf.anchor(static_cast<int>(axis))) + zero[axis];
 }
 
-/// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
+/// Places the vertices of a leaf, unpacked, as the ray sees them.
 template <unsigned groups, class SomeLeaf>
-ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
-    const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
-    leaf.unpack_vertices(used);
+ESPALIER_ALWAYS_INLINE inline void see_vertices(const SomeLeaf& leaf, const LatticeRay& ray, unsigned used,
+                                                SeenVertices<groups>& vertices) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
     const Floats offset_x = splat(anchor_from_origin(leaf, ray.zero, kx));
     const Floats offset_y = splat(anchor_from_origin(leaf, ray.zero, ky));
     const Floats offset_z = splat(anchor_from_origin(leaf, ray.zero, kz));
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
-    SeenVertices<groups> vertices(leaf, ray);
     for (unsigned group = 0; group < used; ++group) {
         const auto coordinate = [&](unsigned k, Floats from) { return add(to_floats(leaf.vertices(k, group)), from); };
         const Floats z = coordinate(kz, offset_z);
         vertices.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)),
                      multiply_add(z, shear_y, coordinate(ky, offset_y)));
     }
+}
+
+/// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
+template <unsigned groups, class SomeLeaf>
+ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
+    const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
+    leaf.unpack_vertices(used);
+    SeenVertices<groups> vertices(leaf, ray);
+    see_vertices<groups>(leaf, ray, used, vertices);
     typename SomeLeaf::Slots mask = 0;
     auto corners = leaf.corners_in_lanes();
     // mutant(< -> <=) sanitizer: looks up vertices behind the end of a table, for slots that are not used
@@ -230,18 +237,13 @@ ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLea
 /// Decodes a leaf and filters its triangles. Out of line, so that the traversal keeps its registers; in place, because
 /// a copy would be read in wider pieces than it was written in and stall store forwarding.
 template <class SomeLeaf>
-ESPALIER_NOINLINE inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, typename SomeLeaf::Node node,
-                                                                    unsigned number, const LatticeRay& ray,
-                                                                    SomeLeaf& leaf) {
+ESPALIER_NOINLINE inline typename SomeLeaf::Slots ray_candidates(const BlobData& blob, typename SomeLeaf::Node node,
+                                                                 unsigned number, const LatticeRay& ray,
+                                                                 SomeLeaf& leaf) {
     decode_leaf(blob, node, number, leaf);
     return with_table_groups<SomeLeaf::max_vertices>(leaf.vertex_count, [&](auto groups) ESPALIER_ALWAYS_INLINE_LAMBDA {
         return ray_candidates_of<groups>(leaf, ray);
     });
-}
-template <class SomeLeaf>
-ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates(const PlaceOf<SomeLeaf>& place,
-                                                                      const LatticeRay& ray, SomeLeaf& leaf) {
-    return decode_candidates(*place.blob, place.node, place.number, ray, leaf);
 }
 
 /// Whether the ray hits the triangle in a slot, which lanes did not reject; with a TriangleHit to fill, in its window,

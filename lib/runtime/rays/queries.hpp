@@ -2,6 +2,8 @@
 // the blob or the ray.
 #pragma once
 
+#include <cstddef>
+
 #include <espalier/base/function_ref.hpp>
 #include <espalier/ray.hpp>
 #include <runtime/answers/answer.hpp>
@@ -35,6 +37,9 @@ ESPALIER_IN_EACH_SET(
     RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
     YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
     QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);
-    QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);)
+    QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);
+    // Batches, of a blob that has triangles; the answers are those of one call for each ray.
+    void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count);
+    void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count);)
 
 }  // namespace espalier::detail

@@ -1,7 +1,15 @@
-// Rays: the variant of each query that suits the machine.
-#include <espalier/ray.hpp>
+// Rays: the variant of each query that suits the machine, and why a ray needs none.
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 #include <espalier/advanced/statistics.hpp>
+#include <espalier/approximate.hpp>
+#include <espalier/ray.hpp>
+#include <runtime/base/bits.hpp>
+#include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>
+#include <runtime/traversal/small_boxes.hpp>
 
 #define ESPALIER_PER_SET <runtime/rays/single.hpp>
 #include <runtime/lanes/for_each_set.hpp>
@@ -38,6 +46,37 @@ QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const Ra
 
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
     return scalar::find_closest_hit(data_of(blob), ray, nullptr, WalkAccuracy{-1, &counters});
+}
+
+YesNo occluded(const Blob& blob, const Ray& ray, Accuracy accuracy, QueryCounters* counters) noexcept {
+    const WalkAccuracy for_walk = {steps_in(data_of(blob), accuracy.distance), counters};
+    return ESPALIER_DISPATCH_RAY(may_hit, data_of(blob), ray, for_walk);
+}
+
+QueryStatus detail::status_without_walk(const BlobData& blob, const Ray& ray) {
+    return blob.bytes == nullptr ? QueryStatus::not_open : refusal_or_miss(blob, ray);
+}
+
+QueryStatus detail::refusal_or_miss(const BlobData& blob, const Ray& ray) {
+    static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && offsetof(Ray, culling) == 32);
+    const auto number = [&](unsigned i) {
+        float result;
+        ESPALIER_COPY_BYTES(&result, reinterpret_cast<const std::byte*>(&ray) + std::size_t{4} * i, sizeof result);
+        return result;
+    };
+    // Twice the magnitude's bits: the sign is shifted out.
+    const auto magnitude = [&](unsigned i) { return std::bit_cast<std::uint32_t>(number(i)) << 1; };
+    constexpr std::uint32_t infinite = infinity_bits << 1;
+    std::uint32_t any_direction = 0;
+    for (unsigned i = 0; i < 6; ++i) {  // the origin, then the direction
+        if (magnitude(i) >= infinite) return QueryStatus::invalid_argument;
+        if (i >= 3) any_direction |= magnitude(i);
+    }
+    if (any_direction == 0 || magnitude(6) > infinite || magnitude(7) > infinite) return QueryStatus::invalid_argument;
+    for (unsigned k = 0; k < 3; ++k)
+        if (magnitude_bits(to_steps(blob, static_cast<int>(k), number(k))) >= magnitude_bits(0x1p120f))
+            return QueryStatus::out_of_range;
+    return QueryStatus::not_found;
 }
 
 }  // namespace espalier

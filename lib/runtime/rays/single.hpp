@@ -2,14 +2,106 @@
 #ifndef ESPALIER_RAYS_SINGLE_HPP
 #define ESPALIER_RAYS_SINGLE_HPP
 
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/lanes/set.hpp>
-#include <runtime/rays/closest.hpp>
-#include <runtime/rays/in_order.hpp>
+#include <runtime/rays/answers.hpp>
+#include <runtime/rays/prepare_ray.hpp>
 #include <runtime/rays/queries.hpp>
 
 ESPALIER_BEGIN_SET
 
 namespace {
+
+template <class Node>
+using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
+
+inline NoApproximation approximation(const BlobData&) { return {}; }
+[[maybe_unused]] inline Approximation approximation(const BlobData& blob, const WalkAccuracy& accuracy) {
+    return {blob, accuracy};
+}
+
+/// Prepares the ray. Returns ok, or why there is nothing to walk.
+template <class Caller, class Prepared>
+ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& ray, Prepared& prepared) {
+    return blob.triangle_count != 0 ? prepare(blob, ray, prepared) : status_without_walk(blob, ray);
+}
+
+/// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
+template <class Leaf, class Caller, class... Counted>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& ray,
+                                                           const TriangleFilter* filter, const Counted&... counted) {
+    PreparedRayOf<typename Leaf::Node> prepared;
+    const QueryStatus status = begin(blob, ray, prepared);
+    RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
+    if (status != QueryStatus::ok) {
+        if (!takes_shortcut() || status != QueryStatus::not_found) hit.status = status;  // no narrow store for a copy
+        return hit;
+    }
+    Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
+        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
+    traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
+    if (query.answer.found()) query.answer.finish(prepared.ray, ray);
+    return hit;
+}
+
+template <class Caller, class... Counted>
+ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& ray,
+                                                      const TriangleFilter* filter, const Counted&... counted) {
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return closest_hit_in<Leaf>(blob, ray, filter, counted...);
+    });
+}
+
+/// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
+template <class Leaf, class Caller, class OnHit>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& ray, KeepsHit keeps,
+                                                        OnHit on_hit) {
+    PreparedRayOf<typename Leaf::Node> prepared;
+    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
+    Query<EveryHitShape<Leaf>, EveryHit<OnHit>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
+                                                               {on_hit, keeps, window_limit(prepared.ray)}};
+    return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
+}
+template <class Caller, class OnHit>
+ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const Caller& ray, KeepsHit keeps,
+                                                    OnHit on_hit) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return every_hit_in<Leaf>(blob, ray, keeps, on_hit); });
+}
+
+/// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
+template <class Leaf, class SomeAnswer, class Caller, class... Filter>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& ray, Filter... filter) {
+    PreparedRayOf<typename Leaf::Node> prepared;
+    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
+    RayQuery<Leaf, SomeAnswer> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray), filter...}};
+    return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
+}
+template <class SomeAnswer, class Caller, class... Filter>
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& ray, Filter... filter) {
+    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
+        return any_hit_in<Leaf, SomeAnswer>(blob, ray, filter...);
+    });
+}
+
+template <class Caller>
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& ray,
+                                                      const TriangleFilter* filter) {
+    if constexpr (decides_by_signs)
+        if (filter == nullptr) return find_any_hit<AnyHit>(blob, ray);
+    return find_any_hit<AnyKeptHit<Caller>>(blob, ray, filter);
+}
+
+template <class Caller>
+ESPALIER_NOINLINE QueryStatus list_every_hit(const BlobData& blob, const Caller& ray, KeepsHit keeps,
+                                             const Visitor<const RayHit&>& visit) {
+    const YesNo is_stopped = visit_every_hit(blob, ray, keeps, [&](const LatticeRay& rounded, const FoundHit& found) {
+        if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, rounded))
+            return Visit::next;
+        return visit(to_ray_hit(rounded, ray, found.hit, owner_of(blob, found.index)));
+    });
+    return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
+}
 
 bool is_crossing_at(const LatticeRay& ray, const LatticeTriangle& triangle) { return is_crossing(ray, triangle); }
 

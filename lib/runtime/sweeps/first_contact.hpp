@@ -3,7 +3,7 @@
 #define ESPALIER_SWEEPS_FIRST_CONTACT_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/rays/plain_slab_test.hpp>
+#include <runtime/rays/slab_test.hpp>
 #include <runtime/rays/prepare_ray.hpp>
 #include <runtime/sweeps/capsule_bounds.hpp>
 #include <runtime/sweeps/hull_bounds.hpp>

@@ -6,7 +6,6 @@
 
 #include <runtime/rays/small_code/seen_boxes.hpp>
 #include <runtime/rays/small_code/seen_planes.hpp>
-#include <runtime/rays/small_code/seen_triangles.hpp>
 
 #include "platform/fingerprint.hpp"
 #include "support/exact/boxes_on_ray.hpp"

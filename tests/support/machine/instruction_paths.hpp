@@ -8,7 +8,6 @@
 
 #include <runtime/pairs/queries.hpp>
 #include <runtime/proximity/queries.hpp>
-#include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 
 #include "support/base/same_bits.hpp"

@@ -1,6 +1,5 @@
 // Batches of rays: the variant that suits the machine.
 #include <espalier/ray.hpp>
-#include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 
 #define ESPALIER_PER_SET <runtime/rays/batch/groups.hpp>

@@ -6,8 +6,19 @@
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/rays/batch/group.hpp>
+#include <runtime/rays/queries.hpp>
 
 ESPALIER_BEGIN_SET
+
+/// One ray after the other, by a query for single rays.
+template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+void closest_hits_one_by_one(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
+    for (RayHit* const end = hits + count; hits != end; ++hits) *hits = closest_hit(blob, *rays++, nullptr);
+}
+template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
+    for (YesNo* const end = occluded + count; occluded != end; ++occluded) *occluded = any_hit(blob, *rays++, nullptr);
+}
 
 #if ESPALIER_LANES == 1
 

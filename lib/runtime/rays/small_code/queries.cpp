@@ -8,7 +8,6 @@
 #include <runtime/rays/queries.hpp>
 #include <runtime/rays/small_code/seen_boxes.hpp>
 #include <runtime/rays/small_code/seen_planes.hpp>
-#include <runtime/rays/small_code/seen_triangles.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 
 // What this file has of its own; it needs no lanes.
@@ -103,10 +102,10 @@ ESPALIER_NOINLINE bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay&
 template <class Leaf>
 using RayLeaf = KeptLeaf<Leaf>;
 template <class Leaf>
-ESPALIER_ALWAYS_INLINE inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
-                                                                  Leaf& leaf) {
+ESPALIER_ALWAYS_INLINE inline typename Leaf::Slots ray_candidates(const BlobData& blob, const typename Leaf::Node& node,
+                                                                  unsigned number, const SeenRay& ray, Leaf& leaf) {
     // A node of its own: GCC keeps a copied one on the stack for as long as the walk takes.
-    decode_leaf(*place.blob, typename Leaf::Node{place.node.bytes}, place.number, leaf);
+    decode_leaf(blob, typename Leaf::Node{node.bytes}, number, leaf);
     return ray_candidates(leaf, ray);
 }
 inline constexpr bool decides_by_signs = false;

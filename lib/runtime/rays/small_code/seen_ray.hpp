@@ -9,6 +9,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
+#include <runtime/lanes/scalar.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
 namespace espalier::detail {
@@ -98,6 +99,37 @@ struct SeenChildren {
     static unsigned pack(unsigned children, unsigned nearest) { return nearest << Node::max_children | children; }
     static unsigned children(unsigned packed) { return packed & every_child_of<Node>; }
     static unsigned nearest(unsigned packed) { return packed >> Node::max_children; }
+};
+
+/// Two signed numbers of 16 bits.
+using SeenVertex = std::uint32_t;
+
+/// How a ray looks at a leaf: which of its triangles it may hit are those that are not clearly beside it.
+struct SeenLeaf {
+    int finer;           ///< a unit of the ray's is 2^finer of those in which the leaf measures 2^29 at most
+    std::int32_t error;  ///< of the edge functions of a triangle that is hit
+
+    /// For a leaf that measures 2^size_bits of the ray's units: 2^29 at most, as all do that a ray has to do with.
+    explicit SeenLeaf(int size_bits) {
+        // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
+        const int bits = size_bits < 4 ? 4 : size_bits > 29 ? 29 : size_bits;
+        finer = 29 - bits;
+        // What one coordinate of a triangle that is hit is off by: it is within 2^14 of those that are kept.
+        const std::int32_t off = 1 + ((1 << 15) >> bits);
+        error = off * ((1 << 16) + 6 * off);
+    }
+    /// A vertex, from the ray's origin: across and ahead.
+    [[nodiscard]] SeenVertex vertex(const SeenRay& ray, std::int32_t x, std::int32_t y, std::int32_t ahead) const {
+        constexpr std::uint32_t half = 1u << 15;  // of what is cut off
+        const std::uint32_t seen_x = (static_cast<std::uint32_t>(ray.across(0, x, ahead)) << finer) + half;
+        const std::uint32_t seen_y = (static_cast<std::uint32_t>(ray.across(1, y, ahead)) << finer) + half;
+        return seen_x >> 16 | (seen_y & 0xFFFF0000u);
+    }
+    /// Whether a triangle with these corners may be hit.
+    [[nodiscard]] bool allows(SeenVertex a, SeenVertex b, SeenVertex c) const {
+        const std::int32_t u = scalar::cross_pairs(b, c), v = scalar::cross_pairs(c, a), w = scalar::cross_pairs(a, b);
+        return (u >= -error && v >= -error && w >= -error) || (u <= error && v <= error && w <= error);
+    }
 };
 
 }  // namespace espalier::detail

@@ -1,12 +1,10 @@
-// Rays: the shape; the closest hit and the first few. Answers of rays decide on triangles themselves: each needs
-// another part of a hit.
-#ifndef ESPALIER_RAYS_CLOSEST_HPP
-#define ESPALIER_RAYS_CLOSEST_HPP
+// Rays: the shape, and what becomes of the triangles that it leaves. Answers of rays decide on triangles themselves:
+// each needs another part of a hit.
+#ifndef ESPALIER_RAYS_ANSWERS_HPP
+#define ESPALIER_RAYS_ANSWERS_HPP
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/rays/leaf_filter.hpp>
-#include <runtime/rays/prepare_ray.hpp>
-#include <runtime/rays/queries.hpp>
 #include <runtime/traversal/query.hpp>
 
 ESPALIER_BEGIN_SET
@@ -23,7 +21,7 @@ struct RayShape {
     template <class SomeAnswer>
     ESPALIER_ALWAYS_INLINE Visit scan(const PlaceOf<Leaf>& place, SomeAnswer& answer, QueryCounters* counters) const {
         RayLeaf<Leaf> leaf;
-        auto candidates = ray_candidates(place, ray, leaf);
+        auto candidates = ray_candidates(*place.blob, place.node, place.number, ray, leaf);
         if (counters != nullptr) {
             counters->count_leaf();
             counters->count_triangles(leaf.triangle_count());
@@ -103,49 +101,66 @@ struct FirstFewHits {
     }
 };
 
-namespace {
+/// Whether there is any hit.
+struct AnyHit {
+    Limit limit;
 
-template <class Node>
-using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
-
-inline NoApproximation approximation(const BlobData&) { return {}; }
-[[maybe_unused]] inline Approximation approximation(const BlobData& blob, const WalkAccuracy& accuracy) {
-    return {blob, accuracy};
-}
-
-/// Prepares the ray. Returns ok, or why there is nothing to walk.
-template <class Caller, class Prepared>
-ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& ray, Prepared& prepared) {
-    return blob.triangle_count != 0 ? prepare(blob, ray, prepared) : status_without_walk(blob, ray);
-}
-
-/// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
-template <class Leaf, class Caller, class... Counted>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& ray,
-                                                           const TriangleFilter* filter, const Counted&... counted) {
-    PreparedRayOf<typename Leaf::Node> prepared;
-    const QueryStatus status = begin(blob, ray, prepared);
-    RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
-    if (status != QueryStatus::ok) {
-        if (!takes_shortcut() || status != QueryStatus::not_found) hit.status = status;  // no narrow store for a copy
-        return hit;
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        return is_hit(leaf, slot, ray) ? Visit::stop : Visit::next;
     }
-    Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
-        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
-    traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
-    if (query.answer.found()) query.answer.finish(prepared.ray, ray);
-    return hit;
-}
+};
 
-template <class Caller, class... Counted>
-ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& ray,
-                                                      const TriangleFilter* filter, const Counted&... counted) {
-    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return closest_hit_in<Leaf>(blob, ray, filter, counted...);
-    });
-}
+/// Whether there is any hit that the filter keeps. A type for each type of ray: small code inlines the walk of its only
+/// caller.
+template <class Caller>
+struct AnyKeptHit {
+    Limit limit;
+    const TriangleFilter* filter;  ///< may be null
 
-}  // namespace
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        TriangleHit hit;
+        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
+        return filter == nullptr || (*filter)(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
+    }
+};
+
+/// Whether a hit matters. A pointer, not a type: the walk is then compiled once for all hits and for crossings, and a
+/// program that lists hits alone does not link what decides on crossings.
+using KeepsHit = bool (*)(const LatticeRay& ray, const LatticeTriangle& triangle);
+
+/// Hits in storage order, handed to a callable. Their index is that of the reference.
+template <class OnHit>
+struct EveryHit {
+    OnHit on_hit;
+    KeepsHit keeps;  ///< null: all
+    Limit limit;
+
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        FoundHit found;
+        if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
+        if (keeps != nullptr && !keeps(ray, leaf.triangle(slot))) return Visit::next;
+        found.index = storage_index(leaf, slot);
+        return on_hit(ray, found);
+    }
+};
+
+/// Where triangles have duplicate references, visits only boxes that the ray passes through exactly: which references
+/// it reaches does not depend on how lanes round.
+template <class Leaf>
+struct EveryHitShape : RayShape<Leaf> {
+    const BlobData& blob;
+
+    template <class Node>
+    ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, Limit limit, Keys keys) const {
+        const unsigned mask = RayShape<Leaf>::cull(node, limit, keys);
+        if constexpr (Leaf::may_have_duplicates && reads_duplicate_references)
+            if (blob.copies != nullptr) return children_passed(this->ray, node, blob.bits, mask);
+        return mask;
+    }
+};
 
 ESPALIER_END_SET
 
