@@ -41,8 +41,7 @@ EXCUSED_PARTS = {
         "runtime/lattice/to_local.hpp", "runtime/rays/rounded_ray.cpp", "runtime/lattice/rounding.cpp",
         "runtime/sweeps/rounding.cpp"],
     "small": [
-        "runtime/rays/small_code/walk.hpp", "runtime/rays/small_code/seen_ray.hpp",
-        "runtime/rays/small_code/seen_boxes.hpp", "runtime/rays/small_code/seen_planes.hpp",
+        "runtime/rays/small_code/seen_ray.hpp", "runtime/rays/small_code/seen_boxes.hpp",
         "runtime/traversal/small_boxes.hpp"],
     "queries": [
         "runtime/rays/answers.hpp", "runtime/rays/single.hpp", "runtime/answers/best_k.hpp",

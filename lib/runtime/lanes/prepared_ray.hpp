@@ -101,19 +101,20 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const Lanes
 template <class Node>
 using RayLanesOf = std::conditional_t<std::is_same_v<Node, PlainNode>, PlainRayLanes, RayLanes>;
 
-inline void set_zero(LatticeRay& ray) {
+/// Completes a ray that is rounded. False when it can hit nothing.
+template <class Lanes>
+inline bool complete(const BlobData& blob, const RaySlope& slope, PreparedRayIn<Lanes>& prepared) {
     // mutant(< -> <=) sanitizer: reads behind an array; the fourth element is unused
-    for (unsigned k = 0; k < 3; ++k) ray.zero[k] = -origin_steps(ray, k);
+    for (unsigned k = 0; k < 3; ++k) prepared.ray.zero[k] = -origin_steps(prepared.ray, k);
+    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
+    return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 
 /// False when the ray can hit nothing.
 template <class Lanes>
 inline bool prepare_ray(const BlobData& blob, const Ray& ray, PreparedRayIn<Lanes>& prepared) {
     RaySlope slope;
-    if (!round_ray(blob, ray, prepared.ray, slope)) return false;
-    set_zero(prepared.ray);
-    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
-    return meets_asset(blob, prepared.ray, prepared.in_lanes);
+    return round_ray(blob, ray, prepared.ray, slope) && complete(blob, slope, prepared);
 }
 
 /// Prepares a ray that was rounded before.
@@ -124,9 +125,7 @@ inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, Prepare
     for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
     RaySlope slope;
     set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
-    set_zero(prepared.ray);
-    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
-    return meets_asset(blob, prepared.ray, prepared.in_lanes);
+    return complete(blob, slope, prepared);
 }
 
 }  // namespace espalier::detail

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include <runtime/rays/small_code/seen_boxes.hpp>
-#include <runtime/rays/small_code/seen_planes.hpp>
 
 #include "platform/fingerprint.hpp"
 #include "support/exact/boxes_on_ray.hpp"

@@ -1,10 +1,12 @@
-// Rays against the boxes of a packed node on small cores: as seen along the ray (seen_ray.hpp).
+// Rays against the boxes of a node on small cores: as seen along the ray (seen_ray.hpp). docs/numerics.md bounds what
+// is rounded.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/rays/small_code/seen_ray.hpp>
 
@@ -106,5 +108,102 @@ ESPALIER_NOINLINE inline unsigned seen_children(const SeenRay& ray, const Packed
     return SeenChildren<PackedNode>::pack(met, nearest & 7u);
 }
 ESPALIER_END_MAYBE_UNINITIALIZED
+
+/// A ray with what the boxes of plain nodes need. Their planes are coordinates, so that what a ray prepares once holds
+/// for every node. Planes ahead count down from 65535 where the ray runs down along that
+/// axis: it then passes them in ascending order.
+struct SeenPlainRay : SeenRay {
+    static constexpr int fine = 14;  ///< across, places are in 2^-fine of a plane
+
+    /// Where a node has the planes of an axis that the ray passes first, and the others.
+    struct Rows {
+        std::uint8_t near_at, far_at;
+    };
+    struct RowsAcross : Rows {
+        std::int16_t plane;    ///< from one to the next; negative where the ray runs down
+        std::uint16_t slope;   ///< what a plane ahead takes away
+        std::int32_t to_near;  ///< plane 0, less `slack`
+
+        /// Returns where a plane is, modulo 2^32: within 2^31 where the ray meets anything.
+        [[nodiscard]] std::int32_t place(const std::byte* at) const {
+            return static_cast<std::int32_t>(load_u16(at) * static_cast<std::uint32_t>(plane) +
+                                             static_cast<std::uint32_t>(to_near));
+        }
+    };
+
+    RowsAcross across_rows[2];
+    Rows ahead_rows;
+    std::uint16_t flip;         ///< every bit where planes ahead count down
+    std::int32_t origin_ahead;  ///< the ray's units from the first plane ahead
+    std::int32_t slack;         ///< more than all that is rounded
+
+    /// Returns false if the ray passes the lattice by.
+    [[nodiscard]] bool prepare(const BlobData& blob) {
+        const float inverse = look_ahead(blob);
+        const std::int32_t down_ahead = down(axis[2]);
+        flip = static_cast<std::uint16_t>(down_ahead);
+        // A high plane stands for all places up to the next one's.
+        const std::int32_t last_place = (1 << 16 << base_shift) - (1 << fraction_bits);
+        origin_ahead = negated_if(down_ahead, origin[axis[2]]) + (down_ahead & last_place);
+        const int finer = fine - base_shift;
+        slack = (off << finer) + (4 << fine);
+        for (unsigned i = 0;; ++i) {
+            using namespace format::plain_node;
+            constexpr auto to_high = static_cast<std::int32_t>(hi_at - lo_at);
+            const unsigned k = axis[i];
+            const std::int32_t is_down = down(k);
+            const auto low_at = static_cast<std::int32_t>(row_bytes * k + lo_at);
+            Rows& rows = i == 2 ? ahead_rows : across_rows[i];
+            rows.near_at = static_cast<std::uint8_t>(low_at + (is_down & to_high));
+            rows.far_at = static_cast<std::uint8_t>(low_at + (~is_down & to_high));
+            if (i == 2) return true;
+            look_across(i, inverse);
+            const std::int32_t seen = negated_if(is_down, across(i, -origin[k], -origin[axis[2]]));
+            // A plane that is met is within 2^17 planes of plane 0.
+            if (((seen ^ seen >> 31) - 2 * off) >> (base_shift + 17) > 0) return false;
+            constexpr int cut = slope_bits - fine;
+            const std::int32_t rounded = (negated_if(is_down ^ down_ahead, slope[i]) + (1 << (cut - 1))) >> cut;
+            RowsAcross& row = across_rows[i];
+            row.plane = static_cast<std::int16_t>(negated_if(is_down, 1 << fine));
+            row.slope = static_cast<std::uint16_t>(rounded);
+            row.to_near = static_cast<std::int32_t>((static_cast<std::uint32_t>(seen) << finer) +
+                                                    static_cast<std::uint32_t>(rounded * flip - slack));
+        }
+    }
+};
+
+/// Returns the children of `among` whose boxes the ray may meet no farther than `last_ahead`, as for a packed node.
+ESPALIER_NOINLINE inline unsigned seen_children(const SeenPlainRay& ray, const PlainNode& node, std::int32_t last_ahead,
+                                                unsigned among) {
+    const std::int32_t first = (ray.first_ahead + ray.origin_ahead) >> ray.base_shift;
+    const std::int32_t last = (last_ahead + ray.origin_ahead) >> ray.base_shift;
+    unsigned met = 0;
+    std::uint32_t nearest = ~std::uint32_t{0};
+    const std::byte* rows = node.bytes;
+    for (unsigned child = 1; child <= among; child <<= 1, rows += 2) {
+        if ((among & child) == 0) continue;
+        std::int32_t begin = static_cast<std::int32_t>(load_u16(rows + ray.ahead_rows.near_at) ^ ray.flip);
+        if (begin > last) continue;
+        const std::int32_t end = static_cast<std::int32_t>(load_u16(rows + ray.ahead_rows.far_at) ^ ray.flip);
+        count_axes(2);
+        for (const SeenPlainRay::RowsAcross& row : ray.across_rows) {
+            // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
+            const std::int32_t near = row.place(rows + row.near_at);
+            if (near > end * row.slope) goto missed;
+            const std::int32_t passed = begin * row.slope;
+            const std::int32_t far = row.place(rows + row.far_at);
+            if (far < passed - 2 * ray.slack) goto missed;
+            if (near > passed) begin = quotient_below<16>(near, row.slope);
+        }
+        if (begin <= last && end >= first) {
+            met |= child;
+            const std::uint32_t key = static_cast<std::uint32_t>(begin) << 16 | child;
+            // mutant(< -> <=) equivalent: no two keys are equal, since each contains its child
+            nearest = key < nearest ? key : nearest;
+        }
+    missed:;
+    }
+    return SeenChildren<PlainNode>::pack(met, static_cast<unsigned>(std::countr_zero(nearest)));
+}
 
 }  // namespace espalier::detail
