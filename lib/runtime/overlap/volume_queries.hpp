@@ -5,7 +5,7 @@
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/overlap/volume.hpp>
-#include <runtime/proximity/overlap_candidates.hpp>
+#include <runtime/traversal/find.hpp>
 
 ESPALIER_BEGIN_SET
 

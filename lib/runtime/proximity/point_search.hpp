@@ -4,7 +4,6 @@
 #define ESPALIER_PROXIMITY_POINT_SEARCH_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/proximity/overlap_candidates.hpp>
 #include <runtime/proximity/point_bounds.hpp>
 #include <runtime/proximity/point_nodes.hpp>
 #include <runtime/proximity/triangle_gap.hpp>
