@@ -121,6 +121,7 @@ void make_boxes(Random& random, const detail::BlobData& blob, BoxedNode<detail::
 /// the lattice alone are the largest.
 detail::BlobData make_asset(Random& random, unsigned bits) {
     detail::BlobData blob;
+    blob.triangle_count = 1;  // an empty one is not walked
     blob.bits = static_cast<std::uint8_t>(bits);
     const std::uint32_t most = (1u << (random.coin() ? bits : 1 + random.below(bits))) - 1;
     for (int k = 0; k < 3; ++k)

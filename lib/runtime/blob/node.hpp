@@ -133,12 +133,6 @@ struct LeafPlace {
 template <class Leaf>
 using PlaceOf = LeafPlace<typename Leaf::Node>;
 
-template <class Node>
-ESPALIER_ALWAYS_INLINE inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
-                                               LeafPlace<Node>& place) {
-    place = {&blob, node, number};
-}
-
 /// The leaf of a kind that is child `node.node_children() + number` of the node.
 template <class Leaf>
 inline Leaf leaf_at(const BlobData& blob, typename Leaf::Node node, unsigned number) {

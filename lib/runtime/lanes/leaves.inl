@@ -33,30 +33,32 @@ ESPALIER_ALWAYS_INLINE inline auto with_leaf(const BlobData& blob, typename Leaf
     return function(static_cast<const Leaf&>(leaf_at<Leaf>(blob, node, number)));
 }
 
-/// Has the visitor visit the leaf that is child `node.node_children() + number` of the node.
+/// Has the visitor visit the leaf that is child `node.node_children() + number` of the node, or its place.
 template <class Leaf, class Visitor>
 ESPALIER_ALWAYS_INLINE inline Visit visit_leaf(const BlobData& blob, typename Leaf::Node node, unsigned number,
                                                Visitor& visitor) {
-    return with_leaf<Leaf>(blob, node, number,
-                           [&](const Leaf& leaf) ESPALIER_ALWAYS_INLINE_LAMBDA { return visitor.visit_leaf(leaf); });
+    if constexpr (std::is_same_v<Leaf, PlaceOf<Leaf>>) return visitor.visit_leaf(Leaf{&blob, node, number});
+    else
+        return with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) ESPALIER_ALWAYS_INLINE_LAMBDA {
+            return visitor.visit_leaf(leaf);
+        });
 }
 
+struct AsGiven {
+    unsigned operator()(unsigned width) const { return width; }
+};
 /// Coordinates of `lanes` vertices along an axis, counted from the leaf's anchor. `load_width` returns a width as
 /// given.
-template <class LoadWidth>
+template <class LoadWidth = AsGiven>
 ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const StripLeaf& leaf, unsigned axis, unsigned group,
-                                              LoadWidth load_width) {
+                                              LoadWidth load_width = {}) {
     return unpack(leaf.coordinates[axis], load_width(leaf.width[axis]), group * lanes);
 }
-template <class LoadWidth>
-ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth) {
+template <class LoadWidth = AsGiven>
+ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth = {}) {
     const std::size_t place = std::size_t{axis} * leaf.vertex_count + std::size_t{group} * lanes;
     const Ints words = load_words(leaf.words() + 2 * place);
     return leaf.has_high_bytes() ? with_high_bytes(words, load_bytes(leaf.high_bytes() + place)) : words;
-}
-template <class Leaf>
-ESPALIER_ALWAYS_INLINE inline Ints offsets_of(const Leaf& leaf, unsigned axis, unsigned group) {
-    return offsets_of(leaf, axis, group, [](unsigned width) { return width; });
 }
 
 class PlainCorners {
@@ -89,20 +91,15 @@ inline std::uint32_t owner_index(const Leaf& leaf, unsigned slot) {
     else return index;
 }
 
-/// Calls the function with the size of a table that has room for so many vertices: this many groups of `lanes`, or
-/// more.
-template <unsigned max_vertices, unsigned groups, class Function>
-ESPALIER_ALWAYS_INLINE constexpr auto with_groups_from(unsigned vertex_count, Function function) {
+/// Calls the function with the size of the smallest table that has room for so many vertices: this many groups of
+/// `lanes`. With four lanes sizes are powers of two, as the numbers of the vertices can name, or that of the largest
+/// leaf.
+// mutant(> -> >= 1) work: with four lanes, leaves of up to four vertices take a smaller table
+// mutant(> -> <= 1, > -> >= 2, > -> <= 2) compiler: with one lane the tables never become large enough
+template <unsigned max_vertices, unsigned groups = (lanes > 4 ? 1 : lanes > 1 ? 2 : max_vertices), class Function>
+ESPALIER_ALWAYS_INLINE constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     constexpr unsigned next = lanes > 4 ? groups + 1 : groups < 8 ? 2 * groups : 14;
     if constexpr (groups * lanes >= max_vertices) return function(std::integral_constant<unsigned, groups>{});
     else if (vertex_count <= groups * lanes) return function(std::integral_constant<unsigned, groups>{});
-    else return with_groups_from<max_vertices, next>(vertex_count, function);
-}
-/// The same with the smallest such table. With four lanes sizes are powers of two, as the numbers of the vertices can
-/// name, or that of the largest leaf.
-template <unsigned max_vertices, class Function>
-constexpr auto with_table_groups(unsigned vertex_count, Function function) {
-    // mutant(> -> >= 1) work: with four lanes, leaves of up to four vertices take a smaller table
-    // mutant(> -> <= 1, > -> >= 2, > -> <= 2) compiler: with one lane the tables never become large enough
-    return with_groups_from<max_vertices, (lanes > 4 ? 1 : lanes > 1 ? 2 : max_vertices)>(vertex_count, function);
+    else return with_table_groups<max_vertices, next>(vertex_count, function);
 }

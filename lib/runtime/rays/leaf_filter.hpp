@@ -217,32 +217,27 @@ ESPALIER_ALWAYS_INLINE inline void see_vertices(const SomeLeaf& leaf, const Latt
     }
 }
 
-/// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
-template <unsigned groups, class SomeLeaf>
-ESPALIER_ALWAYS_INLINE inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
-    const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
-    leaf.unpack_vertices(used);
-    SeenVertices<groups> vertices(leaf, ray);
-    see_vertices<groups>(leaf, ray, used, vertices);
-    typename SomeLeaf::Slots mask = 0;
-    auto corners = leaf.corners_in_lanes();
-    // mutant(< -> <=) sanitizer: looks up vertices behind the end of a table, for slots that are not used
-    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        const typename SomeLeaf::Slots hit = vertices.allow(corners.next());
-        mask |= hit << first;
-    }
-    return mask & leaf.used_slots();
-}
-
-/// Decodes a leaf and filters its triangles. Out of line, so that the traversal keeps its registers; in place, because
-/// a copy would be read in wider pieces than it was written in and stall store forwarding.
+/// Decodes a leaf and returns the triangles that the ray may hit: those whose edges, seen along the ray, do not clearly
+/// exclude it. Out of line, so that the traversal keeps its registers; in place, because a copy would be read in wider
+/// pieces than it was written in and stall store forwarding.
 template <class SomeLeaf>
 ESPALIER_NOINLINE inline typename SomeLeaf::Slots ray_candidates(const BlobData& blob, typename SomeLeaf::Node node,
                                                                  unsigned number, const LatticeRay& ray,
                                                                  SomeLeaf& leaf) {
     decode_leaf(blob, node, number, leaf);
     return with_table_groups<SomeLeaf::max_vertices>(leaf.vertex_count, [&](auto groups) ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return ray_candidates_of<groups>(leaf, ray);
+        const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
+        leaf.unpack_vertices(used);
+        SeenVertices<groups> vertices(leaf, ray);
+        see_vertices<groups>(leaf, ray, used, vertices);
+        typename SomeLeaf::Slots mask = 0;
+        auto corners = leaf.corners_in_lanes();
+        // mutant(< -> <=) sanitizer: looks up vertices behind the end of a table, for slots that are not used
+        for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+            const typename SomeLeaf::Slots hit = vertices.allow(corners.next());
+            mask |= hit << first;
+        }
+        return mask & leaf.used_slots();
     });
 }
 

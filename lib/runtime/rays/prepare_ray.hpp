@@ -14,7 +14,8 @@ ESPALIER_BEGIN_SET
 template <class Caller, class Lanes>
 ESPALIER_ALWAYS_INLINE inline QueryStatus prepare(const BlobData& blob, const Caller& ray,
                                                   PreparedRayIn<Lanes>& prepared) {
-    return prepare_ray(blob, ray, prepared) ? QueryStatus::ok : status_without_walk(blob, ray);
+    return blob.triangle_count != 0 && prepare_ray(blob, ray, prepared) ? QueryStatus::ok
+                                                                        : status_without_walk(blob, ray);
 }
 
 #elif ESPALIER_LANES == 16
@@ -43,18 +44,6 @@ inline Axes spread_in_lanes(const BlobData& blob, Axes minus_origin, Axes invers
     lanes_.tau_min = 0.0f;
     lanes_.planes = Lanes::plane_orders()[signs];
     return low;
-}
-
-/// meets_asset, for a window from 0 on.
-template <class Lanes>
-ESPALIER_ALWAYS_INLINE inline bool meets_asset_in_lanes(const BlobData& blob, Axes inverse, Axes low,
-                                                        const Lanes& lanes_) {
-    const Axes high = load_as<Axes>(blob.extent_steps) * inverse + low;
-    const Axes enter = smaller(low, high) + load_as<Axes>(lanes_.near_offset);
-    const Axes leave = larger(low, high) + load_as<Axes>(lanes_.far_offset);
-    const float last_in = maximum(maximum(enter[0], enter[1]), enter[2]);
-    const float first_out = minimum(minimum(leave[0], leave[1]), leave[2]);
-    return last_in <= first_out && first_out >= 0.0f;
 }
 
 /// Not of an ordinary ray: an argument out of the domain, a subnormal direction, an origin from far away.
@@ -121,7 +110,12 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
     const Axes minus_origin = -(ESPALIER_CONVERT_VECTOR(fine, Axes) * one_unit);
     const Axes low =
         spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
-    if (!meets_asset_in_lanes(blob, inverse, low, lanes_)) return QueryStatus::not_found;
+    const Axes high = load_as<Axes>(blob.extent_steps) * inverse + low;
+    const Axes enter = smaller(low, high) + load_as<Axes>(lanes_.near_offset);
+    const Axes leave = larger(low, high) + load_as<Axes>(lanes_.far_offset);
+    const float last_in = maximum(maximum(enter[0], enter[1]), enter[2]);
+    const float first_out = minimum(minimum(leave[0], leave[1]), leave[2]);
+    if (!(last_in <= first_out && first_out >= 0.0f)) return QueryStatus::not_found;
 
     store_axes(rounded.zero, minus_origin);
     rounded.tau_offset = 0.0f;
@@ -143,6 +137,7 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
 ESPALIER_NOINLINE QueryStatus prepare(const BlobData& blob, const Caller& ray, PreparedRayIn<Lanes>& prepared) {
+    if (blob.triangle_count == 0) return status_without_walk(blob, ray);
     if constexpr (std::is_same_v<Caller, Ray>) {
         const QueryStatus status = prepare_ordinary(blob, ray, prepared.ray, prepared.in_lanes);
         if (status != not_ordinary) return status;

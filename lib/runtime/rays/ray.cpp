@@ -18,22 +18,16 @@ namespace espalier {
 
 using namespace detail;
 
-namespace {
-
-const TriangleFilter* given(const TriangleFilter& filter) { return filter ? &filter : nullptr; }
-
-}  // namespace
-
 RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, given(filter));
+    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, filter ? &filter : nullptr);
 }
 
 YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, given(filter));
+    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, filter ? &filter : nullptr);
 }
 
 Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, given(filter));
+    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, filter ? &filter : nullptr);
 }
 
 QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept {
@@ -45,7 +39,9 @@ QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const Ra
 }
 
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
-    return scalar::find_closest_hit(data_of(blob), ray, nullptr, WalkAccuracy{-1, &counters});
+    return scalar::with_leaves_of(data_of(blob), [&]<class Leaf>() {
+        return scalar::closest_hit_in<Leaf>(data_of(blob), ray, nullptr, WalkAccuracy{-1, &counters});
+    });
 }
 
 YesNo occluded(const Blob& blob, const Ray& ray, Accuracy accuracy, QueryCounters* counters) noexcept {
@@ -53,11 +49,13 @@ YesNo occluded(const Blob& blob, const Ray& ray, Accuracy accuracy, QueryCounter
     return ESPALIER_DISPATCH_RAY(may_hit, data_of(blob), ray, for_walk);
 }
 
-QueryStatus detail::status_without_walk(const BlobData& blob, const Ray& ray) {
+// Out of line: none of it is in the way of a ray that is walked.
+
+ESPALIER_NOINLINE QueryStatus detail::status_without_walk(const BlobData& blob, const Ray& ray) {
     return blob.bytes == nullptr ? QueryStatus::not_open : refusal_or_miss(blob, ray);
 }
 
-QueryStatus detail::refusal_or_miss(const BlobData& blob, const Ray& ray) {
+ESPALIER_NOINLINE QueryStatus detail::refusal_or_miss(const BlobData& blob, const Ray& ray) {
     static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && offsetof(Ray, culling) == 32);
     const auto number = [&](unsigned i) {
         float result;

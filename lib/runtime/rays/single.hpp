@@ -15,41 +15,22 @@ namespace {
 template <class Node>
 using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
 
-inline NoApproximation approximation(const BlobData&) { return {}; }
-[[maybe_unused]] inline Approximation approximation(const BlobData& blob, const WalkAccuracy& accuracy) {
-    return {blob, accuracy};
-}
-
-/// Prepares the ray. Returns ok, or why there is nothing to walk.
-template <class Caller, class Prepared>
-ESPALIER_ALWAYS_INLINE inline QueryStatus begin(const BlobData& blob, const Caller& ray, Prepared& prepared) {
-    return blob.triangle_count != 0 ? prepare(blob, ray, prepared) : status_without_walk(blob, ray);
-}
-
 /// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
 template <class Leaf, class Caller, class... Counted>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& ray,
                                                            const TriangleFilter* filter, const Counted&... counted) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    const QueryStatus status = begin(blob, ray, prepared);
+    const QueryStatus status = prepare(blob, ray, prepared);
     RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
     if (status != QueryStatus::ok) {
         if (!takes_shortcut() || status != QueryStatus::not_found) hit.status = status;  // no narrow store for a copy
         return hit;
     }
     Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
-        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
+        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, {blob, counted...}};
     traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
     if (query.answer.found()) query.answer.finish(prepared.ray, ray);
     return hit;
-}
-
-template <class Caller, class... Counted>
-ESPALIER_ALWAYS_INLINE inline RayHit find_closest_hit(const BlobData& blob, const Caller& ray,
-                                                      const TriangleFilter* filter, const Counted&... counted) {
-    return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
-        return closest_hit_in<Leaf>(blob, ray, filter, counted...);
-    });
 }
 
 /// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
@@ -57,7 +38,7 @@ template <class Leaf, class Caller, class OnHit>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& ray, KeepsHit keeps,
                                                         OnHit on_hit) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
+    if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
     Query<EveryHitShape<Leaf>, EveryHit<OnHit>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
                                                                {on_hit, keeps, window_limit(prepared.ray)}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
@@ -73,7 +54,7 @@ ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const 
 template <class Leaf, class SomeAnswer, class Caller, class... Filter>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& ray, Filter... filter) {
     PreparedRayOf<typename Leaf::Node> prepared;
-    if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
+    if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
     RayQuery<Leaf, SomeAnswer> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray), filter...}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
@@ -108,14 +89,15 @@ bool is_crossing_at(const LatticeRay& ray, const LatticeTriangle& triangle) { re
 }  // namespace
 
 ESPALIER_QUERY_OF_SET RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter) {
-    return find_closest_hit(blob, ray, filter);
+    return with_leaves_of(
+        blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return closest_hit_in<Leaf>(blob, ray, filter); });
 }
 
 ESPALIER_QUERY_OF_SET Filled first_hits(const BlobData& blob, const Ray& ray, std::span<RayHit> hits,
                                         const TriangleFilter* filter) {
     return with_leaves_of(blob, [&]<class Leaf>() -> Filled {
         PreparedRayOf<typename Leaf::Node> prepared;
-        if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok)
+        if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok)
             return {0, {}, of_list(status)};
         FirstHits first(hits);
         RayQuery<Leaf, FirstFewHits> query = {{prepared.ray, prepared.lanes()},
@@ -129,7 +111,8 @@ ESPALIER_QUERY_OF_SET Filled first_hits(const BlobData& blob, const Ray& ray, st
 
 ESPALIER_QUERY_OF_SET RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
                                                     const TriangleFilter* filter) {
-    return find_closest_hit(blob, ray, filter);
+    return with_leaves_of(
+        blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return closest_hit_in<Leaf>(blob, ray, filter); });
 }
 
 ESPALIER_QUERY_OF_SET YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter) {
@@ -159,7 +142,7 @@ ESPALIER_QUERY_OF_SET QueryStatus every_crossing_on_lattice(const BlobData& blob
 ESPALIER_QUERY_OF_SET YesNo may_hit(const BlobData& blob, const Ray& ray, const WalkAccuracy& accuracy) {
     return with_leaves_of(blob, [&]<class Leaf>() {
         PreparedRayOf<typename Leaf::Node> prepared;
-        if (const QueryStatus status = begin(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
+        if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
         Query<RayShape<Leaf>, AnyHit, false> query = {
             {prepared.ray, prepared.lanes()}, {window_limit(prepared.ray)}, {blob, accuracy}};
         const bool is_hit = walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop;

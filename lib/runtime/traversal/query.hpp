@@ -31,7 +31,10 @@ struct Approximation {
     const WalkAccuracy& accuracy;
     bool is_over = false;  ///< a small box ended the walk
 };
-struct NoApproximation {};
+struct NoApproximation {
+    NoApproximation() = default;
+    NoApproximation(const BlobData&) {}  // NOLINT(google-explicit-constructor): an Approximation has a blob
+};
 
 /// Shape and answer may be references.
 template <class Shape, class SomeAnswer, bool is_exact>

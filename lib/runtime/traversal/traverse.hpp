@@ -214,7 +214,7 @@ template <class Leaf, class Visitor>
 ESPALIER_ALWAYS_INLINE inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor,
                                                           std::uint32_t index = 0) {
     NearestFirst<Leaf, Visitor> walk;
-    walk.begin(index);
+    walk.index = index;
     for (;;) {
         unsigned leaves = 0;
         while (walk.descend(blob, walk.test(blob, visitor), leaves)) {
