@@ -6,6 +6,7 @@
 #include <espalier/scenes/statistics.hpp>
 #include <runtime/moving_scenes/access.hpp>
 
+#include "made_block.hpp"
 #include "made_scene.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
 

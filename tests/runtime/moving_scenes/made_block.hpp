@@ -55,6 +55,13 @@ inline detail::StepsBox random_box(Random& random, std::int32_t region) {
     return box;
 }
 
+/// Returns whether two boxes share a point.
+constexpr bool touch(const detail::StepsBox& a, const detail::StepsBox& b) {
+    for (int k = 0; k < 3; ++k)
+        if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+    return true;
+}
+
 /// The pairs of live slots whose boxes touch, by a loop.
 inline std::vector<InstancePair> loop_over_slots(const detail::SceneBlock& block) {
     std::vector<InstancePair> pairs;

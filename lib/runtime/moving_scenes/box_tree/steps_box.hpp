@@ -38,13 +38,6 @@ struct StepsBox {
     friend constexpr bool operator==(const StepsBox&, const StepsBox&) = default;
 };
 
-/// Returns whether two boxes share a point.
-constexpr bool touch(const StepsBox& a, const StepsBox& b) {
-    for (int k = 0; k < 3; ++k)
-        if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-    return true;
-}
-
 /// A mesh or a tile as the tree needs it: its box in local space by its middle, its coarsest lattice step, its size,
 /// and the largest scale in it.
 struct PartBounds {
