@@ -89,9 +89,12 @@ bool TouchingPairs::are_few_moved() const {
     return count < block_.head->live / 4;
 }
 
-/// Calls `visit(pair)` with each selected pair, in an order that follows the tree.
-template <class OnPair>
-void TouchingPairs::for_each(OnPair visit) const {
+bool TouchingPairs::collect_all(std::span<InstancePair> out, std::size_t& count) {
+    const std::uint32_t slots = block_.head->slots_used;
+    std::uint32_t* const counts = block_.counts;
+    for (std::uint32_t a = 0; a < slots; ++a) counts[a] = 0;
+    const std::uint64_t room = out.size() < UINT32_MAX ? out.size() : UINT32_MAX;
+    std::uint64_t found = 0;
     const bool starts_at_moved = filter_.only_moved && are_few_moved();
     const JoinedSlots joined = starts_at_moved ? JoinedSlots::moved : JoinedSlots::all;
     join_(block_, joined, 0, [&](std::span<const InstancePair> touching) {
@@ -99,21 +102,11 @@ void TouchingPairs::for_each(OnPair visit) const {
             // Two that have moved are met twice.
             if (starts_at_moved && y < x && has_moved(block_, y)) continue;
             const InstancePair pair = x < y ? InstancePair{x, y} : InstancePair{y, x};
-            if (is_selected(pair)) visit(pair);
+            if (!is_selected(pair)) continue;
+            ++counts[pair.a];
+            if (found < room) out[static_cast<std::size_t>(found)] = pair;
+            ++found;
         }
-    });
-}
-
-bool TouchingPairs::collect_all(std::span<InstancePair> out, std::size_t& count) {
-    const std::uint32_t slots = block_.head->slots_used;
-    std::uint32_t* const counts = block_.counts;
-    for (std::uint32_t a = 0; a < slots; ++a) counts[a] = 0;
-    const std::uint64_t room = out.size() < UINT32_MAX ? out.size() : UINT32_MAX;
-    std::uint64_t found = 0;
-    for_each([&](const InstancePair& pair) {
-        ++counts[pair.a];
-        if (found < room) out[static_cast<std::size_t>(found)] = pair;
-        ++found;
     });
     if (found <= room) {
         count = static_cast<std::size_t>(found);

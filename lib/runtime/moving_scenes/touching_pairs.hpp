@@ -61,8 +61,6 @@ private:
     void clear_others(std::size_t count);
     [[nodiscard]] bool is_selected(const InstancePair& pair) const;
     [[nodiscard]] bool are_few_moved() const;
-    template <class OnPair>
-    void for_each(OnPair visit) const;
 
     SceneBlock& block_;
     const PairFilter& filter_;
