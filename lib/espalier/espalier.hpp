@@ -1,7 +1,7 @@
-// All headers of the runtime: opening a blob, and every query; and the library's version. The format has its own
-// (format.hpp). The baker is separate: <espalier/bake.hpp>.
+// Includes the whole runtime: opening a blob, every query, and the library's version. Two parts are separate: the baker
+// (<espalier/bake.hpp>) and the byte layout of blobs (<espalier/format.hpp>).
 //
-// No heap, no exceptions, no libc. Thread safety: any number of threads may query one blob.
+// The runtime uses no heap, no exceptions and no libc. Thread safety: any number of threads may query one blob.
 #pragma once
 
 #include <espalier/approximate.hpp>

@@ -1,6 +1,6 @@
-// The bytes of blobs, scenes and remap files: every offset, width and limit, once. docs/format.md is the normative
-// text. All numbers are little-endian; nothing is aligned to more than a byte when read, so that a blob may lie
-// anywhere.
+// The byte layout of blobs, scenes and remap files: every offset, width and limit, defined once. docs/format.md is the
+// normative text. All numbers are little-endian, and no read assumes more than byte alignment, so a blob may lie at any
+// address.
 #pragma once
 
 #include <espalier/format/header.hpp>

@@ -1,7 +1,8 @@
-// Callables as parameters: visitors and filters. They are passed down and never kept, two pointers each, without heap.
+// Callables as parameters, for visitors and filters. A reference takes two pointers and no heap; the library passes it
+// down and never keeps it.
 //
-// A callable must outlive the call that it is passed to; a lambda written in the call does. It must not throw: the
-// runtime is built without exceptions. It may run other queries.
+// The callable must outlive the call that receives it, as a lambda written in the argument list does. It must not
+// throw, because the runtime is built without exceptions. It may run other queries.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +27,11 @@ namespace espalier {
 template <class Signature>
 class FunctionRef;
 
-/// A reference to any callable with a fitting signature: a lambda, a function object, a function. The default is empty:
-/// it converts to false and must not be called.
+/// A reference to any callable with a matching signature: a lambda, a function object or a function. A default
+/// reference is empty: it converts to false and must not be called.
 ///
-/// A reference that returns Visit also accepts a callable that returns void, which never stops. It accepts no callable
-/// that returns bool.
+/// A reference that returns Visit also accepts a callable that returns void and thus never stops. It rejects callables
+/// that return bool, which do not say whether true means to stop or to continue.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
 private:
@@ -89,8 +90,8 @@ private:
     Result (*call_)(Pointer, Arguments...) = nullptr;
 };
 
-/// A callable that is called with each element: it returns void, or a Visit to go on or stop. One that returns bool
-/// does not compile.
+/// A callable that receives each element. It returns void, or a Visit to continue or stop. One that returns bool does
+/// not compile.
 template <class... Arguments>
 using Visitor = FunctionRef<Visit(Arguments...)>;
 
@@ -99,13 +100,14 @@ namespace detail {
 struct BlobData;
 struct LatticeTriangle;
 using CornersAt = Triangle (*)(const BlobData& blob, std::uint32_t index, const LatticeTriangle* triangle);
-/// Returns the corners of the triangle at a storage index below the count; null: the triangle is searched.
+/// Returns the corners of the triangle with this storage index, which must be below the count. If `triangle` is null,
+/// the triangle is looked up in the tree.
 Triangle corners_at(const BlobData& blob, std::uint32_t index, const LatticeTriangle* triangle) noexcept;
 
 }  // namespace detail
 
-/// A callable that is called with each triangle: of (TriangleId), or of (TriangleId, const Triangle&) to receive the
-/// corners too. It returns void or Visit. Corners are computed only for a callable that takes them.
+/// A callable that receives each triangle, as (TriangleId) or as (TriangleId, const Triangle&). It returns void or a
+/// Visit. Corners are computed only for a callable that takes them.
 class TriangleVisitor {
 private:
     template <class Callable>
@@ -129,19 +131,19 @@ public:
 
     [[nodiscard]] constexpr bool takes_corners() const noexcept { return corners_at_ != nullptr; }
 
-    /// Calls the callable with a triangle whose corners are given. They must be right only if takes_corners().
+    /// Calls the callable with these corners, which need to be valid only if takes_corners().
     constexpr Visit operator()(TriangleId triangle, const Triangle& corners) const {
         return takes_corners() ? with_corners_(triangle, corners) : without_corners_(triangle);
     }
-    /// Calls the callable with a triangle whose corners are looked up at a storage index if it takes them, or converted
-    /// from those at hand.
+    /// Calls the callable. If it takes corners, converts them from `at_hand`, or looks them up by storage index if that
+    /// is null.
     constexpr Visit operator()(TriangleId triangle, const detail::BlobData& blob, std::uint32_t reference,
                                const detail::LatticeTriangle* at_hand = nullptr) const {
         return takes_corners() ? look_up_corners(triangle, blob, reference, at_hand) : without_corners_(triangle);
     }
 
 private:
-    /// Has a frame of its own: queries need no room for the corners.
+    /// Out of line, so that queries do not reserve stack for the corners.
     ESPALIER_NOINLINE constexpr Visit look_up_corners(TriangleId triangle, const detail::BlobData& blob,
                                                       std::uint32_t reference,
                                                       const detail::LatticeTriangle* at_hand) const {
@@ -149,15 +151,15 @@ private:
     }
 
     union {
-        WithCorners with_corners_;  // if it takes corners
+        WithCorners with_corners_;  // active if takes_corners()
         WithoutCorners without_corners_;
     };
-    detail::CornersAt corners_at_ = nullptr;  // a program without visitors that take corners does not link it
+    detail::CornersAt corners_at_ = nullptr;  // a program that never takes corners does not link it
 };
 
-/// A callable that returns whether a query keeps a triangle: a query behaves as if the others were not in the blob. It
-/// may be called for triangles that turn out not to count, in any order: its result must depend on the triangle
-/// alone. Empty, it keeps all.
+/// A callable that returns whether to keep a triangle. A query behaves as if the other triangles were not in the blob.
+/// The filter may be called in any order, also for triangles that turn out not to matter, so its result must depend on
+/// nothing but the triangle. An empty filter keeps all triangles.
 using TriangleFilter = FunctionRef<bool(TriangleId)>;
 
 }  // namespace espalier
