@@ -1,19 +1,20 @@
-// Rounding: a bound on how far a query moves when it is rounded, and rays that are rounded once for several blobs.
+// How far rounding moves a query, and rays that are rounded once for several blobs.
 //
 // Each query is rounded once, onto a grid at least as fine as the blob's lattice, and the rounded query is answered
-// exactly. rounding_error() returns a bound on that rounding in the blob's units: no point of the shape moves farther.
-// So a distance changes by no more, and the answer stays the same for every surface that is farther from the shape's
-// boundary. Blob::max_error bounds what baking moved; the sum of both bounds an answer's error against the source.
+// exactly. rounding_error() returns a bound on this rounding, in the blob's units: no point of the shape moves farther.
+// Distances therefore change by no more than the bound, and the answer is the same for every surface that is farther
+// than the bound from the shape's boundary. Blob::max_error() bounds the error of baking; the sum of the two bounds the
+// error of an answer against the source.
 //
-// Blobs lie on one lattice, such as the pieces of a terrain, if they were baked with one step (Resolution::step): their
-// origins are whole multiples of it. raycast() of a Ray rounds it for one blob, by an amount that depends on the blob's
-// origin, its extent and its distance. Two adjacent blobs may then test two slightly different rays, and a ray that is
-// aimed at their common border may miss both. A RoundedRay is one ray of integers for all blobs of a region, so that
-// none passes between two blobs that meet. Its t counts in the ray's direction for all of them, so that the closest hit
-// of several blobs is the one with the smallest t. Hits on a common edge may have equal t; take the one of the lowest
-// blob to get the same result each time.
+// Blobs lie on one lattice if they were baked with the same step (Resolution::step), as the pieces of a terrain are:
+// their origins are then whole multiples of it. raycast() rounds a Ray for one blob, by an amount that depends on the
+// blob's origin, its extent and its distance. For two adjacent blobs it may thus test two slightly different rays, and
+// a ray aimed at their common border may miss both. A RoundedRay is a single ray in integers for all blobs of a region,
+// so it cannot slip between two blobs that meet. Its t counts in multiples of the ray's direction for every blob, and
+// so the closest hit among several blobs is the one with the smallest t. Hits on a common edge may have equal t; take
+// that of the lowest blob to get the same result each time.
 //
-// Cost: O(1), but for lattice_of() and queries. Thread safety: any number of threads may query one blob. No call
+// All calls cost O(1), except lattice_of() and the queries. Any number of threads may query the same blob, and no call
 // allocates. Numerics are described at the end of this file.
 #pragma once
 
@@ -31,29 +32,30 @@ namespace espalier {
 
 struct Transform;  // transform.hpp
 
-/// What rounding_error() takes beside a point.
+/// The shapes that rounding_error() takes, apart from a point.
 template <class Shape>
 concept RoundedShape = std::same_as<Shape, Ray> || std::same_as<Shape, Segment> || std::same_as<Shape, Sphere> ||
     std::same_as<Shape, Capsule> || std::same_as<Shape, Box> || std::same_as<Shape, OrientedBox> ||
     std::same_as<Shape, Triangle>;
 
-/// Returns how far rounding moves the query at most. For a ray: the largest distance of the rounded ray from it inside
-/// of the asset's box, without regard to t_min and t_max. For a Box: parts that are more than a lattice step outside of
-/// the asset's box may move farther in overlaps(), where they touch nothing. 0 for a blob without triangles.
+/// Returns an upper bound on how far rounding moves the query. For a ray, this is the largest distance between the ray
+/// and the rounded one inside the asset's box, regardless of t_min and t_max. For a Box, parts more than a lattice step
+/// outside the asset's box may move farther in overlaps(), where they touch nothing. Returns 0 for a blob without
+/// triangles.
 ///
-/// Refuses a blob that is not open (not_open), a NaN, an infinity, a negative radius or a zero direction
-/// (invalid_argument), and a point that is 2^36 lattice steps or more from the asset, or the origin of a ray that is
-/// 2^120 or more (out_of_range).
+/// Refuses a blob that is not open (not_open); a NaN, an infinity, a negative radius or a direction of zero
+/// (invalid_argument); and a point 2^36 lattice steps or more from the asset, or a ray whose origin is 2^120 or more
+/// away (out_of_range).
 Result<float> rounding_error(const Blob& blob, Vec3 point) noexcept;
 template <RoundedShape Shape>
 Result<float> rounding_error(const Blob& blob, const Shape& shape) noexcept;
 
-/// Returns how far rounding moves the shape of a sweep at most, at its start and anywhere on its way: place,
-/// displacement and radius are all rounded. A body that touches nothing in one sweep may therefore touch the same
-/// triangle at the start of the next one. To prevent that, move it away from the contact by the sum of both sweeps'
-/// bounds and of the rounding of your own additions (docs/queries/sweeps.md, Slide along a surface).
+/// Returns an upper bound on how far rounding moves the shape of a sweep, at its start and anywhere on its way, since
+/// its position, displacement and radius are all rounded. A body that touches nothing in one sweep may therefore touch
+/// the same triangle at the start of the next. To prevent that, move the body away from the contact by the sum of both
+/// sweeps' bounds and of the rounding of your own additions (docs/queries/sweeps.md, Slide along a surface).
 ///
-/// Refuses what sweep() refuses. 0 for a blob without triangles.
+/// Refuses what sweep() refuses. Returns 0 for a blob without triangles.
 template <SweptShape Shape>
 Result<float> rounding_error(const Blob& blob, const Shape& shape, Vec3 displacement) noexcept;
 
@@ -61,7 +63,7 @@ class RoundedRay;
 
 namespace detail {
 
-/// The result of round_ray(). point(tau) = origin * 2^-fraction_bits + tau * direction, in steps from the region's
+/// The result of round_ray(): point(tau) = origin * 2^-fraction_bits + tau * direction, in steps from the region's
 /// origin.
 struct RoundedRayData {
     std::int32_t origin[3] = {};
@@ -77,15 +79,15 @@ struct RoundedRayData {
     QueryStatus status = QueryStatus::invalid_argument;
     FaceCulling culling = FaceCulling::none;
     std::uint8_t longest_axis = 0;
-    std::uint8_t may_hit = 0;  ///< 0: the window is empty, or the ray passes the region by. No bool: any byte is sound
+    std::uint8_t may_hit = 0;  ///< 0: the window is empty, or the ray misses the region. Not a bool: any byte is valid
 };
 
-/// Ends the ray's window no later than at t_max: its hits up to there stay the same.
+/// Shortens the ray's window to end at t_max at the latest. Hits up to there do not change.
 void shorten(RoundedRay& ray, float t_max) noexcept;
 
 }  // namespace detail
 
-/// A ray in whole numbers on the lattice of a region. Copied freely. The default is refused: invalid_argument.
+/// A ray in integers on the lattice of a region. Cheap to copy. A default RoundedRay is refused with invalid_argument.
 class RoundedRay {
 public:
     constexpr RoundedRay() noexcept = default;
@@ -94,7 +96,7 @@ public:
     [[nodiscard]] constexpr QueryStatus status() const noexcept { return data_.status; }
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return data_.status == QueryStatus::ok; }
 
-    /// Returns the inner data: for the library's own parts and its tests. Its layout may change.
+    /// Returns the internal data, for the library itself and its tests. The layout may change.
     [[nodiscard]] constexpr const detail::RoundedRayData& data() const noexcept { return data_; }
 
 private:
@@ -106,61 +108,60 @@ private:
     detail::RoundedRayData data_;
 };
 
-/// Returns the region around all blobs that have triangles: their common step, the lowest origin, and the extent from
-/// there. Without triangles all are zero.
+/// Returns the region that encloses all blobs with triangles: their common step, the lowest origin, and the extent from
+/// there. All are zero if no blob has triangles.
 ///
-/// Refuses a blob that is not open (not_open), two steps that differ (invalid_argument), and a region longer than
-/// 2^24 - 1 steps on an axis (out_of_range). O(blobs).
+/// Refuses a blob that is not open (not_open), steps that differ (invalid_argument), and a region longer than 2^24 - 1
+/// steps along an axis (out_of_range). O(number of blobs).
 Result<Lattice> lattice_of(std::span<const Blob> blobs) noexcept;
 
-/// Returns the ray rounded for all blobs within the region: lattice_of() one or several blobs, or a box that the caller
-/// chose on their lattice, with an origin that is a whole multiple of the step. A ray with an empty window hits
-/// nothing.
+/// Rounds a ray for all blobs in a region, which is lattice_of() one or more blobs, or a box of your choice on their
+/// lattice whose origin is a whole multiple of the step. A ray with an empty window hits nothing.
 ///
-/// Status: ok; invalid_argument for a ray that raycast() refuses with it, and for a Lattice that is no such region; or
-/// out_of_range for an origin more than 2^120 steps or all of float32 away. O(1).
+/// Its status is ok; invalid_argument for a ray that raycast() refuses as such, and for a Lattice that is no such
+/// region; or out_of_range for an origin more than 2^120 steps, or the whole range of float32, away. O(1).
 [[nodiscard]] RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept;
 
-/// Returns the closest hit, as raycast() of a Ray does. A blob without triangles is never hit.
+/// Returns the closest hit, like raycast() of a Ray. A blob without triangles is never hit, whatever its lattice.
 ///
-/// Refuses a blob that is not open (not_open), a ray that was refused (with its status), a blob with another step and
-/// bits that are no rounded ray (invalid_argument), and a blob that reaches out of the ray's region (out_of_range). The
-/// lattice of a blob without triangles may be any.
+/// Refuses a blob that is not open (not_open); a refused ray, with the status of the ray; a blob with another step, and
+/// bits that are no rounded ray (invalid_argument); and a blob that extends beyond the ray's region (out_of_range).
 RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
 
-/// Returns whether the ray hits any triangle. Takes less time than raycast(), and refuses the same rays and blobs.
+/// Returns whether the ray hits any triangle, in less time than raycast(). Refuses the same rays and blobs.
 YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
 
-/// Calls the visitor with each hit, as for_each_hit() of a Ray does. Refuses as raycast() does.
+/// Calls the visitor with each hit, like for_each_hit() of a Ray. Refuses what raycast() refuses.
 QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;
 
-/// Calls the visitor with each crossing, as for_each_crossing() of a Ray does: also where edges are shared between
-/// blobs each crossing of the whole surface is visited once. Refuses as raycast() does.
+/// Calls the visitor with each crossing, like for_each_crossing() of a Ray. Even where blobs share edges, each crossing
+/// of their common surface is visited once. Refuses what raycast() refuses.
 QueryStatus for_each_crossing(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;
 
-/// Moves a ray into the local space of a transform that only moves by whole steps of its region's lattice: the result
-/// equals the ray in whole numbers, and only the origin of its region differs. Blobs that such transforms place, as
-/// pieces that repeat, then meet one ray.
+/// Moves a ray into the local space of a transform that translates by whole steps of its region's lattice and does
+/// nothing else. The integers of the ray stay the same; only the origin of its region changes. Blobs placed by such
+/// transforms, such as repeated pieces, thus meet one and the same ray.
 ///
-/// Refuses a transform that rotates or scales, or moves by no multiple of the step (invalid_argument); and one that
-/// moves the region to where float32 cannot hold its origin (out_of_range). A refused ray stays refused. O(1).
+/// Refuses a transform that rotates, scales, or translates by a fraction of a step (invalid_argument), and one that
+/// moves the region to where float32 cannot represent its origin (out_of_range). A refused ray stays refused. O(1).
 [[nodiscard]] RoundedRay to_local(const Transform& transform, const RoundedRay& ray) noexcept;
 
 }  // namespace espalier
 
 // Numerics
 //
-// rounding_error(). The bound is a function of the blob and of how far the query lies and reaches, rounded up. At 16
-// bits and near the asset it is sqrt(3) / 128 of a lattice step and a little more. The largest move among queries that
-// lie and reach as far is at least an eighth of it (docs/numerics.md). The grid of a sweep depends on its displacement
-// and radius too. Planes and pairs of blobs are rounded onto other grids, which are described there.
+// rounding_error(). The bound, itself rounded up, depends on the blob, and on how far away the query is and how far it
+// reaches. At 16 bits and near the asset it is slightly more than sqrt(3) / 128 of a lattice step. The largest movement
+// among all queries that are as far away and reach as far is at least an eighth of the bound (docs/numerics.md). The
+// grid of a sweep also depends on its displacement and radius. Planes and pairs of blobs are rounded onto other grids,
+// which are described with them.
 //
-// round_ray(). It rounds as raycast() does for a blob that fills the region: docs/numerics.md. What follows is exact:
-// each blob is answered as by a loop over all its triangles, decided in integers, on every machine. Where two triangles
-// share an edge or a vertex, in one blob or in two, there is no gap between them.
+// round_ray(). A ray is rounded as raycast() rounds it for a blob that fills the region (docs/numerics.md). Everything
+// after that is exact: on every machine, the answer for each blob is that of a loop over all its triangles, decided in
+// integers. Where two triangles share an edge or a vertex, in one blob or in two, there is no gap between them.
 //
-// A region is at most 2^24 - 1 steps long on each axis: 255 blobs of 16 bits in a row. The larger it is, the coarser
-// the rounding. While the far end of the region is less than 2^18 steps from the ray's origin, the origin moves by at
-// most 1.5 * 2^-7 of a step on each axis: the float32 subtraction rounds, then the grid. Each doubling of that distance
-// doubles the bound, to 3/8 of a step at 2^23 steps. From farther away the origin first moves along the ray to the
-// region: docs/numerics.md has that bound.
+// A region is at most 2^24 - 1 steps long along each axis, or 255 blobs of 16 bits in a row. The larger it is, the
+// coarser the rounding. While the far end of the region is less than 2^18 steps from the ray's origin, the origin moves
+// by at most 1.5 * 2^-7 of a step along each axis, because first the float32 subtraction rounds and then the grid. Each
+// doubling of that distance doubles the bound, up to 3/8 of a step at 2^23 steps. If the origin is farther away, it is
+// first moved along the ray to the region; docs/numerics.md has the bound for that.

@@ -1,8 +1,7 @@
-// Queries that count their work: for heat maps, cost models and tests of the culling.
+// Queries that count their work, for heat maps, cost models and tests of the culling.
 //
-// Counts are the same on every machine. A refused query counts nothing.
-//
-// Thread safety: any number of threads may query one blob, each with counters of its own. No call allocates.
+// The counts are the same on every machine, and a refused query counts nothing. Any number of threads may query the
+// same blob, each with counters of its own. No call allocates.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +12,11 @@
 
 namespace espalier {
 
-/// The work of queries, added up over calls.
+/// The work of queries on one blob, accumulated over calls.
 struct QueryCounters {
-    std::uint64_t nodes = 0;       ///< tests of a node's children; a node at most four times, eight in profile fast
-    std::uint64_t leaves = 0;      ///< leaves that were decoded
-    std::uint64_t groups = 0;      ///< started groups of 8 triangles in those leaves: what SIMD tests at once
+    std::uint64_t nodes = 0;       ///< tests of a node's children, at most four per node, or eight in profile fast
+    std::uint64_t leaves = 0;      ///< leaves decoded
+    std::uint64_t groups = 0;      ///< groups of 8 triangles begun in those leaves: what SIMD tests at once
     std::uint64_t triangles = 0;   ///< triangles that went through the filter
     std::uint64_t candidates = 0;  ///< triangles that were decided exactly
 
@@ -30,16 +29,17 @@ struct QueryCounters {
     void count_candidates(unsigned count) { candidates += count; }
 };
 
-/// Returns what raycast() returns, and adds its work to `counters`. Uses the scalar code path, so that the counts are
-/// the same on every machine.
+/// Returns what raycast() returns and adds its work to `counters`. Runs the scalar code, so that the counts are the
+/// same on every machine.
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept;
 
-/// The work of queries of two blobs, added up over calls.
+/// The work of queries on two blobs, accumulated over calls.
 struct PairCounters {
-    /// Pairs of nodes or leaves that were visited: of one call the smallest WorkLimit with which it is complete.
+    /// Pairs of nodes or leaves that were visited. For a single call, this is the smallest WorkLimit that lets it
+    /// complete.
     std::uint64_t box_pairs = 0;
     std::uint64_t leaf_pairs = 0;      ///< pairs of leaves whose triangles were compared
-    std::uint64_t triangle_pairs = 0;  ///< of each pair of leaves the product of their numbers of triangles
+    std::uint64_t triangle_pairs = 0;  ///< sum of the products of the triangle counts of these pairs
 
     void count_leaves(unsigned a_triangles, unsigned b_triangles) {
         ++leaf_pairs;

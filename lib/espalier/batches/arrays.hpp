@@ -1,8 +1,8 @@
-// The arrays that batches take and fill: for callers whose numbers already lie in arrays of their own.
+// The arrays that batches take and fill, for callers whose numbers already lie in arrays of their own.
 //
-// A batch writes the results of one call for each query, bit for bit. It refuses, and then writes nothing: a blob that
-// is not open (not_open); and an array that is null or has a size that does not match (invalid_argument). The statuses
-// of single queries are in their results.
+// A batch writes, bit for bit, what a call for each query would return. It refuses a blob that is not open (not_open),
+// and an array that is null or whose size does not match (invalid_argument); it then writes nothing. The status of each
+// single query is part of its result.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace espalier {
 
-/// The arguments of a batch, one for each query: that of query i lies i * stride bytes after the first, at any
-/// alignment. A stride of 0 gives all queries the same; a negative one runs backwards.
+/// One argument of a batch for each query. The argument of query i lies i * stride bytes after the first, at any
+/// alignment. A stride of 0 repeats one value for all queries, and a negative stride runs backwards.
 template <class Value>
 struct Strided {
     const void* first = nullptr;
@@ -26,21 +26,21 @@ struct Strided {
                             sizeof value);
         return value;
     }
-    /// Returns the arguments from a query on, for the rest of a batch. Null stays null.
+    /// Returns the arguments from index `query` on, for the rest of a batch. A null array stays null.
     [[nodiscard]] Strided from(std::size_t query) const noexcept {
         if (first == nullptr) return *this;
         return {static_cast<const char*>(first) + static_cast<std::ptrdiff_t>(query) * stride, stride};
     }
 };
 
-/// The result of a batch that fills lists. All lists lie in one array, one after the other: that of query i begins at
-/// offsets[i] and ends at offsets[i + 1]. Only whole lists are written.
+/// The outcome of a batch that fills lists. All lists lie one after the other in a single array: the list of query i
+/// begins at offsets[i] and ends at offsets[i + 1]. Only complete lists are written.
 ///
-/// After output_full, call again with the queries from `lists` on, and an array with at least `needed` places.
+/// After output_full, call again with the queries from `lists` on and with room for at least `needed` elements.
 struct [[nodiscard]] FilledLists {
-    std::size_t lists = 0;   ///< that are complete: those of the first queries
-    std::size_t count = 0;   ///< elements in them
-    std::size_t needed = 0;  ///< places that the next list takes; 0 unless the status is output_full
+    std::size_t lists = 0;   ///< number of complete lists: those of the first queries
+    std::size_t count = 0;   ///< number of elements in these lists
+    std::size_t needed = 0;  ///< number of elements in the next list; 0 unless the status is output_full
     QueryStatus status = QueryStatus::not_open;  ///< ok, output_full, or why the batch was refused
 };
 

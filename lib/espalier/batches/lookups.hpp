@@ -1,8 +1,8 @@
-// Batches of lookups of triangles whose ids lie in an array, such as in the hits of a batch: their sources, materials
-// and corners.
+// Batches of lookups by triangle id: the source triangles, materials and corners of an array of triangles, such as
+// those in a batch of hits.
 //
-// arrays.hpp has what all batches refuse. A batch is as long as its results. Thread safety: any number of threads may
-// query one blob. No call allocates.
+// arrays.hpp states what every batch refuses. The number of results sets the number of lookups. Any number of threads
+// may query the same blob, and no call allocates.
 #pragma once
 
 #include <cstdint>
