@@ -1,7 +1,7 @@
-// Batches of points, spheres and boxes in arrays: closest points and triangles, inside, overlaps.
+// Batches of points, spheres and boxes in arrays: closest points and triangles, points inside, and overlaps.
 //
-// arrays.hpp has what all batches refuse. Each result has the status of its query; a batch is as long as its results.
-// Thread safety: any number of threads may query one blob. No call allocates.
+// arrays.hpp states what every batch refuses. The number of results sets the number of queries, and each result has the
+// status of its own query. Any number of threads may query the same blob, and no call allocates.
 #pragma once
 
 #include <cstddef>
@@ -16,25 +16,25 @@
 
 namespace espalier {
 
-/// Spheres in arrays: the fields of Sphere.
+/// The fields of Sphere, each in an array of its own.
 struct SphereArrays {
     Strided<Vec3> centers;
     Strided<float> radii;
 
     [[nodiscard]] Sphere at(std::size_t query) const noexcept { return {centers.at(query), radii.at(query)}; }
-    /// Returns the spheres from one on.
+    /// Returns the spheres from index `query` on.
     [[nodiscard]] SphereArrays from(std::size_t query) const noexcept {
         return {centers.from(query), radii.from(query)};
     }
 };
 
-/// Boxes in arrays: the fields of Box.
+/// The fields of Box, each in an array of its own.
 struct BoxArrays {
     Strided<Vec3> min;
     Strided<Vec3> max;
 
     [[nodiscard]] Box at(std::size_t query) const noexcept { return {min.at(query), max.at(query)}; }
-    /// Returns the boxes from one on.
+    /// Returns the boxes from index `query` on.
     [[nodiscard]] BoxArrays from(std::size_t query) const noexcept { return {min.from(query), max.from(query)}; }
 };
 
@@ -49,9 +49,9 @@ Filled signed_distance(const Blob& blob, const Strided<Vec3>& points, std::span<
 /// Writes what contains() returns for each point.
 Filled contains(const Blob& blob, const Strided<Vec3>& points, std::span<YesNo> answers) noexcept;
 
-/// Writes what closest_triangles() returns for each point to `found`, and the triangles to rows of `nearest`: that of
-/// point i begins at i * places, where `places` is nearest.size() / found.size(). nearest.size() must be
-/// a multiple of found.size().
+/// Writes what closest_triangles() returns for each point to `found`, and the triangles to rows of `nearest`.
+/// nearest.size() must be a multiple of found.size(). Their quotient is the length of a row, so the triangles of point
+/// i begin at i * nearest.size() / found.size().
 Filled closest_triangles(const Blob& blob, const Strided<Vec3>& points, std::span<ClosestPoint> nearest,
                          std::span<Filled> found, float max_distance = infinity) noexcept;
 
@@ -59,8 +59,8 @@ Filled closest_triangles(const Blob& blob, const Strided<Vec3>& points, std::spa
 Filled overlaps(const Blob& blob, const SphereArrays& spheres, std::span<YesNo> answers) noexcept;
 Filled overlaps(const Blob& blob, const BoxArrays& boxes, std::span<YesNo> answers) noexcept;
 
-/// Writes the triangles that touch each shape as for_each_overlap() visits them, and what that returns to `statuses`.
-/// `offsets` has one place more.
+/// Writes the triangles that touch each shape in the order of for_each_overlap(), and the status that it returns to
+/// `statuses`. `offsets` must have one element more than `statuses`.
 FilledLists collect_overlaps(const Blob& blob, const SphereArrays& spheres, std::span<QueryStatus> statuses,
                              std::span<std::size_t> offsets, std::span<TriangleId> triangles) noexcept;
 FilledLists collect_overlaps(const Blob& blob, const BoxArrays& boxes, std::span<QueryStatus> statuses,
