@@ -1,8 +1,8 @@
-// Bounds of the whole asset that are tighter than its axis-aligned box, Blob::bounds(), for blobs that were baked with
-// them (BakeOptions::bounds).
+// Bounds of the whole asset that are tighter than its axis-aligned box, Blob::bounds(). The blob must have been baked
+// with them (BakeOptions::bounds).
 //
-// Status: ok; not_open; or no_data for a blob that was baked without the bounds. Each call is O(1). Thread safety: any
-// number of threads may query one blob. No call allocates. Numerics are described at the end of this file.
+// Each call returns ok, not_open, or no_data for a blob that was baked without these bounds, in O(1). Any number of
+// threads may query the same blob, and no call allocates. Numerics are described at the end of this file.
 #pragma once
 
 #include <espalier/blob.hpp>
@@ -11,11 +11,11 @@
 
 namespace espalier {
 
-/// Returns a sphere close to the smallest one that holds all triangles (Badoiu, Clarkson 2003).
+/// Returns a sphere that contains all triangles and is close to the smallest one (Badoiu and Clarkson 2003).
 Result<Sphere> bounding_sphere(const Blob& blob) noexcept;
 
-/// Returns a box of little surface, in any orientation (a search over rotations: Chang, Gorissen, Melchior 2011). Its
-/// half axes are perpendicular up to rounding.
+/// Returns a box of small surface and any orientation that contains all triangles, found by a search over rotations
+/// (Chang, Gorissen and Melchior 2011). Its half axes are perpendicular up to rounding.
 Result<OrientedBox> oriented_bounds(const Blob& blob) noexcept;
 
 /// Slabs along 13 fixed directions (Klosowski et al. 1998): lo[k] <= dot(directions[k], corner) <= hi[k].
@@ -28,12 +28,12 @@ struct KDop {
     float hi[count] = {};
 };
 
-/// Returns the slabs that hold all triangles.
+/// Returns slabs that contain all triangles.
 Result<KDop> k_dop_bounds(const Blob& blob) noexcept;
 
 }  // namespace espalier
 
-// Numerics. Bounds hold every corner of every triangle, as baked and as rounded to float: the stored ones hold the
-// baked corners exactly, and the floats are rounded outward, by some 2^-20 of the asset's size and of its distance from
-// the world's origin. open() does not prove that the bounds in untrusted bytes hold anything: such bounds give wrong
-// results, safely.
+// Numerics. Bounds contain every corner of every triangle, as baked and as rounded to float. The stored bounds contain
+// the baked corners exactly, and the floats are rounded outward, by some 2^-20 of the asset's size and of its distance
+// from the world's origin. open() does not prove that the bounds in untrusted bytes contain anything: such bounds give
+// wrong results, but safely.
