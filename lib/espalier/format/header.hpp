@@ -1,4 +1,4 @@
-// The header of a blob, and the limits of what it states.
+// The header of a blob, and the limits on what it states.
 #pragma once
 
 #include <cstddef>
@@ -6,37 +6,38 @@
 
 namespace espalier {
 
-/// The encoding of nodes and leaves, and with it the largest number of triangles in a leaf. The numbers are stable.
+/// The encoding of nodes and leaves, which also limits the number of triangles in a leaf. The numbers never change.
 enum class Profile : std::uint8_t {
-    fast = 0,      ///< plain nodes, plain leaves: the fastest rays, the largest blobs
-    balanced = 1,  ///< packed nodes, strip leaves of at most max_balanced_entries
-    small = 2,     ///< packed nodes, strip leaves of at most max_small_entries
-    tiny = 3,      ///< packed nodes, predicted strips: the smallest blobs, the slowest rays
+    fast = 0,      ///< plain nodes and plain leaves: the fastest rays and the largest blobs
+    balanced = 1,  ///< packed nodes and strip leaves of at most max_balanced_entries entries
+    small = 2,     ///< packed nodes and strip leaves of at most max_small_entries entries
+    tiny = 3,      ///< packed nodes and predicted strips: the smallest blobs and the slowest rays
 };
 
 }  // namespace espalier
 
 namespace espalier::format {
 
-/// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
+/// The version of the format, which is independent of the library's. A reader accepts its own major version and any
+/// minor version up to its own.
 inline constexpr std::uint16_t version_major = 2;
 inline constexpr std::uint16_t version_minor = 2;
-/// The least minor version of a blob with each feature; a writer states the least that its features need.
+/// The lowest minor version that allows each feature. A writer states the lowest version that its features need.
 inline constexpr std::uint16_t version_minor_of_deformable = 1;
 inline constexpr std::uint16_t version_minor_of_id_runs = 2;
 inline constexpr std::uint16_t version_minor_of_source_origin = 2;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
-inline constexpr int max_bits = 24;             ///< lattice bits per axis: integers that float32 holds exactly
+inline constexpr int max_bits = 24;  ///< lattice bits per axis, so that float32 holds every coordinate exactly
 inline constexpr int min_step_exponent = -100;  ///< step = 2^exponent
 inline constexpr int max_step_exponent = 100;
 inline constexpr std::uint32_t max_nodes = 1u << 24;
-inline constexpr unsigned max_depth = 16;           ///< nodes on the longest way down; sizes every query's stack
-inline constexpr unsigned max_children = 16;        ///< of any profile
-inline constexpr unsigned max_leaf_triangles = 62;  ///< of any profile
+inline constexpr unsigned max_depth = 16;           ///< nodes on the longest path down; sizes the stack of every query
+inline constexpr unsigned max_children = 16;        ///< in any profile
+inline constexpr unsigned max_leaf_triangles = 62;  ///< in any profile
 inline constexpr unsigned max_leaf_vertices = 56;
-inline constexpr unsigned max_leaf_entries = 64;  ///< of a strip
+inline constexpr unsigned max_leaf_entries = 64;  ///< in a strip
 inline constexpr std::uint32_t max_triangles = 0x7FFFFFFFu;
 
 // ---- header: 128 bytes --------------------------------------------------------------------------------------------
@@ -63,36 +64,37 @@ inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..7, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
 inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
 inline constexpr std::size_t id_step_bytes_at = 80;     // u32, see `ids`
-// Fields of a deformable blob; zero in others.
+// Fields of a deformable blob, which are zero in all others.
 inline constexpr std::size_t position_count_at = 84;  // u32, positions of the sources, which refit() takes
-inline constexpr std::size_t vertex_slots_at = 88;    // u32, vertices of all leaves together
-inline constexpr std::size_t rest_cost_at = 92;       // f32, cost of the tree at rest; above 0
+inline constexpr std::size_t vertex_slots_at = 88;    // u32, total number of vertices in all leaves
+inline constexpr std::size_t rest_cost_at = 92;       // f32, cost of the tree at rest, above 0
 inline constexpr std::size_t pose_low_at = 96;        // 3 x u32, least coordinate of any vertex in this pose
 inline constexpr std::size_t pose_high_at = 108;      // 3 x u32, greatest coordinate of any vertex in this pose
-inline constexpr std::size_t reserved_at = 120;       // zero up to the end (and the two bytes at 70)
+inline constexpr std::size_t reserved_at = 120;       // zero from here to the end, like the two bytes at 70
 inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
 
-/// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
+/// Bits of the features field. An optional section exists if and only if its bit is set, and the sections follow in the
+/// order of the bits.
 namespace feature {
 inline constexpr std::uint32_t original_ids = 1u << 0;
 inline constexpr std::uint32_t materials_8 = 1u << 1;
 inline constexpr std::uint32_t materials_16 = 1u << 2;      // never together with materials_8
-inline constexpr std::uint32_t closed = 1u << 3;            // no bytes: the triangles' boundary cancels along lines
+inline constexpr std::uint32_t closed = 1u << 3;            // no section: the triangles' boundary cancels along lines
 inline constexpr std::uint32_t split_references = 1u << 4;  // triangles have copies in several leaves, see `copies`
 inline constexpr std::uint32_t edge_flags = 1u << 5;        // see `edge_flags` below
-inline constexpr std::uint32_t oriented_box = 1u << 6;      // see `bounds`, also for the next two
+inline constexpr std::uint32_t oriented_box = 1u << 6;      // see `bounds`, as for the next two
 inline constexpr std::uint32_t bounding_sphere = 1u << 7;
 inline constexpr std::uint32_t k_dop = 1u << 8;
 inline constexpr std::uint32_t deformable =
-    1u << 9;  // vertices move, see `corners` and `vertex_sources`; profile fast only
-inline constexpr std::uint32_t id_runs = 1u << 10;  // of original_ids: blocks are divided, see `ids`
+    1u << 9;  // vertices can move, see `corners` and `vertex_sources`; profile fast only
+inline constexpr std::uint32_t id_runs = 1u << 10;  // only with original_ids: blocks are divided into runs, see `ids`
 inline constexpr std::uint32_t source_origin = 1u << 11;
 inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
 inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references |
                                        edge_flags | bounds | deformable | id_runs | source_origin;
-/// What a deformable blob does not have: these sections describe one pose.
+/// Sections that a deformable blob cannot have, because they describe a single pose.
 inline constexpr std::uint32_t not_deformable = split_references | edge_flags | bounds;
 }  // namespace feature
 
