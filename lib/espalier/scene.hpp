@@ -1,18 +1,19 @@
 // Scenes: one file with a few meshes and many instances of them, and queries over all instances.
 //
-// An instance is a mesh with a Transform, its place in the world. A scene stores each mesh once, as an ordinary blob,
-// and a tree over the boxes of the instances. Queries take shapes in world space and return results in world space.
+// An instance is a mesh with a Transform that places it in the world. A scene stores each mesh once, as an ordinary
+// blob, together with a tree over the boxes of the instances. Queries take shapes in world space and return results in
+// world space.
 //
-// A tile is a scene that is an instance of another one, in place of a mesh: a part of a world that is baked alone. The
-// scene holds its bytes whole, and queries it as a mesh is queried. Tiles hold no tiles.
+// A tile is a scene that another scene instances in place of a mesh: a part of a world that is baked separately. The
+// outer scene contains the whole bytes of the tile and queries it as it queries a mesh. Tiles contain no tiles.
 //
-// Answers are exact: they equal, bit for bit, those of a loop over all instances. The loop moves the shape into each
-// local space with to_local() and queries the blob or the tile. It moves results back with to_world() and
-// normal_to_world(). Instances on the common lattice get the ray that round_ray() rounds for it. Of equally good
-// triangles the one in the lowest instance counts, then the lowest triangle.
+// Answers are exact. They equal, bit for bit, those of a loop over all instances that moves the shape into each local
+// space with to_local(), queries the blob or the tile, and moves the results back with to_world() and
+// normal_to_world(); instances on the common lattice share the ray that round_ray() rounds for it. Of equally good
+// triangles, the one in the lowest instance wins, then the lowest triangle.
 //
-// Thread safety: any number of threads may query one scene. No call allocates. Numerics are described at the end of
-// this file.
+// Any number of threads may query the same scene, and no call allocates. Numerics are described at the end of this
+// file.
 #pragma once
 
 #include <compare>
@@ -35,24 +36,24 @@
 
 namespace espalier {
 
-/// The number of an instance in its scene: 0 .. BakedScene::instance_count() - 1. If that is a tile, `in_tile` is the
-/// number of an instance in the tile. The default is no instance.
+/// The index of an instance in its scene, from 0 to BakedScene::instance_count() - 1. If that instance is a tile,
+/// `in_tile` is the index of an instance in the tile. The default names no instance.
 struct InstanceId {
     std::uint32_t index = 0xFFFFFFFFu;
-    std::uint32_t in_tile = 0xFFFFFFFFu;  ///< none for an instance of a mesh, and for a tile as a whole
+    std::uint32_t in_tile = 0xFFFFFFFFu;  ///< not set for an instance of a mesh, nor for a tile as a whole
     friend constexpr auto operator<=>(const InstanceId&, const InstanceId&) = default;
 };
 
-/// The id that belongs to no instance: a miss has it.
+/// The id that a miss returns; it belongs to no instance.
 inline constexpr InstanceId no_instance = {};
 
-/// A mesh or a tile at a place in the world.
+/// A mesh or a tile, placed in the world.
 struct Instance {
-    Transform transform;     ///< from the mesh's local space to the world; bake_scene() takes that of its source
-    std::uint32_t mesh = 0;  ///< the number of its mesh in the scene; tiles are numbered after the meshes
+    Transform transform;  ///< from the mesh's local space to the world; for bake_scene(), from the space of its source
+    std::uint32_t mesh = 0;           ///< index of its mesh in the scene; tiles are numbered after the meshes
     std::uint32_t mask = 0xFFFFFFFF;  ///< a query skips this instance unless the masks share a bit
-    std::uint32_t user = 0;           ///< the caller's: never read by the library
-    std::uint32_t source = 0;         ///< its number in the list that was given to bake_scene()
+    std::uint32_t user = 0;           ///< for the caller's use; the library never reads it
+    std::uint32_t source = 0;         ///< its index in the list that was given to bake_scene()
 };
 
 class BakedScene;
@@ -63,24 +64,24 @@ namespace detail {
 
 struct MovingInstances;
 
-/// The facts about a scene that its queries need: those that open_scene() proved about its bytes, or those of a
-/// MovingScene, whose tree has a lattice alone. All are zero in a scene that was never opened.
+/// What queries need to know about a scene: what open_scene() proved about its bytes, or the state of a MovingScene,
+/// whose tree has nothing but a lattice. In a scene that was never opened all members are zero.
 struct SceneData {
-    BlobData tree;  ///< nodes and lattice of the tree over the instances; its leaves are the records of instances
-    const MovingInstances* moving = nullptr;  ///< the instances of a MovingScene, in place of the tree's
-    std::byte* block = nullptr;               ///< of a MovingScene; queries only read it
+    BlobData tree;  ///< nodes and lattice of the tree over the instances, whose leaves are the records of instances
+    const MovingInstances* moving = nullptr;  ///< the instances of a MovingScene, which replace those of the tree
+    std::byte* block = nullptr;               ///< the block of a MovingScene; queries only read it
     const Blob* meshes = nullptr;
     const BakedScene* tiles = nullptr;
     std::uint32_t mesh_count = 0;
     std::uint32_t tile_count = 0;
     std::uint32_t instance_count = 0;
-    Lattice common;  ///< the region of the instances that are moved by whole steps, if there is one
+    Lattice common;  ///< the region of the instances that are translated by whole steps, if there is one
     bool has_common = false;
     float coarsest_step = 0.0f;  ///< the largest lattice step of any instance, in world units
     float largest_scale = 0.0f;
-    float farthest_origin = 0.0f;  ///< how far the origin of an instance may lie outside of the tree's region
+    float farthest_origin = 0.0f;  ///< how far outside the tree's region the origin of an instance may lie
     float view_slack = 0.0f;       ///< how far the view of a MovingScene may round a translation along an axis
-    bool must_refit = false;       ///< why a MovingScene is not open to queries
+    bool must_refit = false;       ///< whether a MovingScene refuses queries until refit()
     std::int32_t origin[3] = {};   ///< of the view of a MovingScene, in steps of its world
 };
 
@@ -88,9 +89,9 @@ constexpr const SceneData& data_of(const SceneView& scene) noexcept;
 
 }  // namespace detail
 
-/// A scene as queries take it. A BakedScene is one, and a MovingScene (scenes/moving_scene.hpp) converts to one.
-/// Copied freely: what it shows must outlive it and stay unchanged. Queries refuse the default view with not_open, and
-/// that of a MovingScene which waits for refit() with not_refitted.
+/// A scene as queries take it. A BakedScene is one, and a MovingScene (scenes/moving_scene.hpp) converts to one. It can
+/// be copied freely; what it shows must outlive it and stay unchanged. Queries refuse a default view with not_open, and
+/// the view of a MovingScene that waits for refit() with not_refitted.
 class [[nodiscard]] SceneView {
 public:
     constexpr SceneView() noexcept = default;
@@ -99,17 +100,17 @@ public:
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return data_.tree.bytes != nullptr; }
 
     [[nodiscard]] constexpr std::uint32_t instance_count() const noexcept { return data_.instance_count; }
-    /// Returns the meshes, each an open blob; without those of the tiles.
+    /// Returns the meshes, each an open blob, without those of the tiles.
     [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {data_.meshes, data_.mesh_count}; }
     /// Returns the tiles, each an open scene.
     [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept;
-    /// Returns a box around the boxes and the local origins of all instances, each coordinate rounded to float. Both
+    /// Returns a box around the boxes and local origins of all instances, with each coordinate rounded to float. Both
     /// corners are zero if there are no instances.
     [[nodiscard]] Box bounds() const noexcept;
 
-    /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and
-    /// do nothing else, such as the pieces of a ground. Rays are rounded once for all of them. Not found if there are
-    /// none, or if they reach farther than 2^24 - 1 steps.
+    /// Returns the region of the instances that lie on one lattice, such as the pieces of a ground: those whose
+    /// transforms do nothing but translate by whole steps. Rays are rounded once for all of them. The status is
+    /// not_found if there are none, or if they extend over more than 2^24 - 1 steps.
     [[nodiscard]] constexpr Result<Lattice> common_lattice() const noexcept {
         if (data_.tree.bytes == nullptr) return {{}, QueryStatus::not_open};
         return {data_.common, data_.has_common ? QueryStatus::ok : QueryStatus::not_found};
@@ -121,8 +122,8 @@ protected:
     detail::SceneData data_;
 };
 
-/// A baked scene, which open_scene() made. The bytes and the arrays of meshes and tiles must outlive it. A default
-/// BakedScene was never opened: it has no instances.
+/// A baked scene, as opened by open_scene(). The bytes and the arrays of meshes and tiles must outlive it. A default
+/// BakedScene was never opened and has no instances.
 class [[nodiscard]] BakedScene : public SceneView {
 public:
     /// Returns ok, not_opened, or why open_scene() refused the bytes.
@@ -130,13 +131,14 @@ public:
         if (data_.tree.bytes != nullptr) return OpenStatus::ok;
         return data_.tree.refusal == OpenStatus::ok ? OpenStatus::not_opened : data_.tree.refusal;
     }
-    /// Returns the size in bytes, meshes and tiles included.
+    /// Returns the size in bytes, including meshes and tiles.
     [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.tree.size; }
     /// Returns the largest distance between the surface of any instance and its source, in world units.
     [[nodiscard]] constexpr float max_error() const noexcept { return data_.tree.max_error; }
-    /// Returns where 0 0 0 of the scene lies in the source, in float64: what bake_scene() subtracted from all places
-    /// (SceneBakeOptions::origin). 0 for most scenes. A tile keeps its own, which no query of the scene around it uses:
-    /// a transform leads from what counts from the origin of a mesh or tile to what counts from that of the scene.
+    /// Returns the point of the source that is the origin of the scene, in float64: what bake_scene() subtracted from
+    /// all positions (SceneBakeOptions::origin). It is 0 for most scenes. A tile keeps an origin of its own, which no
+    /// query of the scene around it uses: a transform leads from coordinates relative to the origin of a mesh or tile
+    /// to coordinates relative to that of the scene.
     [[nodiscard]] Vec3d source_origin() const noexcept;
 
 private:
@@ -148,44 +150,46 @@ constexpr std::span<const BakedScene> SceneView::tiles() const noexcept { return
 
 namespace detail {
 
-/// Returns the inner data of a scene: for the library's own parts and its tests. Its layout may change.
+/// Returns the internal data, for the library itself and its tests. The layout may change.
 constexpr const SceneData& data_of(const SceneView& scene) noexcept { return scene.data_; }
 
 }  // namespace detail
 
-/// Returns the number of meshes that a scene states in its header, those of its tiles included: the size of the array
-/// that open_scene() needs. Returns 0 for bytes that are no scene or too few for so many. Reads the header only.
+/// Returns the number of meshes that the header of a scene states, including those of its tiles. open_scene() needs an
+/// array of this size. Returns 0 for bytes that are not a scene, or that are too few for so many meshes. Reads only the
+/// header.
 [[nodiscard]] std::uint32_t mesh_count_of_scene(std::span<const std::byte> bytes) noexcept;
-/// Returns the number of tiles that a scene states in its header, which open_scene() needs room for as well.
+/// Returns the number of tiles that the header of a scene states, for which open_scene() needs room as well.
 [[nodiscard]] std::uint32_t tile_count_of_scene(std::span<const std::byte> bytes) noexcept;
 
-/// Proves that every query on `bytes` is safe and returns a view of them. Writes an open Blob for each mesh to
-/// `meshes`, and an open scene for each tile to `tiles`. The arrays need mesh_count_of_scene() and
-/// tile_count_of_scene() elements (else too_few_meshes).
+/// Proves that every query on `bytes` is safe and returns a view of them. Writes an open Blob for each mesh to `meshes`
+/// and an open scene for each tile to `tiles`, which must have at least mesh_count_of_scene() and tile_count_of_scene()
+/// elements (otherwise: too_few_meshes).
 ///
-/// Takes any bytes at any alignment. Reads only inside `bytes`, without heap and recursion, in time proportional to the
-/// size. After a refusal the elements of both arrays are open or empty. It does not prove that the tree holds its
-/// instances: verify_scene() does.
+/// Takes any bytes at any alignment. Reads only inside `bytes`, without heap or recursion, in time proportional to
+/// their number. After a refusal, the elements of both arrays are open or empty. It does not prove that the tree
+/// contains its instances; verify_scene() does.
 BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
                       std::span<BakedScene> tiles = {}) noexcept;
 
-/// Returns an instance; with `in_tile`, one of a tile, whose transform leads to the tile's local space. Refuses a scene
-/// that is not open (not_open) and an id out of range (invalid_argument). O(1).
+/// Returns an instance or, with `in_tile`, an instance in a tile, whose transform leads to the tile's local space.
+/// Refuses a scene that is not open (not_open) and an id out of range (invalid_argument). O(1).
 Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexcept;
 
 /// Returns the mesh of an instance. Refuses what instance_at() refuses, and a tile as a whole (invalid_argument). O(1).
 Result<Blob> mesh_at(const BakedScene& scene, InstanceId instance) noexcept;
 
-/// Returns whether rays are rounded once for this instance and others. Its transform must only move it, by whole steps
-/// of common_lattice(). Its mesh, or the common lattice of its tile, must lie within that region. With `in_tile`, both
-/// the tile and the instance in it must. Refuses what instance_at() refuses. O(1).
+/// Returns whether this instance shares the ray that is rounded once for the common lattice. Its transform must do
+/// nothing but translate by whole steps of common_lattice(), and its mesh, or the common lattice of its tile, must lie
+/// within that region. With `in_tile`, this must hold for both the tile and the instance in it. Refuses what
+/// instance_at() refuses. O(1).
 YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcept;
 
-/// A callable that decides which triangles of which instances count: true keeps one. The default keeps all.
+/// A callable that returns whether to keep a triangle of an instance. The default keeps all.
 using SceneTriangleFilter = FunctionRef<bool(InstanceId, TriangleId)>;
 
-/// Selects the instances and triangles that a query takes into account: those of instances whose mask shares a bit with
-/// `mask`, and of these the triangles that the callable keeps. A parameter type: it refers to the callable.
+/// Selects the instances and triangles that a query considers: instances whose mask shares a bit with `mask`, and those
+/// of their triangles that the callable keeps. Use it as a parameter only, since it refers to the callable.
 class SceneFilter {
 public:
     constexpr SceneFilter() noexcept = default;
@@ -206,8 +210,8 @@ private:
     SceneTriangleFilter keep_;
 };
 
-/// The result of a query over a scene: that of a query over a blob, in world space, and the instance. Converts to true
-/// if something was found.
+/// The result of a query over a scene: that of the query over a blob, in world space, and the instance. Converts to
+/// true if something was found.
 template <class Hit>
 struct [[nodiscard]] InScene {
     Hit hit;
@@ -218,60 +222,61 @@ struct [[nodiscard]] InScene {
     constexpr const Hit* operator->() const noexcept { return &hit; }
 };
 
-/// Returns the hit with the smallest t; of equal t the one in the lowest instance, then the lowest triangle.
+/// Returns the hit with the smallest t. If several hits have the same t, the lowest instance wins, then the lowest
+/// triangle.
 ///
-/// Refuses as raycast() of a blob does, but an origin that is too far away (out_of_range) only if it is so for an
-/// instance near the ray. Cost: expected O(log n) for n instances, and the queries of the few blobs whose boxes the ray
-/// passes; O(n) for a direction shorter than 2^-70, or than that times the largest scale.
+/// Refuses what raycast() of a blob refuses, except that an origin is too far away (out_of_range) only if it is so for
+/// an instance near the ray. Expected cost: O(log n) for n instances, plus the queries of the few blobs whose boxes the
+/// ray passes through. It is O(n) for a direction shorter than 2^-70, or than 2^-70 times the largest scale.
 InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
 
-/// Returns the same for a ray that is rounded for a region of the caller's, so that several scenes meet one ray.
-/// Instances that lie in the region, moved by whole steps of its lattice, take `rounded`; so do tiles whose common
-/// lattice does. The others take `ray`. Both are of one ray. Refuses also what round_ray() refused (out_of_range,
-/// invalid_argument).
+/// Returns the same for a ray that was rounded for a region of your choice, so that several scenes meet the same ray.
+/// Instances that lie in the region, translated by whole steps of its lattice, are tested with `rounded`, and so are
+/// tiles whose common lattice does; all others are tested with `ray`. Both must be the same ray. Refuses in addition
+/// what round_ray() refused (out_of_range, invalid_argument).
 InScene<RayHit> raycast(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                         const SceneFilter& filter = {}) noexcept;
 
-/// Writes to hits[i] what raycast() returns for rays[i]. Refuses spans of different sizes (invalid_argument).
+/// Writes to hits[i] what raycast() returns for rays[i]. Refuses spans whose sizes differ (invalid_argument).
 Filled raycast(const SceneView& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
                const SceneFilter& filter = {}) noexcept;
 
-/// Returns whether the ray hits any triangle. Refuses as raycast() does.
+/// Returns whether the ray hits any triangle. Refuses what raycast() refuses.
 YesNo occluded(const SceneView& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
 YesNo occluded(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                const SceneFilter& filter = {}) noexcept;
 
-/// Calls the visitor with each hit in ascending order of instances, and of triangles within one. Status: ok; stopped by
-/// the visitor; or why the ray was refused.
+/// Calls the visitor with each hit, in ascending order of instances and, within one, of triangles. Returns ok, stopped
+/// if the visitor ended the query, or why the ray was refused.
 QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
                          const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const SceneView& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
 
-/// Returns the closest point of any surface within max_distance; of equally close ones that in the lowest instance,
-/// then the lowest triangle. Refuses as closest_point() of a blob does.
+/// Returns the closest point of any surface within max_distance. Of equally close points, that in the lowest instance
+/// wins, then that of the lowest triangle. Refuses what closest_point() of a blob refuses.
 InScene<ClosestPoint> closest_point(const SceneView& scene, Vec3 point, float max_distance = infinity,
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
-/// A mask comes after the distance.
+/// Rejects a mask in place of the distance, which comes first.
 template <class Mask>
 requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const SceneView& scene, Vec3 point,
                                                                                Mask mask)
 = delete;
 
-/// SweepOptions for scenes. A parameter type: it refers to the callable of the filter.
+/// Like SweepOptions, for scenes. Use it as a parameter only, since it refers to the callable of the filter.
 struct SceneSweepOptions {
-    SceneFilter filter = {};                  ///< counts the instances and triangles that it keeps
+    SceneFilter filter = {};                  ///< considers only the instances and triangles that it keeps
     FaceCulling culling = FaceCulling::none;  ///< as in SweepOptions
-    bool ignore_leaving = false;              ///< as in SweepOptions, for each triangle by itself
-    /// As in SweepOptions, in world units. It stops the shape in front of the first contact, which is found without it.
+    bool ignore_leaving = false;              ///< as in SweepOptions, for each triangle on its own
+    /// As in SweepOptions, in world units. It stops the shape before the first contact, which is found without it.
     float skin = 0.0f;
 };
 
-/// Returns the first contact of the shape as it moves by `displacement`; of equally early ones that with the lowest
-/// instance. A contact at the start comes first: of several instances that the shape touches there, the lowest counts,
-/// and of that the triangle that the shape is in deepest.
+/// Returns the first contact of the shape as it moves by `displacement`. Of equally early contacts, that with the
+/// lowest instance wins. A contact at the start comes first: of several instances that the shape touches there, the
+/// lowest wins, and of its triangles the one that the shape penetrates most deeply.
 ///
-/// Refuses as sweep() of a blob does. A Box is swept as the OrientedBox that it becomes in local space.
+/// Refuses what sweep() of a blob refuses. A Box is swept as the OrientedBox that it becomes in local space.
 template <SweptShape Shape>
 InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement,
                         const SceneSweepOptions& options = {}) noexcept;
@@ -283,25 +288,25 @@ InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displac
     return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
 }
 
-/// Calls the visitor with each instance whose box in the tree touches the box, widened by the slack of rounding, in
-/// ascending order; of a tile, with each instance in it whose box does. The boxes of the tree are larger than their
-/// instances: by up to a 127th of the scene's extent. For queries of your own.
+/// Calls the visitor with each instance whose box in the tree, widened by the slack of rounding, touches the box, in
+/// ascending order; for a tile, with each instance in it whose box does. The boxes in the tree are larger than their
+/// instances, by up to a 127th of the scene's extent. Use it to build queries of your own.
 QueryStatus for_each_candidate(const SceneView& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask = 0xFFFFFFFF) noexcept;
 
-/// A shape that overlaps() and for_each_overlap() of a scene take.
+/// The shapes that overlaps() and for_each_overlap() of a scene take.
 template <class Shape>
 concept SceneShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, Box> ||
     std::same_as<Shape, OrientedBox> || std::same_as<Shape, Triangle> || std::same_as<Shape, Cone>;
 
 namespace detail {
 
-/// A box around a shape, seen from one of its points, and whether queries take the shape.
+/// A box around a shape, relative to one of its points, and whether queries accept the shape.
 struct ShapeBounds {
     Vec3 anchor;
-    Vec3 low;                              ///< from the anchor
-    Vec3 high;                             ///< from the anchor
-    QueryStatus status = QueryStatus::ok;  ///< not_found for a shape without any point
+    Vec3 low;                              ///< relative to the anchor
+    Vec3 high;                             ///< relative to the anchor
+    QueryStatus status = QueryStatus::ok;  ///< not_found for a shape that contains no point
 };
 ShapeBounds bounds_of(const Sphere& sphere) noexcept;
 ShapeBounds bounds_of(const Capsule& capsule) noexcept;
@@ -310,7 +315,7 @@ ShapeBounds bounds_of(const OrientedBox& box) noexcept;
 ShapeBounds bounds_of(const Triangle& triangle) noexcept;
 ShapeBounds bounds_of(const Cone& cone) noexcept;
 
-/// A shape of any type in world space, with the queries of one blob and of one tile for it.
+/// A shape of any type in world space, with the functions that query one blob and one tile for it.
 struct AnySceneShape {
     const void* shape;
     ShapeBounds bounds;
@@ -352,13 +357,13 @@ AnySceneShape::AnySceneShape(const Shape& any) noexcept
 
 }  // namespace detail
 
-/// Returns whether any triangle touches the shape. Refuses as overlaps() of a blob does.
+/// Returns whether any triangle touches the shape. Refuses what overlaps() of a blob refuses.
 template <SceneShape Shape>
 [[nodiscard]] YesNo overlaps(const SceneView& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
     return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
 }
 
-/// Visits every triangle that touches the shape: in ascending order of instances, and within one in the order of
+/// Visits every triangle that touches the shape, in ascending order of instances and, within one, in the order of
 /// for_each_overlap() of a blob. Returns ok, stopped, or a refusal.
 template <SceneShape Shape>
 QueryStatus for_each_overlap(const SceneView& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
@@ -370,14 +375,14 @@ QueryStatus for_each_overlap(const SceneView& scene, const Shape& shape, Visitor
 
 // Numerics
 //
-// t of rays and sweeps is that of the local query, since to_local() keeps it. Points are those of to_world(), normals
-// those of normal_to_world(), distances local ones times the scale of the instance, rounded once.
-// closest_point() passes max_distance / scale to the query of the blob. So does sweep() with a skin: it is moved into
-// local space as a radius is. A hull is moved by its vertices. As in transforms, distances, products and
-// quotients below 2^-100 count as zero. What a tile returns is moved once more: it
-// compares distances before they are multiplied by its scale.
+// The t of rays and sweeps is that of the local query, because to_local() preserves it. Points are those of to_world()
+// and normals those of normal_to_world(); distances are local ones times the scale of the instance, rounded once.
+// closest_point() passes max_distance / scale to the query of the blob. sweep() treats a skin alike, and moves it into
+// local space like a radius. A hull is moved by moving its vertices. As in transforms, distances, products and
+// quotients below 2^-100 count as zero. What a tile returns is transformed once more, and a tile compares distances
+// before they are multiplied by its scale.
 //
-// The tree is conservative: it widens each box by what to_local() and the lattice of the instance may move a shape by
-// (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge, of
-// which one is not on the common lattice, a gap can remain: each instance rounds the ray for itself, which moves it by
-// as much, and the bake has moved the two borders by up to the max_error of their meshes.
+// The tree is conservative. It widens each box by as much as to_local() and the lattice of the instance may move a
+// shape (docs/numerics.md, Scenes), so it never changes an answer. A gap can remain between two instances that share an
+// edge if one of them is not on the common lattice: each instance then rounds the ray for itself, by a different
+// amount, and baking has moved the two borders by up to the max_error of their meshes.
