@@ -1,23 +1,24 @@
 /* Espalier for C99: every query of the C++ library, with the same results, bit for bit.
  *
- * Each header of espalier/c is the counterpart of the C++ header of the same name. It states what each call does; the
- * C++ header (ray.hpp for ray.h) has arguments, refusals, costs and numerics, which hold for both. Functions that C++
- * overloads end in their shape (espalier_overlaps_box), those with a filter in _filtered. Those of a scene begin with
- * espalier_scene_ and take a mask, and most a filter. Those of a moving scene begin with espalier_moving_scene_, those
- * of a deformable mesh with espalier_deformable_.
+ * Each header in espalier/c is the counterpart of the C++ header of the same name, such as ray.h of ray.hpp. It states
+ * what each call does; arguments, refusals, costs and numerics are described in the C++ header and hold for both. Where
+ * C++ overloads a function, the name in C ends in the shape (espalier_overlaps_box) or, with a filter, in _filtered.
+ * Functions on scenes begin with espalier_scene_ and take a mask, and most of them a filter. Functions on moving scenes
+ * begin with espalier_moving_scene_, those on deformable meshes with espalier_deformable_.
  *
- * Threads. Any number of threads may query one blob or scene. Functions use no heap.
+ * Threads. Any number of threads may query the same blob or scene. Functions use no heap.
  *
- * Structures. They have the fields of the C++ ones and no destructor. A blob is a value too, and so is a scene: put it
- * on the stack, into static storage or into a structure of yours, and copy it freely. It is aligned to 16 bytes, as its
- * type states; malloc of 32-bit machines aligns to 8. Enumerations are integers of one byte; visitors return an int.
+ * Structures. They have the fields of the C++ structures and no destructor. A blob is a value, and so is a scene: put
+ * it on the stack, into static storage or into a structure of yours, and copy it freely. Its type states that it is
+ * aligned to 16 bytes; malloc() of 32-bit machines aligns to only 8. Enumerations are integers of one byte, and
+ * visitors return an int.
  *
  * Arguments. Any number and any value of an enumeration is safe. Pointers must be valid, and results must not overlap
  * arguments. Null is valid only for `user`, which is passed on; for arrays without elements; for the counters of
- * approximate.h; for a filter, which then keeps all triangles or pairs; and for a visitor: the query is refused with
- * ESPALIER_QUERY_INVALID_ARGUMENT.
+ * approximate.h; for a filter, which then keeps all triangles or pairs; and for a visitor, in which case the query is
+ * refused with ESPALIER_QUERY_INVALID_ARGUMENT.
  *
- * A C compiler links the library: it needs neither libc nor the C++ library. */
+ * Linking takes only a C compiler: the library needs neither libc nor the C++ library. */
 #ifndef ESPALIER_ESPALIER_H
 #define ESPALIER_ESPALIER_H
 

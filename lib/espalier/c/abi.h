@@ -1,4 +1,4 @@
-/* The version of these headers; the version and the structure sizes of the library, for callers that load it at run
+/* The version of these headers, and the version and structure sizes of the library, for callers that load it at run
  * time. Counterpart of espalier.hpp. */
 #ifndef ESPALIER_C_ABI_H
 #define ESPALIER_C_ABI_H
@@ -18,15 +18,15 @@ extern "C" {
 #define ESPALIER_VERSION_MINOR 1
 #define ESPALIER_VERSION_PATCH 0
 
-/* Returns the version of the library, as ESPALIER_VERSION is that of the headers: static. Before 1.0 two versions that
- * differ in the second number differ in structures and functions. */
+/* Returns the version of the library, a static string, as ESPALIER_VERSION is that of the headers. Before 1.0, two
+ * versions that differ in the second number differ in structures and functions. */
 const char* espalier_version(void);
-/* Returns the size in bytes that a structure of espalier.h has in the library, by its name without espalier_, such as
- * "ray_hit"; 0 for other names. For callers that load the library and lay out structures themselves. */
+/* Returns the size in bytes of a structure of espalier.h in the library, by its name without espalier_, such as
+ * "ray_hit", and 0 for other names. For callers that load the library and lay out structures themselves. */
 size_t espalier_size_of(const char* name);
 
-/* The version of the library and the sizes of its structures in bytes, each under its name. A later version may add
- * sizes; a caller that lacks them must not call it: compare espalier_version() first. */
+/* The version of the library and the sizes of its structures in bytes, each under its name. Later versions may add
+ * sizes, so compare espalier_version() first: a caller that does not know them must not call espalier_abi(). */
 #define ESPALIER_SIZE_(name, Cpp) uint16_t name;
 typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t version_major, version_minor, version_patch;

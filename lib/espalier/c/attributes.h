@@ -1,8 +1,8 @@
-/* Attributes of the structures that C and C++ share. For the library itself. */
+/* Attributes of the structures that C and C++ share. Internal to the library. */
 #ifndef ESPALIER_C_ATTRIBUTES_H
 #define ESPALIER_C_ATTRIBUTES_H
 
-/* The library is C++ and accesses these structures as its own. The attribute lets them alias, also where a compiler
+/* The library is C++ and accesses these structures as its own. This attribute lets them alias, even where a compiler
  * optimises C and C++ together. */
 #if defined(__GNUC__)
 #define ESPALIER_SHARED_ __attribute__((__may_alias__))

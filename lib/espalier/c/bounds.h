@@ -1,4 +1,4 @@
-/* Bounds of the whole asset that are tighter than espalier_blob_bounds(), for blobs that were baked with them.
+/* Bounds of the whole asset that are tighter than espalier_blob_bounds(). The blob must have been baked with them.
  * Counterpart of bounds.hpp. */
 #ifndef ESPALIER_C_BOUNDS_H
 #define ESPALIER_C_BOUNDS_H
@@ -38,11 +38,11 @@ typedef struct ESPALIER_SHARED_ espalier_k_dop_result {
     espalier_query_status status;
 } espalier_k_dop_result;
 
-/* Returns a sphere close to the smallest one that holds all triangles. */
+/* Returns a sphere that contains all triangles and is close to the smallest one. */
 espalier_sphere_result espalier_bounding_sphere(const espalier_blob* blob);
-/* Returns a box of little surface, in any orientation, that holds all triangles. */
+/* Returns a box of small surface and any orientation that contains all triangles. */
 espalier_oriented_box_result espalier_oriented_bounds(const espalier_blob* blob);
-/* Returns the slabs that hold all triangles. */
+/* Returns slabs that contain all triangles. */
 espalier_k_dop_result espalier_k_dop_bounds(const espalier_blob* blob);
 
 #ifdef __cplusplus

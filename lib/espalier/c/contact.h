@@ -1,4 +1,5 @@
-/* Contacts of a body with the surface, and edges that only join two triangles of it. Counterpart of contact.hpp. */
+/* Contacts of a body with the surface, and corrected normals at internal edges, which only join two triangles of it.
+ * Counterpart of contact.hpp. */
 #ifndef ESPALIER_C_CONTACT_H
 #define ESPALIER_C_CONTACT_H
 
@@ -15,7 +16,7 @@
 extern "C" {
 #endif
 
-/* A place where a body is near a triangle, or in it: then the distance is below 0. */
+/* Where a body touches a triangle, in which case the distance is below 0, or is near it. */
 typedef struct ESPALIER_SHARED_ espalier_contact {
     espalier_vec3 point, normal;
     float distance;
@@ -25,8 +26,7 @@ typedef struct ESPALIER_SHARED_ espalier_contact {
     uint8_t reserved[2];
 } espalier_contact;
 
-/* Writes the contacts with the triangles that are no farther away than `margin`, the deepest first, as many as
- * `contacts` has places: `capacity`. */
+/* Write the contacts with the triangles that are at most `margin` away, the deepest first, up to `capacity`. */
 espalier_filled espalier_find_contacts_sphere(const espalier_blob* blob, const espalier_sphere* sphere, float margin,
                                               espalier_contact* contacts, size_t capacity);
 espalier_filled espalier_find_contacts_capsule(const espalier_blob* blob, const espalier_capsule* capsule, float margin,
@@ -38,10 +38,10 @@ espalier_filled espalier_find_contacts_convex_hull(const espalier_blob* blob, co
 
 /* The largest number of contacts that espalier_reduce_contacts() keeps. */
 #define ESPALIER_MAX_REDUCED_CONTACTS 4
-/* Moves the contacts that support a body best to the front of the array. Returns how many they are. */
+/* Moves the contacts that support a body best to the front of the array and returns their number. */
 size_t espalier_reduce_contacts(espalier_contact* contacts, size_t count);
 
-/* The bend of the surface at an edge, seen from the front of its triangles. */
+/* How the surface bends at an edge, as seen from the front of its triangles. */
 typedef uint8_t espalier_edge_kind;
 enum { ESPALIER_EDGE_FLAT = 0, ESPALIER_EDGE_CONVEX = 1, ESPALIER_EDGE_CONCAVE = 2, ESPALIER_EDGE_BOUNDARY = 3 };
 
@@ -57,8 +57,9 @@ typedef struct ESPALIER_SHARED_ espalier_edge_kinds_result {
 
 /* Returns the kinds of a triangle's edges. */
 espalier_edge_kinds_result espalier_edge_kinds_of(const espalier_blob* blob, espalier_triangle_id triangle);
-/* Returns the normal to use for a contact on a feature of a triangle: on an edge that is flat or a valley on the side
- * to which `normal` leads the triangle's own, else `normal`, which leads from the surface to the body. */
+/* Returns the normal to use for a contact on a feature of a triangle. `normal` leads from the surface to the body. On
+ * an edge that is flat, or a valley on the side to which `normal` leads, it is the triangle's own normal; otherwise it
+ * is `normal`. */
 espalier_vec3 espalier_fix_internal_edge_normal(const espalier_blob* blob, espalier_triangle_id triangle,
                                                 espalier_feature feature, espalier_vec3 normal);
 

@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-/* The structure ClosestPoint of C++. Its status is ESPALIER_QUERY_OK if there is a closest point. */
+/* ClosestPoint of C++. The status is ESPALIER_QUERY_OK if there is a closest point. */
 typedef struct ESPALIER_SHARED_ espalier_closest_point_result {
     espalier_vec3 point, on_shape, face_normal;
     float distance, u, v;
@@ -30,13 +30,12 @@ typedef struct ESPALIER_SHARED_ espalier_closest_point_result {
 /* Returns the closest point of the surface within max_distance, which may be INFINITY. */
 espalier_closest_point_result espalier_closest_point(const espalier_blob* blob, espalier_vec3 point,
                                                      float max_distance);
-/* Returns the closest pair of points, one of the shape and one of the surface. */
+/* Return the closest pair of points, one on the shape and one on the surface. */
 espalier_closest_point_result espalier_closest_point_segment(const espalier_blob* blob, const espalier_segment* segment,
                                                              float max_distance);
 espalier_closest_point_result espalier_closest_point_box(const espalier_blob* blob, const espalier_box* box,
                                                          float max_distance);
-/* Writes the triangles that are closest to the point, sorted by distance, as many as `nearest` has places: `capacity`.
- */
+/* Writes the triangles closest to the point, sorted by distance, up to `capacity`. */
 espalier_filled espalier_closest_triangles(const espalier_blob* blob, espalier_vec3 point,
                                            espalier_closest_point_result* nearest, size_t capacity, float max_distance);
 
@@ -46,8 +45,8 @@ espalier_yes_no espalier_contains(const espalier_blob* blob, espalier_vec3 point
 espalier_closest_point_result espalier_signed_distance(const espalier_blob* blob, espalier_vec3 point,
                                                        float max_distance);
 
-/* Returns approximately how often the surface, open or closed, winds around the point: above 0.5 is inside.
- * `directions` is 2 to 4096; 64 is usual. */
+/* Returns approximately how often the surface, which may be open, winds around the point; above 0.5 is inside.
+ * `directions` is 2 to 4096, usually 64. */
 espalier_float_result espalier_winding_number(const espalier_blob* blob, espalier_vec3 point, uint32_t directions);
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-/* The source of a triangle or a hit: the file, mesh and triangle that was baked. Counterpart of original.hpp. */
+/* Maps a triangle or a hit back to its source: the file, mesh and triangle that were baked. Counterpart of
+ * original.hpp. */
 #ifndef ESPALIER_C_ORIGINAL_H
 #define ESPALIER_C_ORIGINAL_H
 
@@ -20,10 +21,10 @@ typedef struct ESPALIER_SHARED_ espalier_original_triangle_result {
     espalier_query_status status;
 } espalier_original_triangle_result;
 
-/* Returns the source's triangle of a triangle of the blob. */
+/* Returns the source of a triangle. */
 espalier_original_triangle_result espalier_original_triangle_of(const espalier_blob* blob,
                                                                 espalier_triangle_id triangle);
-/* Writes the source's triangle of each triangle. Both arrays have `count` elements. */
+/* Writes the source of each triangle. Both arrays have `count` elements. */
 espalier_filled espalier_original_triangle_of_batch(const espalier_blob* blob, const espalier_triangle_id* triangles,
                                                     espalier_original_triangle_result* originals, size_t count);
 
@@ -34,15 +35,16 @@ typedef struct ESPALIER_SHARED_ espalier_original_hit {
     espalier_query_status status;
 } espalier_original_hit;
 
-/* Returns the source's triangle of a hit that a query of `blob` returned. */
+/* Returns the source of a hit that a query on `blob` returned. */
 espalier_original_hit espalier_original_hit_of(const espalier_blob* blob, const espalier_ray_hit* hit);
-/* Writes the source's triangle of each hit. Both arrays have `count` elements. */
+/* Writes the source of each hit. Both arrays have `count` elements. */
 espalier_filled espalier_original_hit_of_batch(const espalier_blob* blob, const espalier_ray_hit* hits,
                                                espalier_original_hit* originals, size_t count);
-/* Returns the source's triangle of a hit by the remap table of the blob's bake, which has `triangles` entries. */
+/* Returns the source of a hit from the remap table of the blob's bake, which has `triangles` entries. */
 espalier_original_hit espalier_original_hit_by_remap(const espalier_original_triangle* remap, size_t triangles,
                                                      const espalier_ray_hit* hit);
-/* Writes the triangles of a remap file to `remap`, which has a place for each triangle of the blob: `triangles`. */
+/* Writes the triangles of a remap file to `remap`, which has one element for each of the blob's `triangles`
+ * triangles. */
 espalier_open_status espalier_read_remap(const void* file, size_t size, const espalier_blob* blob,
                                          espalier_original_triangle* remap, size_t triangles);
 

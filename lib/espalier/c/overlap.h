@@ -1,5 +1,5 @@
-/* Overlap queries: which triangles touch a shape. lattice.h has those of a box in lattice steps. Counterpart of
- * overlap.hpp. */
+/* Overlap queries: which triangles touch a shape. advanced/lattice.h has those of a box in lattice steps. Counterpart
+ * of overlap.hpp. */
 #ifndef ESPALIER_C_OVERLAP_H
 #define ESPALIER_C_OVERLAP_H
 
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/* Returns whether any triangle touches the shape. */
+/* Return whether any triangle touches the shape. */
 espalier_yes_no espalier_overlaps_sphere(const espalier_blob* blob, const espalier_sphere* sphere);
 espalier_yes_no espalier_overlaps_capsule(const espalier_blob* blob, const espalier_capsule* capsule);
 espalier_yes_no espalier_overlaps_box(const espalier_blob* blob, const espalier_box* box);
@@ -24,7 +24,7 @@ espalier_yes_no espalier_overlaps_cone(const espalier_blob* blob, const espalier
 espalier_yes_no espalier_overlaps_triangle(const espalier_blob* blob, const espalier_triangle* triangle);
 espalier_yes_no espalier_overlaps_convex_volume(const espalier_blob* blob, const espalier_convex_volume* volume);
 
-/* Visits every triangle that touches the shape, once, until the visitor stops. */
+/* Visit each triangle that touches the shape once, until the visitor stops. */
 espalier_query_status espalier_for_each_overlap_sphere(const espalier_blob* blob, const espalier_sphere* sphere,
                                                        espalier_triangle_visitor visit, void* user);
 espalier_query_status espalier_for_each_overlap_capsule(const espalier_blob* blob, const espalier_capsule* capsule,
@@ -42,8 +42,8 @@ espalier_query_status espalier_for_each_overlap_convex_volume(const espalier_blo
                                                               const espalier_convex_volume* volume,
                                                               espalier_triangle_visitor visit, void* user);
 
-/* Writes every triangle that touches the shape, once, in pages: as many as `out` holds, which is `capacity`. `from` is
- * filled with zeros, or `next` of the page before. */
+/* Write each triangle that touches the shape once, in pages of at most `capacity`. `from` is filled with zeros for the
+ * first page, then the `next` of the previous page. */
 espalier_filled espalier_collect_overlaps_sphere(const espalier_blob* blob, const espalier_sphere* sphere,
                                                  espalier_triangle_id* out, size_t capacity, espalier_cursor from);
 espalier_filled espalier_collect_overlaps_capsule(const espalier_blob* blob, const espalier_capsule* capsule,

@@ -1,4 +1,4 @@
-/* Queries of two placed blobs: whether their surfaces touch, where and how deep, and how far apart they are.
+/* Queries on two placed blobs: whether their surfaces touch, where and how deep, and how far apart they are.
  * Counterpart of pair.hpp.
  *
  * `work_limit` is the number of pairs of nodes or leaves that a query may visit. */
@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-/* As `work_limit`: the query may visit all. */
+/* A `work_limit` that lets the query visit all pairs. */
 #define ESPALIER_WORK_UNLIMITED UINT64_MAX
 
 /* Two triangles that touch, one of each blob, if the status is ESPALIER_QUERY_OK. */
@@ -37,7 +37,7 @@ typedef struct ESPALIER_SHARED_ espalier_blob_distance {
     espalier_query_status status;
 } espalier_blob_distance;
 
-/* Returns whether a triangle of a touches one of b. At the work limit it is neither yes nor no. */
+/* Returns whether a triangle of a touches one of b. If the work limit is reached, the answer is neither yes nor no. */
 espalier_yes_no espalier_overlaps_blob(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                        uint64_t work_limit);
 /* Returns a pair of triangles that touch. */
@@ -48,8 +48,9 @@ typedef espalier_visit (*espalier_pair_visitor)(const espalier_pair_contact* con
 /* Visits each pair of triangles that touch, until the visitor stops. */
 espalier_query_status espalier_for_each_contact(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                                 espalier_pair_visitor visit, void* user, uint64_t work_limit);
-/* Writes these pairs in pages of at most `capacity`, from a cursor of zeros or from `next` of the page before. After
- * ESPALIER_QUERY_WORK_LIMIT, pairs are missing: `next` resumes, or equals `from` if the limit is too small. */
+/* Writes these pairs in pages of at most `capacity`. `from` is a cursor of zeros for the first page, then the `next` of
+ * the previous page. After ESPALIER_QUERY_WORK_LIMIT, pairs are missing: `next` resumes, or equals `from` if the limit
+ * is too small. */
 espalier_filled espalier_collect_contacts(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                           espalier_pair_contact* contacts, size_t capacity, uint64_t work_limit,
                                           espalier_cursor from);
@@ -57,8 +58,9 @@ espalier_filled espalier_collect_contacts(const espalier_placed_blob* a, const e
 /* The largest number of points of an espalier_pair_touch. */
 #define ESPALIER_MAX_TOUCH_POINTS 6
 
-/* Where two triangles touch, one of each blob, if the status is ESPALIER_QUERY_OK: what they have in common is the hull
- * of the points. Along the normal, from a to b, b leaves a after the depth. */
+/* The contact between two triangles, one of each blob, if the status is ESPALIER_QUERY_OK. The hull of the points is
+ * what the triangles have in common. Moving b along the normal, which leads from a to b, by the depth separates
+ * them. */
 typedef struct ESPALIER_SHARED_ espalier_pair_touch {
     espalier_vec3 points[ESPALIER_MAX_TOUCH_POINTS];
     espalier_vec3 normal;
@@ -69,15 +71,16 @@ typedef struct ESPALIER_SHARED_ espalier_pair_touch {
     uint8_t reserved[2];
 } espalier_pair_touch;
 
-/* Returns where the triangles of a pair touch, which espalier_collect_contacts() has found for the same placements. */
+/* Returns the contact between the triangles of a pair that espalier_collect_contacts() found for the same
+ * placements. */
 espalier_pair_touch espalier_pair_touch_of(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                            const espalier_pair_contact* pair);
 
 typedef espalier_visit (*espalier_touch_visitor)(const espalier_pair_touch* touch, void* user);
-/* Visits where each pair of triangles touches, until the visitor stops. */
+/* Visits the contact of each touching pair, until the visitor stops. */
 espalier_query_status espalier_for_each_touch(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                               espalier_touch_visitor visit, void* user, uint64_t work_limit);
-/* Writes these in pages of at most `capacity`, as espalier_collect_contacts() writes pairs. */
+/* Writes these contacts in pages of at most `capacity`, as espalier_collect_contacts() writes pairs. */
 espalier_filled espalier_collect_touches(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                          espalier_pair_touch* touches, size_t capacity, uint64_t work_limit,
                                          espalier_cursor from);
@@ -85,10 +88,10 @@ espalier_filled espalier_collect_touches(const espalier_placed_blob* a, const es
 /* Returns one of the points as a contact of body b with the surface a, for espalier_reduce_contacts(). */
 espalier_contact espalier_contact_of_touch(const espalier_pair_touch* touch, size_t number);
 
-/* Returns the smallest distance of the two surfaces within max_distance, and where it is. */
+/* Returns the smallest distance between the two surfaces, if it is within max_distance, and where it is. */
 espalier_blob_distance espalier_distance(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                          uint64_t work_limit, float max_distance);
-/* Returns whether the surfaces are within `distance` of each other; equal counts. */
+/* Returns whether the surfaces are at most `distance` apart. */
 espalier_yes_no espalier_within_distance(const espalier_placed_blob* a, const espalier_placed_blob* b, float distance,
                                          uint64_t work_limit);
 

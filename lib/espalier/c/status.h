@@ -1,5 +1,5 @@
-/* The results of opening a blob and of queries: found or not, yes or no, how much was written, or why it was refused.
- * Counterpart of status.hpp. */
+/* The outcome of opening a blob and of running a query: found or not, yes or no, how much was written, or why the call
+ * was refused. Counterpart of status.hpp. */
 #ifndef ESPALIER_C_STATUS_H
 #define ESPALIER_C_STATUS_H
 
@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* The result of opening a blob. */
+/* The outcome of opening a blob or a scene. */
 typedef uint8_t espalier_open_status;
 enum {
     ESPALIER_OPEN_OK = 0,
@@ -37,11 +37,13 @@ enum {
     ESPALIER_OPEN_TOO_FEW_MESHES = 19
 };
 
-/* The result of a query. Below 16 it was answered, at least in part; from 16 on it was refused and computed nothing.
- * Two kinds of calls do part of their work before they refuse an element: espalier_moving_scene_move_batch(), and those
- * that collect colliding pairs. Their `count` is how many elements before it are done.
- * Structures such as espalier_ray_hit have OK for a hit and NOT_FOUND for a miss. A miss and a refusal look alike in
- * all other fields (infinite t or distance, ESPALIER_NO_TRIANGLE): test the status to distinguish them. */
+/* The outcome of a query. Values below 16 mean that the query was answered, at least in part; from 16 on it was refused
+ * and computed nothing. There are two exceptions, which process elements one by one and stop at the first that they
+ * refuse: espalier_moving_scene_move_batch() and the functions that collect colliding pairs. Their `count` tells how
+ * many elements were completed.
+ *
+ * Structures such as espalier_ray_hit have OK for a hit and NOT_FOUND for a miss. In all other fields a miss and a
+ * refusal look alike (infinite t or distance, ESPALIER_NO_TRIANGLE), so test the status to tell them apart. */
 typedef uint8_t espalier_query_status;
 enum {
     ESPALIER_QUERY_OK = 0,
@@ -60,8 +62,9 @@ enum {
 };
 
 /* A yes, a no, or neither: refused, or undecided because the work limit was reached (ESPALIER_QUERY_WORK_LIMIT, which
- * is no refusal). Where a mistake is dangerous, test espalier_no(answer), not !espalier_yes(answer). It is a structure,
- * so that `if (answer)`, which would take a refusal for a no, does not compile. */
+ * is not a refusal). Where mistaking "neither" is dangerous, test espalier_no(answer) rather than
+ * !espalier_yes(answer). It is a structure so that `if (answer)`, which would take a refusal for a no, does not
+ * compile. */
 typedef struct ESPALIER_SHARED_ espalier_yes_no {
     espalier_query_status status;
 } espalier_yes_no;
@@ -69,16 +72,17 @@ typedef struct ESPALIER_SHARED_ espalier_yes_no {
 static inline bool espalier_yes(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_OK; }
 /* Returns whether the answer is no. A refusal and an undecided answer are neither yes nor no. */
 static inline bool espalier_no(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_NOT_FOUND; }
-/* Returns whether a query was refused: it computed nothing, or of a batch or page `count` elements. Takes the status of
- * a query; compare an espalier_open_status with ESPALIER_OPEN_OK instead. */
+/* Returns whether a query was refused. It then computed nothing; a batch or a page completed `count` elements. Takes
+ * the status of a query; compare an espalier_open_status with ESPALIER_OPEN_OK instead. */
 static inline bool espalier_is_refused(espalier_query_status status) { return status >= 16; }
 
-/* A place in a list of results from which a query resumes. Filled with zeros it is the beginning. */
+/* An opaque position in a list of results, from which a query resumes. Filled with zeros, it is the beginning of the
+ * list. */
 typedef struct ESPALIER_SHARED_ espalier_cursor {
     uint32_t place[3];
 } espalier_cursor;
 
-/* The result of a query that writes to an array: the number of elements written, and where to resume after
+/* The outcome of a query that writes to an array: how many elements it wrote, and where to resume after
  * ESPALIER_QUERY_OUTPUT_FULL or ESPALIER_QUERY_WORK_LIMIT, when elements are missing. */
 typedef struct ESPALIER_SHARED_ espalier_filled {
     size_t count;
@@ -86,13 +90,14 @@ typedef struct ESPALIER_SHARED_ espalier_filled {
     espalier_query_status status;
 } espalier_filled;
 
-/* The value counts only if the status is ESPALIER_QUERY_OK. */
+/* The value is meaningful only if the status is ESPALIER_QUERY_OK. */
 typedef struct ESPALIER_SHARED_ espalier_float_result {
     float value;
     espalier_query_status status;
 } espalier_float_result;
 
-/* Returns one English sentence without a full stop: static, never null, also for values that are not listed. */
+/* Return one English sentence without a full stop. The string is static and never null, even for values that are not
+ * listed. */
 const char* espalier_describe_open_status(espalier_open_status status);
 const char* espalier_describe_query_status(espalier_query_status status);
 

@@ -16,8 +16,8 @@
 extern "C" {
 #endif
 
-/* The first contact, if the status is ESPALIER_QUERY_OK. Unlike in other results, t is 1 for a miss and 0 for a
- * refusal, so that moving the shape by t * displacement is safe if the displacement is finite. */
+/* The first contact, if the status is ESPALIER_QUERY_OK. A miss has a t of 1 and a refusal, unlike in other results, a
+ * t of 0, so moving the shape by t * displacement is always safe if the displacement is finite. */
 typedef struct ESPALIER_SHARED_ espalier_sweep_hit {
     float t;
     espalier_vec3 point, normal, face_normal;
@@ -28,7 +28,7 @@ typedef struct ESPALIER_SHARED_ espalier_sweep_hit {
     bool starts_overlapping;
 } espalier_sweep_hit;
 
-/* Returns the first contact of the shape as it moves from its place by `displacement`. */
+/* Return the first contact of the shape as it moves from where it is by `displacement`. */
 espalier_sweep_hit espalier_sweep_sphere(const espalier_blob* blob, const espalier_sphere* sphere,
                                          espalier_vec3 displacement);
 espalier_sweep_hit espalier_sweep_capsule(const espalier_blob* blob, const espalier_capsule* capsule,
@@ -39,9 +39,10 @@ espalier_sweep_hit espalier_sweep_oriented_box(const espalier_blob* blob, const 
 espalier_sweep_hit espalier_sweep_convex_hull(const espalier_blob* blob, const espalier_convex_hull* hull,
                                               espalier_vec3 displacement);
 
-/* Selects the triangles that count, and where the shape stops. All zero, it selects all triangles and no skin. */
+/* Selects the triangles that a sweep considers, and where the shape stops. If all members are zero, it considers all
+ * triangles, without a skin. */
 typedef struct ESPALIER_SHARED_ espalier_sweep_options {
-    espalier_triangle_filter filter; /* null keeps all */
+    espalier_triangle_filter filter; /* null keeps all triangles */
     void* user;                      /* passed to `filter` */
     float skin;
     espalier_face_culling culling;
@@ -49,7 +50,7 @@ typedef struct ESPALIER_SHARED_ espalier_sweep_options {
     uint8_t reserved[2];
 } espalier_sweep_options;
 
-/* Returns the first contact under some options. */
+/* Return the first contact with the given options. */
 espalier_sweep_hit espalier_sweep_sphere_with_options(const espalier_blob* blob, const espalier_sphere* sphere,
                                                       espalier_vec3 displacement,
                                                       const espalier_sweep_options* options);
@@ -65,7 +66,7 @@ espalier_sweep_hit espalier_sweep_convex_hull_with_options(const espalier_blob* 
                                                            espalier_vec3 displacement,
                                                            const espalier_sweep_options* options);
 
-/* Returns the first contact with a triangle that the filter keeps. */
+/* Return the first contact with a triangle that the filter keeps. */
 espalier_sweep_hit espalier_sweep_sphere_filtered(const espalier_blob* blob, const espalier_sphere* sphere,
                                                   espalier_vec3 displacement, espalier_triangle_filter filter,
                                                   void* user);

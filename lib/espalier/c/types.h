@@ -1,4 +1,4 @@
-/* Plain values that queries take and return. Counterpart of types.hpp. */
+/* The plain values that queries take and return. Counterpart of types.hpp. */
 #ifndef ESPALIER_C_TYPES_H
 #define ESPALIER_C_TYPES_H
 
@@ -11,7 +11,7 @@ typedef struct ESPALIER_SHARED_ espalier_vec3 {
     float x, y, z;
 } espalier_vec3;
 
-/* A place in the units and axes of the source, which float32 would round too coarsely far from 0. */
+/* A point in the units and axes of the source, in double because float32 is too coarse far from the origin. */
 typedef struct ESPALIER_SHARED_ espalier_vec3d {
     double x, y, z;
 } espalier_vec3d;
@@ -20,12 +20,14 @@ typedef struct ESPALIER_SHARED_ espalier_vec3d {
 typedef uint32_t espalier_triangle_id;
 #define ESPALIER_NO_TRIANGLE UINT32_C(0xFFFFFFFF)
 
-/* Three corners, counter-clockwise seen from the front: a shape, and the baked corners of a triangle. */
+/* Three corners, counter-clockwise as seen from the front. Serves as a query shape and as the corners of a baked
+ * triangle. */
 typedef struct ESPALIER_SHARED_ espalier_triangle {
     espalier_vec3 a, b, c;
 } espalier_triangle;
 
-/* The part of a triangle that a point lies on, and the smallest of several: a corner, else an edge, else the face. */
+/* The part of a triangle that a point lies on. A point that lies on several is given the smallest: a corner before an
+ * edge, an edge before the face. */
 typedef uint8_t espalier_feature;
 enum {
     ESPALIER_FEATURE_FACE = 0,
@@ -37,15 +39,16 @@ enum {
     ESPALIER_FEATURE_VERTEX_C = 6
 };
 
-/* A side of a triangle. The corners run counter-clockwise when seen from the front. */
+/* A side of a triangle, whose corners run counter-clockwise as seen from the front. */
 typedef uint8_t espalier_side;
 enum { ESPALIER_SIDE_FRONT = 0, ESPALIER_SIDE_BACK = 1 };
 
-/* Selects the faces that a query ignores: triangles that show their back, or their front. */
+/* Which triangles a query ignores: none, those that show it their back, or those that show it their front. */
 typedef uint8_t espalier_face_culling;
 enum { ESPALIER_FACE_CULLING_NONE = 0, ESPALIER_FACE_CULLING_BACK = 1, ESPALIER_FACE_CULLING_FRONT = 2 };
 
-/* The source of a triangle: the input file, the mesh in that file and the triangle of that mesh, counted from 0. */
+/* Identifies a source triangle by its input file, the mesh in that file and the triangle in that mesh, all counted from
+ * 0. */
 typedef struct ESPALIER_SHARED_ espalier_original_triangle {
     uint32_t file, mesh, triangle;
     uint32_t first_corner;

@@ -12,11 +12,11 @@
 extern "C" {
 #endif
 
-/* Returns whether the query keeps a triangle: it behaves as if the others were not in the blob. A null filter keeps
+/* Returns whether to keep a triangle. The query behaves as if the others were not in the blob. A null filter keeps
  * all. */
 typedef bool (*espalier_triangle_filter)(espalier_triangle_id triangle, void* user);
 
-/* The result of a visitor: any value but ESPALIER_VISIT_NEXT stops. */
+/* Returned by a visitor: any value but ESPALIER_VISIT_NEXT stops. */
 typedef int espalier_visit;
 enum { ESPALIER_VISIT_NEXT = 0, ESPALIER_VISIT_STOP = 1 };
 

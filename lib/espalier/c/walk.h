@@ -28,7 +28,7 @@ typedef struct ESPALIER_SHARED_ espalier_triangle_result {
 /* Returns the corners of one triangle. */
 espalier_triangle_result espalier_triangle_at(const espalier_blob* blob, espalier_triangle_id triangle);
 
-/* A child of a node: another node, or a leaf, which is a run of triangles. */
+/* A child of a node: another node, or a leaf, which is a range of triangles. */
 typedef struct ESPALIER_SHARED_ espalier_tree_child {
     espalier_box box;
     bool is_leaf;
@@ -47,7 +47,7 @@ typedef struct ESPALIER_SHARED_ espalier_tree_node {
     espalier_tree_child children[ESPALIER_MAX_CHILDREN];
 } espalier_tree_node;
 
-/* The result of a visitor of nodes: any value but the first two stops. */
+/* Returned by a visitor of nodes: any value but the first two stops. */
 typedef int espalier_node_visit;
 enum { ESPALIER_NODE_DESCEND = 0, ESPALIER_NODE_SKIP = 1, ESPALIER_NODE_STOP = 2 };
 

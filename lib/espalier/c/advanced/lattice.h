@@ -1,4 +1,4 @@
-/* Queries in whole lattice steps, without floats. Counterpart of lattice.hpp. */
+/* Queries in whole lattice steps, without floats. Counterpart of advanced/lattice.hpp. */
 #ifndef ESPALIER_C_LATTICE_H
 #define ESPALIER_C_LATTICE_H
 
@@ -29,10 +29,10 @@ typedef struct ESPALIER_SHARED_ espalier_lattice_segment {
     espalier_lattice_point from, to;
 } espalier_lattice_segment;
 
-/* The largest magnitude of a coordinate of a segment, and of what espalier_to_lattice_point() returns. */
+/* The largest magnitude of a segment's coordinates and of those that espalier_to_lattice_point() returns. */
 #define ESPALIER_MAX_LATTICE_COORDINATE (INT32_C(1) << 29)
 
-/* The value counts only if the status is ESPALIER_QUERY_OK. */
+/* The value is meaningful only if the status is ESPALIER_QUERY_OK. */
 typedef struct ESPALIER_SHARED_ espalier_lattice_point_result {
     espalier_lattice_point value;
     espalier_query_status status;
@@ -44,19 +44,19 @@ typedef struct ESPALIER_SHARED_ espalier_lattice_box_result {
 
 /* Returns the lattice point nearest to a point in the blob's local space. */
 espalier_lattice_point_result espalier_to_lattice_point(const espalier_lattice* lattice, const espalier_vec3* local);
-/* Returns the smallest box in whole steps that holds a box in local space. */
+/* Returns the smallest box in whole steps that contains a box in local space. */
 espalier_lattice_box_result espalier_to_lattice_box(const espalier_lattice* lattice, const espalier_box* local);
-/* Returns the place of a lattice point in the blob's local space. */
+/* Returns the position of a lattice point in the blob's local space. */
 espalier_vec3 espalier_to_local(const espalier_lattice* lattice, const espalier_lattice_point* steps);
 
-/* Tests, visits or collects the triangles that touch the box, as the functions of overlap.h do. */
+/* Test for, visit or collect the triangles that touch the box, like the functions of overlap.h. */
 espalier_yes_no espalier_overlaps_lattice_box(const espalier_blob* blob, const espalier_lattice_box* box);
 espalier_query_status espalier_for_each_overlap_lattice_box(const espalier_blob* blob, const espalier_lattice_box* box,
                                                             espalier_triangle_visitor visit, void* user);
 espalier_filled espalier_collect_overlaps_lattice_box(const espalier_blob* blob, const espalier_lattice_box* box,
                                                       espalier_triangle_id* out, size_t capacity, espalier_cursor from);
 
-/* The place where a segment hits a triangle, if the status is ESPALIER_QUERY_OK; else t is UINT32_MAX and the triangle
+/* Where a segment hits a triangle, if the status is ESPALIER_QUERY_OK; otherwise t is UINT32_MAX and the triangle is
  * ESPALIER_NO_TRIANGLE. */
 typedef struct ESPALIER_SHARED_ espalier_lattice_hit {
     uint32_t t;
@@ -66,7 +66,7 @@ typedef struct ESPALIER_SHARED_ espalier_lattice_hit {
     uint8_t reserved[2];
 } espalier_lattice_hit;
 
-/* Returns the hit with the smallest t; of equal ones that with the lowest triangle. */
+/* Returns the hit with the smallest t. On a tie the lowest triangle wins. */
 espalier_lattice_hit espalier_raycast_lattice_segment(const espalier_blob* blob,
                                                       const espalier_lattice_segment* segment);
 /* Returns whether the segment hits any triangle. */

@@ -1,5 +1,5 @@
-/* Batches of lookups of triangles whose ids lie in an array, such as in the hits of a batch: their sources, materials
- * and corners. arrays.h has what all batches refuse. Counterpart of batches/lookups.hpp. */
+/* Batches of lookups by triangle id: the source triangles, materials and corners of an array of triangles, such as
+ * those in a batch of hits. arrays.h states what every batch refuses. Counterpart of batches/lookups.hpp. */
 #ifndef ESPALIER_C_BATCHES_LOOKUPS_H
 #define ESPALIER_C_BATCHES_LOOKUPS_H
 
@@ -16,8 +16,8 @@
 extern "C" {
 #endif
 
-/* Writes what espalier_original_triangle_of(), espalier_material() or espalier_triangle_at() returns for each triangle.
- */
+/* Write what espalier_original_triangle_of(), espalier_material() or espalier_triangle_at() returns for each
+ * triangle. */
 espalier_filled espalier_original_triangle_of_arrays(const espalier_blob* blob, espalier_strided_triangle_id triangles,
                                                      espalier_original_triangle_result* originals, size_t count);
 espalier_filled espalier_material_arrays(const espalier_blob* blob, espalier_strided_triangle_id triangles,

@@ -1,5 +1,5 @@
-/* Batches of rays in arrays: closest hits, any hit, the first few hits, all hits and crossings. arrays.h has what all
- * batches refuse. Counterpart of batches/rays.hpp. */
+/* Batches of rays in arrays: closest hits, any hit, the first few hits, all hits and crossings. arrays.h states what
+ * every batch refuses. Counterpart of batches/rays.hpp. */
 #ifndef ESPALIER_C_BATCHES_RAYS_H
 #define ESPALIER_C_BATCHES_RAYS_H
 
@@ -16,27 +16,28 @@
 extern "C" {
 #endif
 
-/* Rays in arrays. Filled with zeros, `t_min` and `t_max` give all rays 0 and infinity. */
+/* The fields of espalier_ray, each in an array of its own. Arrays of zeros for `t_min` and `t_max` give all rays 0 and
+ * infinity. */
 typedef struct ESPALIER_SHARED_ espalier_ray_arrays {
     espalier_strided_vec3 origins, directions;
     espalier_strided_float t_min, t_max;
     espalier_face_culling culling;
 } espalier_ray_arrays;
 
-/* Writes what espalier_raycast() or espalier_occluded() returns for each ray. */
+/* Write what espalier_raycast() or espalier_occluded() returns for each ray. */
 espalier_filled espalier_raycast_arrays(const espalier_blob* blob, const espalier_ray_arrays* rays,
                                         espalier_ray_hit* hits, size_t count);
 espalier_filled espalier_occluded_arrays(const espalier_blob* blob, const espalier_ray_arrays* rays,
                                          espalier_yes_no* answers, size_t count);
 
-/* Writes what espalier_closest_hits() returns for each ray to `found`, and the hits to `hits`, which has
- * count * places elements: those of ray i begin at i * places. */
+/* Writes what espalier_closest_hits() returns for each ray to `found`, and the hits to `hits`, which has count * places
+ * elements. Those of ray i begin at i * places. */
 espalier_filled espalier_closest_hits_arrays(const espalier_blob* blob, const espalier_ray_arrays* rays,
                                              espalier_ray_hit* hits, size_t places, espalier_filled* found,
                                              size_t count);
 
-/* Writes the hits of each ray as espalier_for_each_hit() visits them, or its crossings, and what that returns to
- * `statuses`. `hits` has `capacity` elements. */
+/* Write the hits of each ray in the order of espalier_for_each_hit(), or its crossings, and the status that this
+ * returns to `statuses`. `hits` has `capacity` elements. */
 espalier_filled_lists espalier_collect_hits_arrays(const espalier_blob* blob, const espalier_ray_arrays* rays,
                                                    espalier_query_status* statuses, size_t* offsets, size_t count,
                                                    espalier_ray_hit* hits, size_t capacity);

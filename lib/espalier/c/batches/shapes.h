@@ -1,5 +1,5 @@
-/* Batches of points, spheres and boxes in arrays: closest points and triangles, inside, overlaps. arrays.h has what all
- * batches refuse. Counterpart of batches/shapes.hpp. */
+/* Batches of points, spheres and boxes in arrays: closest points and triangles, points inside, and overlaps. arrays.h
+ * states what every batch refuses. Counterpart of batches/shapes.hpp. */
 #ifndef ESPALIER_C_BATCHES_SHAPES_H
 #define ESPALIER_C_BATCHES_SHAPES_H
 
@@ -16,18 +16,18 @@
 extern "C" {
 #endif
 
-/* Spheres in arrays. */
+/* The fields of espalier_sphere, each in an array of its own. */
 typedef struct ESPALIER_SHARED_ espalier_sphere_arrays {
     espalier_strided_vec3 centers;
     espalier_strided_float radii;
 } espalier_sphere_arrays;
 
-/* Boxes in arrays. */
+/* The fields of espalier_box, each in an array of its own. */
 typedef struct ESPALIER_SHARED_ espalier_box_arrays {
     espalier_strided_vec3 min, max;
 } espalier_box_arrays;
 
-/* Writes what espalier_closest_point(), espalier_signed_distance() or espalier_contains() returns for each point. */
+/* Write what espalier_closest_point(), espalier_signed_distance() or espalier_contains() returns for each point. */
 espalier_filled espalier_closest_point_arrays(const espalier_blob* blob, espalier_strided_vec3 points,
                                               espalier_closest_point_result* nearest, size_t count, float max_distance);
 espalier_filled espalier_signed_distance_arrays(const espalier_blob* blob, espalier_strided_vec3 points,
@@ -37,19 +37,20 @@ espalier_filled espalier_contains_arrays(const espalier_blob* blob, espalier_str
                                          espalier_yes_no* answers, size_t count);
 
 /* Writes what espalier_closest_triangles() returns for each point to `found`, and the triangles to `nearest`, which has
- * count * places elements: those of point i begin at i * places. */
+ * count * places elements. Those of point i begin at i * places. */
 espalier_filled espalier_closest_triangles_arrays(const espalier_blob* blob, espalier_strided_vec3 points,
                                                   espalier_closest_point_result* nearest, size_t places,
                                                   espalier_filled* found, size_t count, float max_distance);
 
-/* Writes what espalier_overlaps_sphere() or espalier_overlaps_box() returns for each shape. */
+/* Write what espalier_overlaps_sphere() or espalier_overlaps_box() returns for each shape. */
 espalier_filled espalier_overlaps_sphere_arrays(const espalier_blob* blob, const espalier_sphere_arrays* spheres,
                                                 espalier_yes_no* answers, size_t count);
 espalier_filled espalier_overlaps_box_arrays(const espalier_blob* blob, const espalier_box_arrays* boxes,
                                              espalier_yes_no* answers, size_t count);
 
-/* Writes the triangles that touch each shape as espalier_for_each_overlap_sphere() or espalier_for_each_overlap_box()
- * visits them, and what that returns to `statuses`. `triangles` has `capacity` elements. */
+/* Write the triangles that touch each shape, in the order of espalier_for_each_overlap_sphere() or
+ * espalier_for_each_overlap_box(), and the status that it returns to `statuses`. `triangles` has `capacity`
+ * elements. */
 espalier_filled_lists espalier_collect_overlaps_sphere_arrays(const espalier_blob* blob,
                                                               const espalier_sphere_arrays* spheres,
                                                               espalier_query_status* statuses, size_t* offsets,

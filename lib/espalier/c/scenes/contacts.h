@@ -15,15 +15,15 @@
 extern "C" {
 #endif
 
-/* A contact of a blob, in world space, with the instance. */
+/* A contact with a blob, in world space, and the instance. */
 typedef struct ESPALIER_SHARED_ espalier_scene_contact {
     espalier_contact hit;
     espalier_instance_id instance;
 } espalier_scene_contact;
 
-/* Writes the contacts with all instances, the deepest first, as many as `contacts` has places: `capacity`. `room` has
- * as many, for the contacts of one instance. `filter` is called once for each instance near the body, with
- * ESPALIER_NO_TRIANGLE. A view of a moving scene is taken too. */
+/* Write the contacts with all instances, the deepest first, up to `capacity`. `room` is scratch memory of the same
+ * capacity for the contacts of one instance. `filter` is called once for each instance near the body, with
+ * ESPALIER_NO_TRIANGLE. A view of a moving scene is accepted too. */
 espalier_filled espalier_scene_find_contacts_sphere(const espalier_scene* scene, const espalier_sphere* sphere,
                                                     float margin, espalier_scene_contact* contacts,
                                                     espalier_contact* room, size_t capacity, uint32_t mask,
