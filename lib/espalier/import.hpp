@@ -160,7 +160,7 @@ struct ImportedFile {
 
 /// The meshes, or the reason why there are none. Converts to true if the files were read.
 struct [[nodiscard]] ImportResult {
-    std::vector<ImportedMesh> meshes;   ///< empty unless status is ok, as `places`
+    std::vector<ImportedMesh> meshes;   ///< empty unless status is ok, like `places`
     std::vector<ImportedPlace> places;  ///< of all meshes, in the order of their numbers; empty unless kept
     std::vector<ImportedFile> files;    ///< in the order of the paths; after a refusal, those read before it
     ImportStatus status = ImportStatus::internal;

@@ -91,7 +91,7 @@ struct [[nodiscard]] PairTouch {
     /// corners if both triangles lie in one plane, or a single point. The points are in no particular order.
     Vec3 points[max_touch_points];
     Vec3 normal;         ///< unit length, from a to b: the direction in which b leaves a
-    float depth = 0.0f;  ///< the least distance by which b can move until they only touch
+    float depth = 0.0f;  ///< how far b moves along the normal until they only touch; the least of all directions
     TriangleId a;
     TriangleId b;
     std::uint8_t count = 0;  ///< number of points, 1 to 6
