@@ -3,6 +3,7 @@
 #define ESPALIER_PROXIMITY_POINT_NODES_HPP
 
 #include <runtime/lanes/set.hpp>
+#include <runtime/lattice/round_point.hpp>
 #include <runtime/traversal/node_boxes.hpp>
 
 ESPALIER_BEGIN_SET
