@@ -42,12 +42,15 @@ struct Contact {
 ///
 /// Each triangle is a sheet with two sides, and the body leaves it on the side where its middle lies. The normal is
 /// that of the shortest way out or, where this would lead the middle through the triangle, the normal of the face. If
-/// the body overlaps the triangle, the distance is minus the length of that way, limited to the longest of the shortest
-/// ways out of all triangles; otherwise it is the distance between the two. A sphere has one contact with each
-/// triangle. Where a side or face of a capsule, a box or a hull lies over the triangle there are more, up to 8 with the
-/// same normal: the ends of that part or, for a hull, the points that reach farthest. If the surface is closed and
-/// contains the middle of the body (for a hull, the mean of its vertices), there is a single contact, at the point of
-/// the surface closest to the middle, along whose normal the whole body leaves the inside.
+/// the body overlaps the triangle, the distance is minus the length of that way, but never deeper than the body is in
+/// any one triangle by its shortest way; otherwise it is the distance between the two. A sphere has one contact with
+/// each triangle. Where a side or face of a capsule, a box or a hull lies over the triangle there are more, up to 8
+/// with the same normal: the ends of that part or, for a hull, the points that reach farthest.
+///
+/// If the surface is closed and contains the middle of the body (for a hull, the mean of its vertices), there is a
+/// single contact, at the point of the surface closest to the middle, along whose normal the whole body leaves the
+/// inside. contains() does not ask which way triangles face, so a room that is one closed surface pushes out what is in
+/// it: leave such a room open, or give its walls a thickness.
 ///
 /// In a blob with edge flags (BakeOptions::flat_angle) an edge is internal where the surface is flat, or where it forms
 /// a valley on the side of the body's middle; a corner between two such edges of a triangle is internal too. There, a
@@ -57,14 +60,14 @@ struct Contact {
 /// the same edge or corner is nearer, or as near with a lower index. A body on an even floor thus has contacts only
 /// with the triangles below it.
 ///
-/// Returns ok; output_full if there is no room for all contacts, in which case the deepest are kept; or a refusal: an
-/// infinite radius or margin or a negative margin is an invalid_argument, and everything else is refused like
-/// overlaps() does. A hull is refused like sweep() does, and from 2^29 lattice steps on (out_of_range); a hull farther
-/// away than the margin has no contacts. Expected cost: O(log n + k * contacts.size()) for k triangles, multiplied by
-/// the edges of a hull, whose faces are found in O(vertices^2), plus that of contains() for a closed surface. With edge
-/// flags, a contact on an internal edge or corner also costs the ways down to the triangles around it. If there is room
-/// for at most 4 contacts, the nearest are searched for first, so that a large margin costs little more than
-/// closest_point().
+/// Returns ok; output_full if the array is full, in which case there may be more contacts and the deepest are kept; or
+/// a refusal: an infinite radius or margin or a negative margin is an invalid_argument, and everything else is refused
+/// like overlaps() does. A hull is refused like sweep() does, and from 2^29 lattice steps on (out_of_range); a hull
+/// farther away than the margin has no contacts. Expected cost: O(log n + k * contacts.size()) for k triangles,
+/// multiplied by the edges of a hull, whose faces are found in O(vertices^2), plus that of contains() for a closed
+/// surface. With edge flags, a contact on an internal edge or corner also costs the ways down to the triangles around
+/// it. If there is room for at most 4 contacts, the nearest are searched for first, so that a large margin costs little
+/// more than closest_point().
 template <ContactBody Body>
 Filled find_contacts(const Blob& blob, const Body& body, float margin, std::span<Contact> contacts) noexcept;
 

@@ -54,9 +54,10 @@ struct [[nodiscard]] BlobDistance {
 
 /// Returns whether a triangle of a touches one of b. A surface inside another does not touch it.
 ///
-/// The status work_limit means neither yes nor no, but is not a refusal. Like all queries in this file, this one
-/// refuses a blob that is not open (not_open); a transform that is not finite, whose rotation has length zero or whose
-/// scale is not above 0 (invalid_argument); and placements that are out of range (out_of_range, see Numerics).
+/// With the status work_limit the answer is undecided: neither yes() nor no(), and not is_refused(). Like all queries
+/// in this file, this one refuses a blob that is not open (not_open); a transform that is not finite, whose rotation
+/// has length zero or whose scale is not above 0 (invalid_argument); and placements that are out of range
+/// (out_of_range, see Numerics).
 [[nodiscard]] YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept;
 
 /// Returns a pair of triangles that touch. It is the first pair of for_each_contact(), except that in a blob with
@@ -177,9 +178,10 @@ Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairT
 //
 // Range. Queries return out_of_range, in O(1), in these cases: a corner of the bounds of b is more than 2^80 lattice
 // steps of a away; a is not at the origin and one of the scales is not between 2^-100 and 2^100; or, for distances, the
-// bounds are apart along some axis by more than 1,024 times the longest side of the longer of them. In this last case,
-// a max_distance less than half of that yields not_found instead.
+// gap between the bounds along some axis is more than 1,024 times the longest side of either. In this last case, a
+// max_distance less than half of the gap yields not_found instead.
 //
-// Work. A distance begins with a search for likely pairs, which takes up to 9 times both depths in additional visits.
-// The stack is bounded (docs/benchmarks.md). OBB tests follow Gottschalk, Lin and Manocha (1996), triangle tests
-// Devillers and Guigue (2002); docs/numerics.md has the proofs.
+// Work. A distance first searches for a touching pair, and then for a near one, in up to 9 times the sum of both depths
+// plus 4 visits, before it searches for the nearest. All of this counts toward the limit. The stack is bounded
+// (docs/benchmarks.md). OBB tests follow Gottschalk, Lin and Manocha (1996), triangle tests Devillers and Guigue
+// (2002); docs/numerics.md has the proofs.

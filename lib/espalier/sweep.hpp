@@ -19,7 +19,7 @@ namespace espalier {
 /// refusal a t of 0, so moving the shape by t * displacement is always safe if the displacement is finite.
 struct [[nodiscard]] SweepHit {
     float t = 0.0f;  ///< 0 <= t < 1: the fraction of the displacement after which the shape stops, at the contact or a
-                     ///< skin before it; 0 if it starts there
+                     ///< skin before it. Also 0 where it starts in contact or within the skin
     Vec3 point;   ///< on the triangle: closest to the sphere's center or the capsule's axis; for a Box, the middle of
                   ///< the part of the triangle that it touches; for other shapes, one of the points they touch
     Vec3 normal;  ///< unit length, from the surface to the shape; for a Box, the axis that is the last to separate; for
@@ -37,19 +37,21 @@ struct [[nodiscard]] SweepHit {
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// Selects the triangles that a sweep considers, and where the shape stops.
+/// Selects the triangles that a sweep considers, and where the shape stops. Use it as a parameter only, since it refers
+/// to the callable of the filter.
 struct SweepOptions {
     TriangleFilter filter = {};  ///< considers only the triangles that it keeps
-    /// `back` ignores triangles that show their back, for which the displacement runs along their normal; `front`
-    /// ignores those for which it runs against the normal. A displacement in the plane of a triangle does neither.
+    /// `back` ignores triangles that show their back, dot(displacement, normal) > 0; `front` ignores those with
+    /// dot(displacement, normal) < 0. A displacement of zero, or one in the plane of a triangle, ignores neither.
     FaceCulling culling = FaceCulling::none;
     /// Ignores triangles that the shape touches at the start if the displacement leads it no deeper into them. For a
     /// sphere or a capsule this means that the center or axis does not touch the triangle and comes no nearer to it;
     /// for other shapes, that the displacement does not run against the shortest way out of the triangle.
     bool ignore_leaving = false;
     /// A length of 0 or more by which the shape stops early: it keeps this distance from the plane that passes through
-    /// the contact and is perpendicular to its normal, or stays at the start if it is nearer there. A skin does not
-    /// push the shape away, nor does it keep the shape from a surface that the sweep misses.
+    /// the contact and is perpendicular to its normal, or stays at the start if it is nearer there. Since it is a plane
+    /// and not the triangle, a shape that grazes an edge may stop much farther away than the skin. A skin does not push
+    /// the shape away, nor does it keep the shape from a surface that the sweep misses.
     float skin = 0.0f;
 };
 
@@ -80,8 +82,9 @@ SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Triangle
 // Numerics
 //
 // Rounding. Center, corners or vertices, half axes, displacement and radius are rounded once, onto a grid finer than
-// the asset's lattice: to multiples of 2^-f lattice steps, where f <= 6 is the largest exponent for which everything,
-// measured from the start, is below 2^24 such multiples (docs/numerics.md). The rounded sweep is answered exactly. A
+// the asset's lattice: to multiples of 2^-f lattice steps. f <= 6 is the largest exponent for which the radius, the
+// displacement and the distance along each axis from the shape to the far end of the asset's box are below 2^24 such
+// multiples (docs/numerics.md). The rounded sweep is answered exactly. A
 // sweep that continues from a contact is rounded anew and may start with an overlap: rounding_error() with a
 // displacement bounds the skin that prevents this. For an example see docs/queries/sweeps.md, Slide along a surface.
 //

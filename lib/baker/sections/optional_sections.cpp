@@ -60,7 +60,7 @@ std::string sticks_out(const LatticePoint& point, const char* of) {
 
 std::optional<std::string> check_bounds(const detail::BlobData& data, const std::vector<LatticePoint>& points) {
     using namespace format::bounds;
-    if (const std::byte* box = detail::stored_oriented_box(data); box != nullptr) {
+    if (const std::byte* box = detail::stored_bounds(data, format::feature::oriented_box); box != nullptr) {
         const detail::IntegerRotation rotation = detail::stored_rotation(box);
         for (const LatticePoint& p : points) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -73,7 +73,7 @@ std::optional<std::string> check_bounds(const detail::BlobData& data, const std:
             }
         }
     }
-    if (const std::byte* sphere = detail::stored_sphere(data); sphere != nullptr) {
+    if (const std::byte* sphere = detail::stored_bounds(data, format::feature::bounding_sphere); sphere != nullptr) {
         const std::int64_t radius = detail::load_u32(sphere + radius_at);
         for (const LatticePoint& p : points) {
             std::int64_t squared = 0;
@@ -86,7 +86,7 @@ std::optional<std::string> check_bounds(const detail::BlobData& data, const std:
             if (squared > radius * radius) return sticks_out(p, "sphere");
         }
     }
-    if (const std::byte* stored = detail::stored_k_dop(data); stored != nullptr) {
+    if (const std::byte* stored = detail::stored_bounds(data, format::feature::k_dop); stored != nullptr) {
         const FittedKDop k_dop = fit_k_dop(points);
         for (std::size_t k = 0; k < k_dop_directions; ++k) {
             if (detail::load_i32(stored + 8 * k) == k_dop.lo[k] && detail::load_i32(stored + 8 * k + 4) == k_dop.hi[k])

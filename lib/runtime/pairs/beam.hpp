@@ -115,7 +115,7 @@ ESPALIER_NOINLINE QueryStatus search_nearest(const PairFrame& frame, Visitor& vi
                                              std::uint64_t& work) {
     QueryStatus status = QueryStatus::ok;
     const auto goes_on = [&] { return status == QueryStatus::ok && !least.is_done(); };
-    // The narrow one is for those whom nearly any pair satisfies.
+    // Width 1 comes first, because within_distance() often ends with the first pair that is found.
     for (const unsigned width : {1u, Beam::most_width})
         if (goes_on()) status = visit_promising(frame, visitor, width, work);
     least.surveys = false;

@@ -97,8 +97,8 @@ struct LaneBoxes {
     Floats half[3];
 };
 
-/// The squared distance that the boxes are apart at least, measured along the axes of both; with one lane along the own
-/// ones alone where that is beyond the limit.
+/// Returns lower bounds of the squared distance to the boxes, measured along the axes of both trees. Where those along
+/// our own axes are beyond the limit in every lane, the other axes are left out.
 ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
                                           float limit, Floats* apart) {
     const Floats zero = splat(0.0f);

@@ -72,7 +72,7 @@ ESPALIER_NOINLINE void find_common_point(const PairFrame& frame, FoundTriangles&
 /// From farther away than this many times their size too many pairs are equally near, as far as floats tell.
 constexpr float farthest_in_spans = 1024.0f;
 
-/// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
+/// Searches for touching pairs first: separating axes find them sooner than distances between boxes do.
 ESPALIER_ALWAYS_INLINE inline QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, PairWork& work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * least.radius ? QueryStatus::ok : QueryStatus::out_of_range;
@@ -126,8 +126,8 @@ ESPALIER_NOINLINE QueryStatus find_lower_references(const PairFrame& on_grid, co
     return is_found ? QueryStatus::stopped : status;
 }
 
-/// Calls visit(frame, contact, references, place) with each pair that touches, once, behind the references `before`
-/// where there are some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
+/// Calls visit(frame, contact, references, place) once for each pair that touches; if `before` is set, only for those
+/// after it. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
 struct ContactVisitor {
     PairFrame& frame;
     const TrianglePair* before;

@@ -21,8 +21,8 @@ inline bool has_reference(const BlobData& blob, const Leaf& leaf, TriangleId tri
     return false;
 }
 
-/// Whether the nearest pair is searched for with these lanes. With more than eight, what most of its time goes to would
-/// leave most of them idle, and take twice the stack.
+/// Whether the nearest pair is searched for with these lanes. The tests of a pair of leaves, which take most of the
+/// time, fill at most eight: sixteen would be idle for the most part and take twice the stack.
 inline constexpr bool searches_nearest = lanes <= 8;
 
 struct PairVisitor {

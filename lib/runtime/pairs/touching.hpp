@@ -28,8 +28,8 @@ struct TurnedLanes {
     }
 };
 
-/// How far both ends of p's part of the line that the planes share are from being on the wrong side of q's: below zero
-/// where the triangles meet, above where not.
+/// Returns how far apart the intervals are that p and q cover on the line that their planes share: below zero where
+/// they overlap, so that the triangles meet, and above where they do not.
 inline Floats distance_on_line(const TurnedLanes& p, const TurnedLanes& q) {
     const Floats zero = splat(0.0f);
     const Floats alike = multiply(p.distance, q.distance);

@@ -10,7 +10,7 @@
 
 ESPALIER_BEGIN_SET
 
-/// The capsule has gone `begin` of its way before, without touching any of the triangles.
+/// Lower bounds of the time at which a capsule touches the triangles of a leaf.
 class CapsuleBounds {
 public:
     using Beside = BesideWay;

@@ -12,8 +12,8 @@
 
 ESPALIER_BEGIN_SET
 
-/// Whether bounds take less than they save. Without a float unit they take as long as a kernel; small cores decide on
-/// boxes as fast.
+/// Whether float bounds of the time of contact are cheaper than the exact test. They are not without a float unit, nor
+/// for an axis-aligned box on a small core.
 template <class Sweep>
 inline constexpr bool has_bounds = has_square_root && !(small_code && std::is_same_v<Sweep, BoxSweep>);
 
@@ -206,7 +206,7 @@ struct MovingShape {
     }
 
 private:
-    /// Returns a bound for one triangle, apart from the kernels' frames.
+    /// Returns a bound for one triangle. Out of line, so that its stack is free again when a kernel is called.
     [[nodiscard]] ESPALIER_NOINLINE float time_of(const LatticeTriangle& triangle, float limit) const {
         float enter = lanes_.tau_min, leave = limit;
         for (unsigned k = 0; k < 3; ++k) {

@@ -8,8 +8,8 @@
 
 ESPALIER_BEGIN_SET
 
-/// By all axes that may separate but those of the box itself, which SweptBox compares.
-/// The box has gone `begin` of its way before, without touching any of the triangles.
+/// Lower bounds of the time at which a box touches the triangles of a leaf, by all axes that may separate them but
+/// those of the box itself, which SweptBox compares.
 class BoxBounds {
 public:
     using Beside = AnyPlace;
@@ -51,9 +51,9 @@ private:
     Floats size_;
 };
 
-/// By the triangle's normal, axes of which the hull's ends are known, and what is across the triangle's sides and the
-/// edges of an oriented box, or the way of another hull.
-/// The hull has gone `begin` of its way before, without touching any of the triangles.
+/// Lower bounds of the time at which a hull touches the triangles of a leaf, by the triangle's normal, axes along which
+/// the extent of the hull is known, and the cross products of the triangle's sides with the edges of an oriented box or
+/// the displacement of another hull.
 class HullBounds {
 public:
     using Beside = AnyPlace;

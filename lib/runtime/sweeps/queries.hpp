@@ -1,4 +1,4 @@
-// The first triangle that a moving shape touches, in lattice units, once for each instruction set.
+// The contact of a moving shape with a triangle, in lattice units, and what the caller receives of it.
 #pragma once
 
 #include <espalier/sweep.hpp>
@@ -110,7 +110,7 @@ ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep
     return tick - static_cast<std::uint32_t>(ticks);
 }
 
-/// Returns a contact as the caller receives it, the shape stopped so far before it (lattice steps).
+/// Builds the result for the caller. The shape stops at a distance of `skin`, in lattice steps, before the contact.
 template <class Sweep>
 SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found, float skin = 0.0f) noexcept {
     const bool at_start = found.step == 0;
