@@ -47,10 +47,10 @@ struct Contact {
 /// each triangle. Where a side or face of a capsule, a box or a hull lies over the triangle there are more, up to 8
 /// with the same normal: the ends of that part or, for a hull, the points that reach farthest.
 ///
-/// If the surface is closed and contains the middle of the body (for a hull, the mean of its vertices), there is a
-/// single contact, at the point of the surface closest to the middle, along whose normal the whole body leaves the
-/// inside. contains() does not ask which way triangles face, so a room that is one closed surface pushes out what is in
-/// it: leave such a room open, or give its walls a thickness.
+/// If the surface is closed and its winding number around the middle of the body is above 0 (for a hull, around the
+/// mean of its vertices), the body is inside a solid. It then has a single contact, at the point of the surface closest
+/// to the middle, along whose normal the whole body leaves the inside. In a room whose triangles face inward the number
+/// is below 0, and the body meets the walls.
 ///
 /// In a blob with edge flags (BakeOptions::flat_angle) an edge is internal where the surface is flat, or where it forms
 /// a valley on the side of the body's middle; a corner between two such edges of a triangle is internal too. There, a

@@ -46,7 +46,7 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     ok = 0,           ///< complete; a YesNo is yes. Lists and visitors return it even if nothing was found
     not_found = 1,    ///< complete, but there is nothing to find; a YesNo is no
     stopped = 2,      ///< partial: a visitor returned Visit::stop
-    output_full = 3,  ///< partial: the array is full and there are more results
+    output_full = 3,  ///< partial: the array is full, and there may be more results
     work_limit = 4,   ///< partial: the WorkLimit was exhausted; a distance is then only an upper bound
     not_open = 16,    ///< refused: never opened, or its bytes were refused. Every result starts with this status
     invalid_argument =
@@ -110,8 +110,8 @@ struct Cursor {
 struct [[nodiscard]] Filled {
     std::size_t count = 0;  ///< number of elements written
     Cursor next;            ///< where to resume after output_full or work_limit; otherwise the end
-    /// ok: the list is complete. output_full: there are more elements. work_limit: elements are missing. Any other
-    /// status tells why the query was refused.
+    /// ok: the list is complete. output_full: the array is full, and there may be more elements. work_limit: elements
+    /// are missing. Any other status tells why the query was refused.
     QueryStatus status = QueryStatus::not_open;
 
     /// Returns the part of the array that the query filled. Pass the array that the query was given.

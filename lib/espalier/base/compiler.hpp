@@ -76,8 +76,9 @@ __extension__ using NativeUnsignedInt128 = unsigned __int128;
 #define ESPALIER_END_TARGET ESPALIER_PRAGMA(GCC pop_options)
 #endif
 /// Encloses code of instruction sets that few machines depend on, to be compiled at a level ("Os", "O2") that trades
-/// speed for size. Clang has no such levels within a file.
-#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__)
+/// speed for size. Clang has no such levels within a file, and builds that shall compile quickly define
+/// ESPALIER_ONE_LEVEL.
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && !defined(ESPALIER_ONE_LEVEL)
 #define ESPALIER_BEGIN_LEVEL(level) ESPALIER_PRAGMA(GCC push_options) ESPALIER_PRAGMA(GCC optimize(level))
 #define ESPALIER_END_LEVEL ESPALIER_PRAGMA(GCC pop_options)
 #else

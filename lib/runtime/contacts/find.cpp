@@ -8,6 +8,7 @@
 #include <runtime/contacts/surface_around.hpp>
 #include <runtime/contacts/touch.hpp>
 #include <runtime/lattice/to_local.hpp>
+#include <runtime/proximity/winding.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 
 namespace espalier {
@@ -138,11 +139,12 @@ private:
 /// With no more places than these the nearest contacts are looked for first.
 constexpr std::size_t most_few = 4;
 
-/// Finds the exit of a closed surface for a body whose middle is inside; not_found for others.
+/// Finds the exit of a solid for a body whose middle is inside; not_found for others. Where triangles face inward, as
+/// in a room that is a closed surface of its own, the winding number is negative, and the body meets the walls instead.
 QueryStatus find_exit(const Blob& blob, const Body& body, Contact& contact) {
     if (!blob.is_closed()) return QueryStatus::not_found;
     const Vec3 middle = body.shape_middle;
-    if (!contains(blob, middle).yes()) return QueryStatus::not_found;
+    if (!is_finite(middle) || winding_around(data_of(blob), middle).number <= 0) return QueryStatus::not_found;
     const ClosestPoint nearest = closest_point(blob, middle);
     if (nearest.status != QueryStatus::ok || nearest.distance == 0.0f) return QueryStatus::not_found;
     contact.point = nearest.point;

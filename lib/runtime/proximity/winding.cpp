@@ -127,6 +127,14 @@ Winding winding_number(const BlobData& blob, const WindingRay& ray) noexcept {
     return answer.sum;
 }
 
+Winding winding_around(const BlobData& blob, const Vec3& point) noexcept {
+    RoundedPoint rounded;
+    WindingRay ray;
+    if (round_point(blob, point, infinity, rounded) != QueryStatus::ok || !shortest_way_out(blob, rounded, ray))
+        return {};
+    return winding_number(blob, ray);
+}
+
 }  // namespace espalier::detail
 
 namespace espalier {
@@ -147,11 +155,6 @@ ClosestPoint nothing_near(QueryStatus status) {
     ClosestPoint nothing;
     nothing.status = status;
     return nothing;
-}
-
-Winding winding_around(const BlobData& blob, const RoundedPoint& point) {
-    WindingRay ray;
-    return shortest_way_out(blob, point, ray) ? winding_number(blob, ray) : Winding{};
 }
 
 /// The points of a Fibonacci lattice on the upper half of the unit sphere, one after the other.
@@ -189,9 +192,7 @@ QueryStatus add_crossings(const Blob& blob, const Ray& ray, std::int64_t& sum) {
 
 YesNo contains(const Blob& blob, Vec3 point) noexcept {
     if (const QueryStatus status = refusal(blob, point); status != QueryStatus::ok) return YesNo(status);
-    RoundedPoint rounded;
-    return YesNo::of(round_point(data_of(blob), point, infinity, rounded) == QueryStatus::ok &&
-                     winding_around(data_of(blob), rounded).is_inside());
+    return YesNo::of(winding_around(data_of(blob), point).is_inside());
 }
 
 ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance) noexcept {
@@ -199,10 +200,7 @@ ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance) n
     // Built where the caller keeps it: a second one would be on the stack during the walk.
     ClosestPoint nearest = status == QueryStatus::ok ? closest_point(blob, point, max_distance) : nothing_near(status);
     if (is_refused(nearest.status)) return nearest;
-    RoundedPoint rounded;
-    // A point out of range was refused above.
-    if (round_point(data_of(blob), point, infinity, rounded) != QueryStatus::ok) return nearest;
-    const Winding winding = winding_around(data_of(blob), rounded);
+    const Winding winding = winding_around(data_of(blob), point);
     if (nearest.status == QueryStatus::not_found) nearest.distance = absolute(max_distance);
     if (winding.is_inside() && !winding.on_surface) nearest.distance = -nearest.distance;
     return nearest;

@@ -40,4 +40,7 @@ bool shortest_way_out(const BlobData& blob, const RoundedPoint& point, WindingRa
 /// The answer depends on the point alone, not on the direction.
 Winding winding_number(const BlobData& blob, const WindingRay& ray) noexcept;
 
+/// How often the surface winds around a point of the local space; 0 outside the asset's box.
+Winding winding_around(const BlobData& blob, const Vec3& point) noexcept;
+
 }  // namespace espalier::detail

@@ -114,9 +114,10 @@ std::uint64_t require_contacts_of_the_loop(const TestBlob& blob, const Surface& 
     return decided;
 }
 
+/// Whether a point is inside a solid. Where triangles face inward, as in a room, surfaces wind the other way.
 bool is_inside(const Blob& blob, const Point& middle) {
     const Vec3 at = {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)};
-    return blob.is_closed() && contains(blob, at).yes();
+    return blob.is_closed() && contains(blob, at).yes() && *winding_number(blob, at) > 0.0f;
 }
 
 TEST_CASE("contact: the contacts of a body are those of the loop over all triangles") {
@@ -182,6 +183,26 @@ TEST_CASE("contact: a body whose middle is inside a closed surface has one conta
         }
     }
     if (asks_enough()) CHECK(inside > count);
+}
+
+TEST_CASE("contact: in a room that is a closed surface of its own bodies meet the walls") {
+    const std::uint64_t count = scaled_share(20);
+    std::uint64_t decided = 0, in_rooms = 0;
+    for (const TestBlob& blob : closed_blobs()) {
+        CAPTURE(blob.name);
+        const Surface surface(blob);
+        ShapeMaker maker(blob.decoded, 43);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const Capsule capsule = maker.capsule(false);
+            const Body body = body_of(capsule);
+            if (!std::isfinite(capsule.radius) || capsule.radius > maker.size()) continue;
+            if (is_inside(blob.opened.blob, body.middle())) continue;
+            if (contains(blob.opened.blob, capsule.from).yes()) ++in_rooms;
+            decided += require_contacts_of_the_loop(blob, surface, capsule, 0.0f);
+        }
+    }
+    if (asks_enough()) CHECK(in_rooms > count);
+    CHECK(decided > 100);
 }
 
 TEST_CASE("contact: a hull whose middle is inside a closed surface leaves along the way to its closest point") {

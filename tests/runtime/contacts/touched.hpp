@@ -168,6 +168,7 @@ inline GridPoint point_near(Random& random, unsigned bits, const GridTriangle& t
 inline detail::contacts::BoxBody box_of(const detail::Integer3& center, std::span<const Vec3, 3> half_axes,
                                         int fraction_bits) {
     using namespace detail::contacts;
+    using detail::operator*;
     BoxBody box{};
     box.center = center;
     box.fraction_bits = fraction_bits;
