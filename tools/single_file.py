@@ -191,8 +191,8 @@ def declared_names(path, only_private=False):
 def included_headers(path, found):
     """Adds the headers of the runtime that a file includes, also through others, to `found` and returns it."""
     for line, kind, match in classify(path):
-        if line.startswith("#define ESPALIER_PER_SET "):
-            kind, match = "includes", INCLUDE.match(line.replace("#define ESPALIER_PER_SET", "#include"))
+        if line.startswith("#define ESPALIER_FRAGMENT "):
+            kind, match = "includes", INCLUDE.match(line.replace("#define ESPALIER_FRAGMENT", "#include"))
         if kind == "includes" and match.group(1).startswith("runtime/") and match.group(1) not in found:
             found.add(match.group(1))
             included_headers(LIBRARY / match.group(1), found)
@@ -257,7 +257,7 @@ class SingleFile:
                 if of_set.group(1) == "define":
                     self.of_set[name] = value or ""
                 continue
-            if line == "#include ESPALIER_PER_SET":
+            if line == "#include ESPALIER_FRAGMENT":
                 kind, match = "includes", INCLUDE.match(f"#include {self.of_set['PER_SET']}")
             if waits and kind != "includes" and line.strip() and not line.startswith("//"):
                 self.add_definitions(definitions)

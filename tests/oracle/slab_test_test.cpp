@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <runtime/rays/queries.hpp>
-#define ESPALIER_PER_SET "oracle/slab_children.hpp"
+#define ESPALIER_FRAGMENT "oracle/slab_children.hpp"
 #include <runtime/lanes/for_each_set.hpp>
 
 #include "rational.hpp"

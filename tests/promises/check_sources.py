@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the sources may look like: the walls of the house (docs/architecture.md), and how folders are made.
 
-Usage: check_sources.py PROJECT includes|extensions|folders
+Usage: check_sources.py PROJECT includes|extensions|fragments|folders
 """
 import collections
 import os
@@ -164,7 +164,7 @@ def sources(folder):
 
 def includes_of(file):
     """What a file includes, but for what the includer of for_each_set.hpp names: that is among its own."""
-    return [name for name in INCLUDE.findall(file.read_text()) if name != "ESPALIER_PER_SET"]
+    return [name for name in INCLUDE.findall(file.read_text()) if name != "ESPALIER_FRAGMENT"]
 
 
 def shown(file):
@@ -287,6 +287,31 @@ def extensions():
         problems.append(f"no sources seen: is {ROOT} the project?")
 
 
+def fragments():
+    """Code that is compiled once for each instruction set (lanes/for_each_set.hpp).
+
+    A fragment whose guard is not lifted is compiled for the first set alone. What it includes inside of a set's region
+    would be compiled for that set, and every other user would share it.
+    """
+    end_of_set = (ROOT / "lib/runtime/lanes/end_set.hpp").read_text()
+    lifted = re.findall(r"^#undef (ESPALIER_\w+_HPP)$", end_of_set, re.MULTILINE)
+    guards = []
+    for file in sources("lib/runtime"):
+        region = re.search(r"^ESPALIER_BEGIN_SET$", text := file.read_text(), re.MULTILINE)
+        if not region:
+            continue
+        guard = "ESPALIER_" + re.sub("[^A-Z0-9]", "_", file.relative_to(ROOT / "lib/runtime").as_posix().upper())
+        guards.append(guard)
+        if not re.search(rf"^#ifndef {guard}\n#define {guard}$", text, re.MULTILINE):
+            problems.append(f"{shown(file)} is compiled once for each set: its guard must be {guard}, and no #pragma once")
+        if "#include" in text[region.start():]:
+            problems.append(f"{shown(file)} includes a file inside of a set's region: move it in front")
+    problems.extend(f"end_set.hpp does not lift {guard}" for guard in guards if guard not in lifted)
+    problems.extend(f"end_set.hpp lifts {guard}, which no fragment has" for guard in lifted if guard not in guards)
+    if len(guards) < 30:
+        problems.append(f"only {len(guards)} fragments seen: is {ROOT} the project?")
+
+
 def folders():
     """The size of folders and the names in them: rays/ray_batch.cpp should be rays/batch.cpp."""
     largest = 25
@@ -305,5 +330,5 @@ def folders():
         problems.append(f"only {len(counts)} folders found: is {ROOT} the project?")
 
 
-{"includes": includes, "extensions": extensions, "folders": folders}[sys.argv[2]]()
+{"includes": includes, "extensions": extensions, "fragments": fragments, "folders": folders}[sys.argv[2]]()
 sys.exit("\n".join(dict.fromkeys(problems)) if problems else 0)

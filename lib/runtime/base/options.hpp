@@ -12,9 +12,9 @@
 #include <espalier/base/function_ref.hpp>
 
 // The policy for small cores: microcontrollers (Cortex-M), whose flash holds a program and its blobs. They give the
-// same answers with less code and stack. Each choice between two forms is made here. What a type or a function of this
-// part cannot choose tests `small_code`. The CMake option ESPALIER_SMALL_CODE sets the policy for any machine, as tests
-// do.
+// same answers with less code and stack. Code chooses between its two forms by the macros, constants and functions of
+// this file, and by `small_code` where none of them fits. The CMake option ESPALIER_SMALL_CODE sets the policy for any
+// machine, as tests do.
 
 namespace espalier::detail {
 
@@ -67,8 +67,8 @@ ESPALIER_ALWAYS_INLINE inline T as_if_changed(T x) {
 #else
 #define ESPALIER_SIMD128 0
 #endif
-// Before the queries that each set defines. `inline` leaves out those that nothing calls: where all is one file, as the
-// linker does elsewhere.
+// Precedes the queries that each set defines. The single file sets it to `inline`, so that the compiler leaves out
+// those that nothing calls; elsewhere the linker does.
 #ifndef ESPALIER_QUERY_OF_SET
 #define ESPALIER_QUERY_OF_SET
 #endif

@@ -9,8 +9,8 @@
 
 namespace espalier::detail::avx2 {
 
-// A ray for the slab test of packed nodes. Outside of the marked region, as the code that is not is inlined into
-// others.
+// A ray for the slab test of packed nodes. It stands before the region that is compiled for AVX2, because code of
+// AVX-512 inlines it, too.
 
 /// Lattice coordinates as floats, without a conversion: coordinate * 2^-(bits + 1) + 1. Its mantissa is the coordinate
 /// in 22 bits, so the float's bits are a sum of shifted integers. From 23 bits on the lowest bits are cut off.
@@ -77,7 +77,7 @@ using Compared = SignedInts;
 inline unsigned bits_of(SignedInts comparison) {
     return static_cast<unsigned>(_mm256_movemask_ps(__builtin_bit_cast(Floats, comparison)));
 }
-inline Ints load_bytes(const std::byte* at) {
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) {
     return Ints(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at))));
 }
 inline Ints load_words(const std::byte* at) {

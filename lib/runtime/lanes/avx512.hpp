@@ -8,10 +8,6 @@
 
 #if defined(__x86_64__)
 
-// GCC's own intrinsics start from a register that they leave undefined on purpose (GCC bug 105593). The warnings come
-// after the file, where they are inlined.
-ESPALIER_BEGIN_MAYBE_UNINITIALIZED
-
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
 
@@ -21,7 +17,7 @@ using Ints = Vector<std::uint32_t, lanes>;
 using SignedInts = Vector<std::int32_t, lanes>;
 using Compared = SignedInts;
 
-inline Ints load_bytes(const std::byte* at) {
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) {
     return Ints(_mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at))));
 }
 inline Ints load_words(const std::byte* at) {

@@ -1,5 +1,5 @@
 // Ends an instruction set that for_each_set.hpp has begun: lifts the include guards of all fragments, so that the next
-// set compiles them again. One that is missing here is compiled for the first set alone, and is not found by the next.
+// set compiles them again.
 #undef ESPALIER_LANES_CONTRACT_HPP
 #undef ESPALIER_MOVING_SCENES_BOX_TREE_BOXES_IN_LANES_HPP
 #undef ESPALIER_MOVING_SCENES_BOX_TREE_ENDS_AROUND_HPP
@@ -27,6 +27,7 @@
 #undef ESPALIER_RAYS_LEAF_FILTER_HPP
 #undef ESPALIER_RAYS_PREPARE_RAY_HPP
 #undef ESPALIER_RAYS_SINGLE_HPP
+#undef ESPALIER_RAYS_SLAB_TEST_AVX2_HPP
 #undef ESPALIER_RAYS_SLAB_TEST_HPP
 #undef ESPALIER_SCENES_WALKS_HPP
 #undef ESPALIER_SWEEPS_CAPSULE_BOUNDS_HPP

@@ -1,4 +1,4 @@
-// Compiles the header that ESPALIER_PER_SET names once for each instruction set of this build, as Google Highway does
+// Compiles the header that ESPALIER_FRAGMENT names once for each instruction set of this build, as Google Highway does
 // by foreach_target.h. The file that includes this one defines the queries of its family for all sets, and calls that
 // of the machine by ESPALIER_DISPATCH.
 #include <runtime/lanes/scalar.hpp>
@@ -16,7 +16,7 @@
 #define ESPALIER_BEGIN_SET namespace espalier::detail::scalar {
 #define ESPALIER_END_SET }
 #endif
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 
 #if ESPALIER_HAS_SSE42
@@ -30,7 +30,7 @@
     }                    \
     ESPALIER_END_TARGET  \
     ESPALIER_END_LEVEL
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 #endif
 
@@ -43,7 +43,7 @@
 #define ESPALIER_END_SET \
     }                    \
     ESPALIER_END_TARGET
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 #endif
 
@@ -56,7 +56,7 @@
 #define ESPALIER_END_SET \
     }                    \
     ESPALIER_END_TARGET
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 #endif
 
@@ -65,7 +65,7 @@
 #define ESPALIER_LANES 4
 #define ESPALIER_BEGIN_SET namespace espalier::detail::neon {
 #define ESPALIER_END_SET }
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 #endif
 
@@ -74,8 +74,8 @@
 #define ESPALIER_LANES 4
 #define ESPALIER_BEGIN_SET namespace espalier::detail::simd128 {
 #define ESPALIER_END_SET }
-#include ESPALIER_PER_SET
+#include ESPALIER_FRAGMENT
 #include <runtime/lanes/end_set.hpp>
 #endif
 
-#undef ESPALIER_PER_SET
+#undef ESPALIER_FRAGMENT

@@ -19,7 +19,7 @@ inline unsigned bits_of(SignedInts comparison) {
     const uint32x4_t bit = {1u, 2u, 4u, 8u};
     return vaddvq_u32(vandq_u32(vreinterpretq_u32_s32(comparison), bit));
 }
-inline Ints load_bytes(const std::byte* at) {
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) {
     const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
     return vmovl_u16(vget_low_u16(vmovl_u8(bytes)));
 }

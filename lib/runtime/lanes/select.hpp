@@ -80,8 +80,9 @@ inline InstructionSet set_of_machine() {
     return InstructionSet::avx2;
 }
 
-/// Returns the best set that the machine supports and this build has.
-inline InstructionSet detect_instruction_set() {
+/// Returns the best set that the machine supports and this build has. Each query would have a copy of it if it were
+/// inlined.
+ESPALIER_NOINLINE inline InstructionSet detect_instruction_set() {
     InstructionSet set = set_of_machine();
     while (!is_built(set)) set = static_cast<InstructionSet>(static_cast<unsigned>(set) - 1u);
     return set;
@@ -108,7 +109,8 @@ constexpr InstructionSet instruction_set() { return InstructionSet::ESPALIER_ONL
 
 }  // namespace espalier::detail
 
-// The variant of a query for a set, if it is a part of this build and the machine runs it, or what follows.
+// The beginning of a conditional expression: calls a set's variant of a query if the machine runs that set, else
+// evaluates what follows. Nothing for a set that is not a part of this build.
 #if ESPALIER_HAS_SSE42
 #define ESPALIER_SSE42_OR(query, arguments) \
     ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query arguments:

@@ -16,7 +16,7 @@ using SignedInts = Vector<std::int32_t, lanes>;
 using Compared = SignedInts;
 
 inline unsigned bits_of(SignedInts comparison) { return wasm_i32x4_bitmask(comparison); }
-inline Ints load_bytes(const std::byte* at) {
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) {
     return Ints(wasm_u32x4_extend_low_u16x8(wasm_u16x8_extend_low_u8x16(wasm_v128_load32_zero(at))));
 }
 inline Ints load_words(const std::byte* at) { return Ints(wasm_u32x4_load16x4(at)); }

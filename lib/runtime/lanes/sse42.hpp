@@ -20,7 +20,7 @@ using Compared = SignedInts;
 inline unsigned bits_of(SignedInts comparison) {
     return static_cast<unsigned>(_mm_movemask_ps(__builtin_bit_cast(Floats, comparison)));
 }
-inline Ints load_bytes(const std::byte* at) {
+ESPALIER_ALWAYS_INLINE inline Ints load_bytes(const std::byte* at) {
     return Ints(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))));
 }
 inline Ints load_words(const std::byte* at) {

@@ -252,10 +252,10 @@ inline float origin_steps(const IntegerRay& ray, unsigned axis) {
     return static_cast<float>(ray.origin[axis]) * power_of_two(-ray.fraction_bits);
 }
 
-/// A hit in the ray's window has its box's interval begin at or before what this answers, and
+/// Bounds where the interval of a box begins that holds a hit in the ray's window.
 inline float window_limit(const IntegerRay& ray) { return ray.tau_max * interval_slack + 0.0f; }
-/// one at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
-/// before what this answers (docs/numerics.md, 5).
+/// Bounds where the interval of a box begins that holds a hit no later than `whole_tau`, which counts from the caller's
+/// origin (docs/numerics.md, 5).
 inline float hit_limit(const IntegerRay& ray, float whole_tau) {
     return (whole_tau * interval_slack - ray.tau_offset) * interval_slack;
 }

@@ -1,5 +1,5 @@
 // A moving scene as queries of scenes take it: the walks over its tree.
-#define ESPALIER_PER_SET <runtime/moving_scenes/walks.hpp>
+#define ESPALIER_FRAGMENT <runtime/moving_scenes/walks.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {

@@ -4,7 +4,7 @@
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/pairs/contacts.hpp>
 
-#define ESPALIER_PER_SET <runtime/pairs/search.hpp>
+#define ESPALIER_FRAGMENT <runtime/pairs/search.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {

@@ -6,7 +6,7 @@
 #include <runtime/proximity/queries.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 
-#define ESPALIER_PER_SET <runtime/proximity/pair_search.hpp>
+#define ESPALIER_FRAGMENT <runtime/proximity/pair_search.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {

@@ -12,11 +12,11 @@ ESPALIER_BEGIN_SET
 template <class Leaf>
 struct RayShape {
     const LatticeRay& ray;
-    const RayLanesOf<typename Leaf::Node>& lanes_;
+    const RayLanesOf<typename Leaf::Node>& ray_lanes;
 
     template <class Node>
     ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, Limit limit, Keys keys) const {
-        return slab_test(node, lanes_, limit, keys);
+        return slab_test(node, ray_lanes, limit, keys);
     }
     template <class SomeAnswer>
     ESPALIER_ALWAYS_INLINE Visit scan(const PlaceOf<Leaf>& place, SomeAnswer& answer, QueryCounters* counters) const {

@@ -25,34 +25,35 @@ using avx2::prepare;  // packed nodes have eight children
 #else
 
 /// Stores the inverse direction for the slab test. Returns tau of coordinate 0, counted from lattice point 0 0 0.
-inline Axes set_inverse(const BlobData& blob, Axes of_step, RayLanes& lanes_) {
-    store_axes(lanes_.inverse, of_step);
-    store_axes(lanes_.base_inverse, of_step * blob.base_unit);
+inline Axes set_inverse(const BlobData& blob, Axes of_step, RayLanes& ray_lanes) {
+    store_axes(ray_lanes.inverse, of_step);
+    store_axes(ray_lanes.base_inverse, of_step * blob.base_unit);
     return Axes{};
 }
 
 /// What spread_ray writes, of all axes at once. Returns what set_inverse does.
 template <class Lanes>
 inline Axes spread_in_lanes(const BlobData& blob, Axes minus_origin, Axes inverse, float slack_steps, unsigned signs,
-                            Lanes& lanes_) {
-    const Axes low = set_inverse(blob, inverse, lanes_);
+                            Lanes& ray_lanes) {
+    const Axes low = set_inverse(blob, inverse, ray_lanes);
     const Axes middle = minus_origin * inverse - low;
     const float whole_slack = slack_steps + Lanes::box_slack(blob);
     const Axes slack = __builtin_bit_cast(Axes, __builtin_bit_cast(AxisInts, inverse) & 0x7FFFFFFF) * whole_slack;
-    store_axes(lanes_.near_offset, middle - slack);
-    store_axes(lanes_.far_offset, middle + slack);
-    lanes_.tau_min = 0.0f;
-    lanes_.planes = Lanes::plane_orders()[signs];
+    store_axes(ray_lanes.near_offset, middle - slack);
+    store_axes(ray_lanes.far_offset, middle + slack);
+    ray_lanes.tau_min = 0.0f;
+    ray_lanes.planes = Lanes::plane_orders()[signs];
     return low;
 }
 
 /// Not of an ordinary ray: an argument out of the domain, a subnormal direction, an origin from far away.
 inline constexpr QueryStatus not_ordinary = QueryStatus::invalid_argument;
 
-/// round_ray, spread_ray and meets_asset. What only leaves need comes last: many rays pass the box by.
+/// Rounds an ordinary ray, fills its lanes, and tests it against the asset's box, all in one: what round_ray,
+/// spread_ray and meets_asset do one after the other. What only leaves need comes last, since many rays miss the box.
 template <class Lanes>
 ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob, const Ray& ray, LatticeRay& rounded,
-                                                           Lanes& lanes_) {
+                                                           Lanes& ray_lanes) {
     // For each axis: what follows is of no meaning. GCC loads such a constant, where it would build one of equal
     // elements.
     const auto each = [](std::int32_t x) ESPALIER_ALWAYS_INLINE_LAMBDA { return AxisInts{x, x, x, 0}; };
@@ -109,10 +110,10 @@ ESPALIER_ALWAYS_INLINE inline QueryStatus prepare_ordinary(const BlobData& blob,
     const Axes one_unit = floats(each(2 * 127 << 23) - fraction_scale);
     const Axes minus_origin = -(ESPALIER_CONVERT_VECTOR(fine, Axes) * one_unit);
     const Axes low =
-        spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
+        spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), ray_lanes);
     const Axes high = load_as<Axes>(blob.extent_steps) * inverse + low;
-    const Axes enter = smaller(low, high) + load_as<Axes>(lanes_.near_offset);
-    const Axes leave = larger(low, high) + load_as<Axes>(lanes_.far_offset);
+    const Axes enter = smaller(low, high) + load_as<Axes>(ray_lanes.near_offset);
+    const Axes leave = larger(low, high) + load_as<Axes>(ray_lanes.far_offset);
     const float last_in = maximum(maximum(enter[0], enter[1]), enter[2]);
     const float first_out = minimum(minimum(leave[0], leave[1]), leave[2]);
     if (!(last_in <= first_out && first_out >= 0.0f)) return QueryStatus::not_found;

@@ -1,4 +1,5 @@
-// Rays: the variant of each query that suits the machine, and why a ray needs none.
+// Ray queries: each calls its variant for the instruction set of the machine. At the end, the status of a ray that is
+// not traced.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +12,7 @@
 #include <runtime/rays/queries.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 
-#define ESPALIER_PER_SET <runtime/rays/single.hpp>
+#define ESPALIER_FRAGMENT <runtime/rays/single.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {

@@ -28,9 +28,9 @@ ESPALIER_ALWAYS_INLINE inline unsigned test_slabs(const Node& node, const Lanes&
     return mask & all_children(node);
 }
 
-[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& lanes_,
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& ray_lanes,
                                                                   float limit, float* near) {
-    const PlainRayLanes& ray = *as_if_changed(&lanes_);
+    const PlainRayLanes& ray = *as_if_changed(&ray_lanes);
     const auto tau = [&](unsigned at, unsigned first, int k, const float* offset) ESPALIER_ALWAYS_INLINE_LAMBDA {
         const Floats plane = to_floats(load_words(node.bytes + at + 2 * std::size_t{first}));
         return to_compared(multiply_add(plane, splat(ray.base_inverse[k]), splat(offset[k])));
@@ -45,9 +45,9 @@ ESPALIER_ALWAYS_INLINE inline unsigned test_slabs(const Node& node, const Lanes&
 
 #if ESPALIER_LANES <= 4
 
-[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node, const RayLanes& lanes_,
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node, const RayLanes& ray_lanes,
                                                                   float limit, float* near) {
-    const RayLanes& ray = *as_if_changed(&lanes_);
+    const RayLanes& ray = *as_if_changed(&ray_lanes);
     const SlabFrame frame = load_slab_frame(node, ray);
     const auto tau = [&](unsigned at, unsigned first, int k, Floats offset) ESPALIER_ALWAYS_INLINE_LAMBDA {
         return to_compared(multiply_add(bytes_to_floats(node.bytes + at + first), frame.scale[k], offset));

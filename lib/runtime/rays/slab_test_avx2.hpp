@@ -10,11 +10,11 @@
 ESPALIER_BEGIN_SET
 
 /// Stores the inverse direction as placed coordinates need it (see prepare_ray.hpp).
-inline Axes set_inverse(const BlobData& blob, Axes of_step, PlacedRayLanes& lanes_) {
+inline Axes set_inverse(const BlobData& blob, Axes of_step, PlacedRayLanes& ray_lanes) {
     const Axes inverse = of_step * placed::steps_to_one(blob.bits);
-    store_axes(lanes_.inverse, inverse);
-    lanes_.base_shift = placed::base_shift(blob.bits);
-    lanes_.plane_shift = placed::plane_shift(blob.bits);
+    store_axes(ray_lanes.inverse, inverse);
+    ray_lanes.base_shift = placed::base_shift(blob.bits);
+    ray_lanes.plane_shift = placed::plane_shift(blob.bits);
     return inverse;
 }
 
@@ -57,9 +57,10 @@ inline __m256i splat_bytes_at(const std::byte* at) {
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Floats are compared by their bits, as integers: neither end of the window is negative.
-[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_,
-                                                                  float limit, float* near) {
-    const PlacedRayLanes& ray = *as_if_changed(&lanes_);
+[[maybe_unused]] ESPALIER_ALWAYS_INLINE inline unsigned slab_test(const PackedNode& node,
+                                                                  const PlacedRayLanes& ray_lanes, float limit,
+                                                                  float* near) {
+    const PlacedRayLanes& ray = *as_if_changed(&ray_lanes);
     const SlabConstants& all = *as_if_changed(&slab_constants);
     ESPALIER_AS_IF_CHANGED(limit, "x");  // as if it could change: spread ahead of a loop it would need 32 bytes
     const __m256i shifts = splat_word_at(node.bytes + format::packed_node::shifts_at);

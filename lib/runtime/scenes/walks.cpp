@@ -1,7 +1,7 @@
 #include <runtime/scenes/closest_ray.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 
-#define ESPALIER_PER_SET <runtime/scenes/walks.hpp>
+#define ESPALIER_FRAGMENT <runtime/scenes/walks.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier::detail {

@@ -34,8 +34,8 @@ struct InstanceWalk {
 template <class Answer>
 ESPALIER_ALWAYS_INLINE inline void walk_nearest_first(const Passage& passage, Answer& answer) {
     const BlobData& tree = answer.scene.tree;
-    const auto lanes_ = passage.lanes<PassageLanes>(tree);
-    InstanceWalk<PassageLanes, Answer> walk = {lanes_, answer};
+    const auto passage_lanes = passage.lanes<PassageLanes>(tree);
+    InstanceWalk<PassageLanes, Answer> walk = {passage_lanes, answer};
     (traverse_nearest_first<InstancePlace>)(tree, walk);
 }
 
@@ -52,8 +52,8 @@ ESPALIER_QUERY_OF_SET void instances_nearest_first(const RoundedPoint& point, An
 
 ESPALIER_QUERY_OF_SET Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     const BlobData& tree = answer.scene.tree;
-    const auto lanes_ = passage.lanes<PassageLanes>(tree);
-    InstanceWalk<PassageLanes, AnyInstanceAnswer> walk = {lanes_, answer};
+    const auto passage_lanes = passage.lanes<PassageLanes>(tree);
+    InstanceWalk<PassageLanes, AnyInstanceAnswer> walk = {passage_lanes, answer};
     return (walk_in_storage_order<InstancePlace>)(tree, walk);
 }
 

@@ -156,7 +156,7 @@ struct MovingShape {
     using Sweep = typename Mover::Sweep;
     using InLanes = typename Mover::InLanes;
 
-    const RayLanesOf<Node>& lanes_;
+    const RayLanesOf<Node>& ray_lanes;
     const Sweep& sweep;
     const InLanes& in_lanes;
     typename Mover::Memory& memory;
@@ -164,7 +164,7 @@ struct MovingShape {
     const SweepOptions& options;
 
     ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, float limit, Keys keys) const {
-        return slab_test(node, lanes_, limit, keys);
+        return slab_test(node, ray_lanes, limit, keys);
     }
     template <class Leaf>
     Visit scan(const Leaf& leaf, Closest<FoundContact>& answer) const {
@@ -208,12 +208,14 @@ struct MovingShape {
 private:
     /// Returns a bound for one triangle. Out of line, so that its stack is free again when a kernel is called.
     [[nodiscard]] ESPALIER_NOINLINE float time_of(const LatticeTriangle& triangle, float limit) const {
-        float enter = lanes_.tau_min, leave = limit;
+        float enter = ray_lanes.tau_min, leave = limit;
         for (unsigned k = 0; k < 3; ++k) {
-            const auto at = [&](unsigned i) { return static_cast<float>(triangle.corner[i][k]) * lanes_.inverse[k]; };
+            const auto at = [&](unsigned i) {
+                return static_cast<float>(triangle.corner[i][k]) * ray_lanes.inverse[k];
+            };
             const float a = at(0), b = at(1), c = at(2);
-            enter = maximum(minimum(a, minimum(b, c)) + lanes_.near_offset[k], enter);
-            leave = minimum(maximum(a, maximum(b, c)) + lanes_.far_offset[k], leave);
+            enter = maximum(minimum(a, minimum(b, c)) + ray_lanes.near_offset[k], enter);
+            leave = minimum(maximum(a, maximum(b, c)) + ray_lanes.far_offset[k], leave);
         }
         if (enter > leave) return time_bounds::never;
         if constexpr (has_bounds<Sweep>)

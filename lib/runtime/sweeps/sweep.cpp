@@ -5,7 +5,7 @@
 #include <runtime/sweeps/contact_time.hpp>
 #include <runtime/sweeps/queries.hpp>
 
-#define ESPALIER_PER_SET <runtime/sweeps/first_contact.hpp>
+#define ESPALIER_FRAGMENT <runtime/sweeps/first_contact.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {

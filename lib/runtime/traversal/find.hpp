@@ -1,4 +1,5 @@
-// Walks with a query. Names of walks are in brackets: the walk is that of this namespace, never one of the shape's.
+// Runs a query by the walk that suits its answer. The names of walks are in parentheses, so that argument-dependent
+// lookup does not find one in the namespace of the shape.
 #ifndef ESPALIER_TRAVERSAL_FIND_HPP
 #define ESPALIER_TRAVERSAL_FIND_HPP
 

@@ -10,7 +10,8 @@
 //                                                            optional, for walks to the nearest: lower bounds of keys,
 //                                                            a quick one and a better one. Triangles are then decided
 //                                                            in their order, and decide takes the bound behind the
-//                                                            triangle. Bounds above the limit may be any number above
+//                                                            triangle. A bound above the limit need not be exact: any
+//                                                            number above the limit will do
 //   float farthest(const Node&, unsigned child)              optional: how far the farthest point of a child's box is
 //   bool meets_any(blob, const Node&, unsigned children)     optional: whether it meets one of the boxes, exactly
 //   struct CostlyLeaves                                      optional: leaves are visited the nearest first, too

@@ -1,6 +1,6 @@
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
 
-#define ESPALIER_PER_SET <runtime/moving_scenes/box_tree/join_walk.hpp>
+#define ESPALIER_FRAGMENT <runtime/moving_scenes/box_tree/join_walk.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier::detail {

@@ -1,6 +1,6 @@
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
-#define ESPALIER_PER_SET <runtime/moving_scenes/box_tree/boxes_in_lanes.hpp>
+#define ESPALIER_FRAGMENT <runtime/moving_scenes/box_tree/boxes_in_lanes.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier::detail {

@@ -2,7 +2,7 @@
 #include <espalier/ray.hpp>
 #include <runtime/rays/queries.hpp>
 
-#define ESPALIER_PER_SET <runtime/rays/batch/groups.hpp>
+#define ESPALIER_FRAGMENT <runtime/rays/batch/groups.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier {
