@@ -20,7 +20,7 @@ NAMESPACE = re.compile(r"(?:inline )?namespace\s*([\w:]*)\s*\{\s*(//.*)?$")
 LITERAL = re.compile(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])+\'|//.*')
 # A header of fragments, which is written once for each instruction set (lib/runtime/lanes/for_each_set.hpp), and what begins a set.
 FRAGMENTS = re.compile(r"^#ifndef (ESPALIER_\w+_HPP)\n#define \1\n(.*^ESPALIER_BEGIN_SET$.*)^#endif\n\Z", re.MULTILINE | re.DOTALL)
-OF_SET = re.compile(r"#(define|undef) ESPALIER_(LANES|BEGIN_SET|END_SET|PER_SET|\w+_HPP)(?: (.*))?$")
+OF_SET = re.compile(r"#(define|undef) ESPALIER_(LANES|BEGIN_SET|END_SET|FRAGMENT|\w+_HPP)(?: (.*))?$")
 SCALAR = {"LANES": "1", "BEGIN_SET": "namespace espalier::detail::scalar {", "END_SET": "}"}
 # What is left of code for an instruction set when all of it stood before; Clang warns of it.
 EMPTY_REGION = re.compile(r"^ESPALIER_BEGIN_TARGET.*\nnamespace .*\n(//.*\n|\n)*\}.*\nESPALIER_END_TARGET\n", re.MULTILINE)
@@ -258,7 +258,7 @@ class SingleFile:
                     self.of_set[name] = value or ""
                 continue
             if line == "#include ESPALIER_FRAGMENT":
-                kind, match = "includes", INCLUDE.match(f"#include {self.of_set['PER_SET']}")
+                kind, match = "includes", INCLUDE.match(f"#include {self.of_set['FRAGMENT']}")
             if waits and kind != "includes" and line.strip() and not line.startswith("//"):
                 self.add_definitions(definitions)
                 definitions = []
@@ -310,7 +310,7 @@ class SingleFile:
         if name == "runtime/lanes/for_each_set.hpp":
             self.add(LIBRARY / name)
         elif name == "runtime/lanes/end_set.hpp":
-            self.of_set = {"PER_SET": self.of_set.get("PER_SET")}
+            self.of_set = {"FRAGMENT": self.of_set.get("FRAGMENT")}
         elif name == "runtime/lanes/set.hpp":
             if "BEGIN_SET" not in self.of_set:
                 self.include("runtime/lanes/scalar.hpp", line, path)

@@ -17,17 +17,16 @@
 // What processors of x86 run that have no AVX2 is small rather than fast. The level is that of a region: as an option
 // of the file it would hold for inline functions that other files share, too, and the linker keeps one copy of each.
 #if ESPALIER_X86
-#define ESPALIER_BEGIN_SMALL ESPALIER_BEGIN_LEVEL("Os") namespace espalier::detail::small {
-#define ESPALIER_END_SMALL \
-    }                      \
-    ESPALIER_END_LEVEL
+#define ESPALIER_BEGIN_SMALL ESPALIER_BEGIN_LEVEL("Os")
+#define ESPALIER_END_SMALL ESPALIER_END_LEVEL
 #else
-#define ESPALIER_BEGIN_SMALL namespace espalier::detail::small {
-#define ESPALIER_END_SMALL }
+#define ESPALIER_BEGIN_SMALL
+#define ESPALIER_END_SMALL
 #endif
 #define ESPALIER_LANES 1
 
 ESPALIER_BEGIN_SMALL
+namespace espalier::detail::small {
 
 using LatticeRay = SeenRay;
 /// What boxes of a kind of node need.
@@ -211,17 +210,23 @@ inline bool is_hit(const Leaf& leaf, unsigned slot, const SeenRay& ray) {
 using scalar::owner_index;
 using scalar::storage_index;
 
+}  // namespace espalier::detail::small
 ESPALIER_END_SMALL
 
 // What is called once becomes part of its caller.
-#define ESPALIER_BEGIN_SET ESPALIER_BEGIN_SMALL namespace {
+#define ESPALIER_BEGIN_SET                                   \
+    ESPALIER_BEGIN_SMALL namespace espalier::detail::small { \
+        namespace {
 #define ESPALIER_END_SET \
+    }                    \
     }                    \
     ESPALIER_END_SMALL
 #include <runtime/traversal/query.hpp>
 #undef ESPALIER_BEGIN_SET
 #undef ESPALIER_END_SET
-#define ESPALIER_BEGIN_SET ESPALIER_BEGIN_SMALL
-#define ESPALIER_END_SET ESPALIER_END_SMALL
+#define ESPALIER_BEGIN_SET ESPALIER_BEGIN_SMALL namespace espalier::detail::small {
+#define ESPALIER_END_SET \
+    }                    \
+    ESPALIER_END_SMALL
 #include <runtime/rays/single.hpp>
 #include <runtime/lanes/end_set.hpp>
