@@ -208,10 +208,10 @@ TEST_CASE("float mode: a point that moves across a long side between two ticks i
     const detail::IntegerTriangle triangle = {
         {{-2591347, -2586889, 0}, {14184980, 14160577, 0}, {3467013, -6347440, 8388608}}};
     const detail::MovingSphere point = {{25778613, 25734265, 0}, 0};
-    constexpr detail::SweepStep a_third = 5592406;
-    CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
+    constexpr detail::SweepTick a_third = 5592406;
+    CHECK(first_contact_tick(point, triangle, detail::whole_way) == a_third);
     const FloatMode mode(0x8040);
-    CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
+    CHECK(first_contact_tick(point, triangle, detail::whole_way) == a_third);
 }
 
 TEST_CASE("float mode: a segment that passes a side by a subnormal gap does not touch it") {

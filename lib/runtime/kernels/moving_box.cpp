@@ -50,8 +50,8 @@ struct Extents {
 /// When box and triangle are not separated by any of the axes tried so far.
 class Together {
 public:
-    /// Later than at that step is never.
-    explicit Together(SweepStep most) : most_(most) {}
+    /// Later than at that tick is never.
+    explicit Together(SweepTick most) : most_(most) {}
 
     /// False when there is no such time.
     template <class Number>
@@ -80,12 +80,12 @@ public:
 
     [[nodiscard]] unsigned last_axis() const { return last_axis_; }
     /// The first tick at or after the first contact.
-    [[nodiscard]] SweepStep step() const {
+    [[nodiscard]] SweepTick tick() const {
         return has_enter_ ? first_tick_from(enter_.numerator, enter_.denominator) : 0;
     }
 
 private:
-    /// Whether it is after the last step that counts.
+    /// Whether it is after the last tick that counts.
     [[nodiscard]] bool is_too_late(const Share& when) const {
         const float limit = share_of_way(most_) * when.bottom;
         if (when.top * more < limit) return false;
@@ -105,7 +105,7 @@ private:
         return has_leave_ = true;
     }
 
-    SweepStep most_;
+    SweepTick most_;
     bool has_enter_ = false;
     bool has_leave_ = false;
     unsigned last_axis_ = 0;
@@ -262,19 +262,19 @@ Weights middle_of_overlap(const MovingBox& box, const IntegerTriangle& triangle,
 
 }  // namespace
 
-SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept {
+SweepTick first_contact_tick(const MovingBox& box, const IntegerTriangle& triangle, SweepTick most) noexcept {
     Together together(most);
     if (!try_axes(box, triangle, together)) return no_contact;
-    const SweepStep step = together.step();
-    return step <= most ? step : no_contact;
+    const SweepTick tick = together.tick();
+    return tick <= most ? tick : no_contact;
 }
 
-SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept {
-    Together together(step);
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepTick tick) noexcept {
+    Together together(tick);
     (void)try_axes(box, triangle, together);
     const Integer3 axis = axis_of(triangle, together.last_axis());
     const bool runs_down = dot<Int128>(axis, box.displacement).is_negative();
-    return {middle_of_overlap(box, triangle, tick_before(step)), to_unit(axis, runs_down ? 0x1p-30f : -0x1p-30f),
+    return {middle_of_overlap(box, triangle, tick_before(tick)), to_unit(axis, runs_down ? 0x1p-30f : -0x1p-30f),
             nearest_feature(triangle, runs_down ? -axis : axis)};
 }
 

@@ -72,13 +72,13 @@ Feature feature_below(const std::uint8_t* face, Feature on_face) {
 
 }  // namespace
 
-SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept {
-    SweepStep first = no_contact;
+SweepTick first_contact_tick(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepTick most) noexcept {
+    SweepTick first = no_contact;
     for (Faces faces(capsule, triangle); faces.next();) {
-        const SweepStep step = first_contact(capsule.sphere, faces.face(), most);
-        if (step >= first) continue;
-        first = step;
-        most = step;
+        const SweepTick tick = first_contact_tick(capsule.sphere, faces.face(), most);
+        if (tick >= first) continue;
+        first = tick;
+        most = tick;
     }
     return first;
 }
@@ -94,9 +94,9 @@ bool leaves_at_start(const MovingCapsule& capsule, const IntegerTriangle& triang
     return false;  // inside of the prism: the axis passes through the triangle
 }
 
-SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepTick first) noexcept {
     // The face that is nearest at that tick need not be the first that is met: others can be met within the same tick.
-    const std::uint32_t tick = tick_before(step);
+    const std::uint32_t tick = tick_before(first);
     const PrismCorners corners(capsule, triangle);
     unsigned number = 0;
     while (number < 7 &&

@@ -136,8 +136,8 @@ public:
     enum class End { first, too_late, at_start, before_start };
 
     /// Exchanges differences until no other one is earlier: then the plane of the three separates hull and triangle.
-    /// Ends before that when the time is surely after the step, or not after the start.
-    [[nodiscard]] End advance(SweepStep most) {
+    /// Ends before that when the time is surely after the tick, or not after the start.
+    [[nodiscard]] End advance(SweepTick most) {
         for (unsigned count = 0;; ++count) {
             find_plane();
             if (!(Int128(0) < level_)) return level_.is_zero() ? End::at_start : End::before_start;
@@ -164,8 +164,8 @@ public:
     }
 
     /// The first tick at or after the one at which the line meets the plane, which is on the way.
-    [[nodiscard]] SweepStep step() const { return first_tick_from(level_, speed_); }
-    /// The normal along which nothing is earlier than the contact, or than the step.
+    [[nodiscard]] SweepTick tick() const { return first_tick_from(level_, speed_); }
+    /// The normal along which nothing is earlier than the contact, or than the tick.
     [[nodiscard]] PlaneAhead plane() const {
         return {normal_, lowest_along(normal_, differences_.triangle()) - bound_, speed_};
     }
@@ -228,7 +228,7 @@ private:
         level_ = dot<Int128>(normal_, corner_[0].at);
         speed_ = dot<Int128>(normal_, way_);
     }
-    [[nodiscard]] bool is_too_late(SweepStep most) const {
+    [[nodiscard]] bool is_too_late(SweepTick most) const {
         return multiply(speed_, std::int64_t{most}) < bound_ << tick_bits;
     }
     /// Returns the barycentric weight of a corner, times speed_, where the line meets the plane.
@@ -278,8 +278,8 @@ private:
     Int128 bound_ = 0;  ///< the level of the difference that is least far along the normal
 };
 
-/// Whether the hull reaches the triangle along the plane's normal after that step.
-bool is_late_for(const PlaneAhead& plane, const IntegerTriangle& triangle, SweepStep most) {
+/// Whether the hull reaches the triangle along the plane's normal after that tick.
+bool is_late_for(const PlaneAhead& plane, const IntegerTriangle& triangle, SweepTick most) {
     if (plane.speed.is_zero()) return false;
     const Int128 gap = lowest_along(plane.normal, triangle) - plane.hull_end;
     return multiply(plane.speed, std::int64_t{most}) < gap << tick_bits;
@@ -304,15 +304,15 @@ PlaneAhead plane_of(const MovingHull& hull, const IntegerTriangle& triangle) {
 
 }  // namespace
 
-SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most,
-                        PlaneAhead& plane) noexcept {
+SweepTick first_contact_tick(const MovingHull& hull, const IntegerTriangle& triangle, SweepTick most,
+                             PlaneAhead& plane) noexcept {
     if (takes_shortcut() && is_late_for(plane, triangle, most)) return no_contact;
     Portal portal(hull, triangle);
     if (!portal.open()) return no_contact;
     switch (portal.advance(is_zero(hull.displacement) ? 0 : most)) {
         case Portal::End::first:
             plane = portal.plane();
-            return portal.step();
+            return portal.tick();
         case Portal::End::too_late:
             plane = portal.plane();
             return no_contact;
@@ -325,10 +325,10 @@ SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle,
     }
 }
 
-SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep step) noexcept {
+SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepTick tick) noexcept {
     Portal portal(hull, triangle);
     (void)portal.open();
-    (void)portal.advance(step);
+    (void)portal.advance(tick);
     SweepContact contact = portal.contact();
     // Where a corner of the hull meets a side, many planes separate: the triangle's is preferred.
     const PlaneAhead face = plane_of(hull, triangle);

@@ -15,25 +15,25 @@ namespace espalier::detail {
 // When a moving shape first touches something, counted in ticks: 2^24 of them are the whole way.
 
 /// The first tick at which the shape touches, or has touched: 0 when it does so at the start already.
-using SweepStep = std::uint32_t;
+using SweepTick = std::uint32_t;
 
 inline constexpr int tick_bits = 24;
-inline constexpr SweepStep whole_way = SweepStep{1} << tick_bits;
-inline constexpr SweepStep no_contact = 0xFFFFFFFFu;
+inline constexpr SweepTick whole_way = SweepTick{1} << tick_bits;
+inline constexpr SweepTick no_contact = 0xFFFFFFFFu;
 
 /// Returns a number of ticks as a share of the way, exactly.
 inline float share_of_way(std::uint32_t ticks) { return static_cast<float>(ticks) * power_of_two(-tick_bits); }
 /// The first tick at or after a share of the way, which is that quotient.
-inline SweepStep first_tick_from(const Int128& numerator, const Int128& denominator) {
+inline SweepTick first_tick_from(const Int128& numerator, const Int128& denominator) {
     const Int128 whole = numerator << tick_bits;
     const auto is_reached = [&](std::int64_t tick) { return !(multiply(denominator, tick) < whole); };
     auto ticks = to_integer(to_float(numerator) / to_float(denominator) * 0x1p24f);
     while (is_reached(ticks - 1)) --ticks;
     while (!is_reached(ticks)) ++ticks;
-    return static_cast<SweepStep>(ticks);
+    return static_cast<SweepTick>(ticks);
 }
 /// The last tick before the first contact; the start when it touches there.
-constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : step - 1; }
+constexpr std::uint32_t tick_before(SweepTick tick) { return tick == 0 ? 0 : tick - 1; }
 
 /// Where a moving shape touches a triangle.
 struct SweepContact : Weights {
@@ -48,10 +48,10 @@ struct MovingSphere {
     std::int64_t radius;
 };
 
-/// The step at which the sphere first touches the triangle, also one without area; no_contact when it does not, or
-/// later than at step `most`. The search begins at `least`, which should be before the contact: any value is safe.
-SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most,
-                        SweepStep least = 0) noexcept;
+/// The first tick at which the sphere touches the triangle, also one without area; no_contact when it does not, or
+/// later than at tick `most`. The search begins at `least`, which should be before the contact: any value is safe.
+SweepTick first_contact_tick(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepTick most,
+                             SweepTick least = 0) noexcept;
 
 /// The point of the triangle that is closest to the sphere's centre at that tick, and the direction from there to the
 /// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
@@ -82,7 +82,7 @@ struct MovingCapsule {
 };
 
 /// Like that of a sphere, for a capsule that does not touch at the start.
-SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept;
+SweepTick first_contact_tick(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepTick most) noexcept;
 
 /// Returns whether the axis does not touch the triangle at the start, and does not come nearer from there on.
 bool leaves_at_start(const MovingCapsule& capsule, const IntegerTriangle& triangle) noexcept;
@@ -93,9 +93,9 @@ IntegerTriangle face_of_prism(const MovingCapsule& capsule, const IntegerTriangl
 inline constexpr std::uint8_t faces_of_prism[8][3] = {{0, 1, 2}, {4, 6, 5}, {0, 5, 1}, {0, 4, 5},
                                                       {1, 6, 2}, {1, 5, 6}, {2, 4, 0}, {2, 6, 4}};
 
-/// For a first contact at that step: the point of the triangle that is closest to the axis at the tick
+/// For a first contact at that tick: the point of the triangle that is closest to the axis at the tick
 /// before, and the direction from there to the closest point of the axis.
-SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept;
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepTick tick) noexcept;
 
 /// An axis-aligned box, low <= high. The kernel tries separating axes, each with the time at which it stops to separate
 /// and that at which it begins again (Eberly 2001), as quotients of integers. Coordinates stay below 2^35, those of
@@ -106,15 +106,15 @@ struct MovingBox {
     Integer3 displacement;
 };
 
-/// The step at which the box first touches the triangle, also one without area; no_contact when it does not, or later
-/// than at step `most`.
-SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept;
+/// The first tick at which the box touches the triangle, also one without area; no_contact when it does not, or later
+/// than at tick `most`.
+SweepTick first_contact_tick(const MovingBox& box, const IntegerTriangle& triangle, SweepTick most) noexcept;
 
-/// For a first contact at that step, which is not 0: the middle of what of the triangle lies in the box at the tick
+/// For a first contact at that tick, which is not 0: the middle of what of the triangle lies in the box at the tick
 /// before, grown by what it moves in a tick and by roundings; and the axis that is the last to separate, of several the
 /// first in the order x, y, z, the triangle's normal, then products of sides and axes. The feature is what of the
 /// triangle is nearest along that axis, exactly.
-SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept;
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepTick tick) noexcept;
 
 /// A convex hull of points: the shape of oriented boxes and convex hulls that move. Where hull and triangle touch, the
 /// way from a point of the hull to a point of the triangle is the part of the displacement that is done: the line of
@@ -138,18 +138,18 @@ struct PlaneAhead {
     Int128 speed = 0;     ///< how far it moves along the normal on the whole way; 0 where there is no plane yet
 };
 
-/// The step at which the hull first touches the triangle, also one without area; no_contact when it does not, or later
-/// than at step `most`. Uses the plane that a call for another triangle left, and leaves one: it changes no answer.
-SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most,
-                        PlaneAhead& plane) noexcept;
-inline SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept {
+/// The first tick at which the hull touches the triangle, also one without area; no_contact when it does not, or later
+/// than at tick `most`. Uses the plane that a call for another triangle left, and leaves one: it changes no answer.
+SweepTick first_contact_tick(const MovingHull& hull, const IntegerTriangle& triangle, SweepTick most,
+                             PlaneAhead& plane) noexcept;
+inline SweepTick first_contact_tick(const MovingHull& hull, const IntegerTriangle& triangle, SweepTick most) noexcept {
     PlaneAhead plane;
-    return first_contact(hull, triangle, most, plane);
+    return first_contact_tick(hull, triangle, most, plane);
 }
 
-/// For a first contact at that step, which is not 0: a point of the triangle that the hull touches then, and the normal
+/// For a first contact at that tick, which is not 0: a point of the triangle that the hull touches then, and the normal
 /// of a plane that separates the two until then: the triangle's, if that does. The feature is the smallest part of the
 /// triangle with the exact point.
-SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep step) noexcept;
+SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepTick tick) noexcept;
 
 }  // namespace espalier::detail

@@ -42,7 +42,7 @@ public:
         for (unsigned i = 0; i < 3; ++i) inward_[i] = cross(normal_, side_[i]);
     }
 
-    [[nodiscard]] SweepStep first_contact(SweepStep least, SweepStep most) {
+    [[nodiscard]] SweepTick first_contact_tick(SweepTick least, SweepTick most) {
         // What is still getting nearer in the end has not been nearer before.
         high_ = {most, probe(most)};
         if (!high_.probe.touches && high_.probe.closing) return no_contact;
@@ -344,9 +344,9 @@ private:
 
 }  // namespace
 
-SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most,
-                        SweepStep least) noexcept {
-    return Approach(sphere, triangle).first_contact(least, most);
+SweepTick first_contact_tick(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepTick most,
+                             SweepTick least) noexcept {
+    return Approach(sphere, triangle).first_contact_tick(least, most);
 }
 
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept {

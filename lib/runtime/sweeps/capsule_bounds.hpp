@@ -15,7 +15,7 @@ class CapsuleBounds {
 public:
     using Beside = BesideWay;
 
-    explicit CapsuleBounds(const CapsuleInLanes& capsule)
+    explicit CapsuleBounds(const FloatCapsule& capsule)
         : way_(splat_each(capsule.way)),
           axis_(splat_each(capsule.axis)),
           radius_(splat(capsule.radius)),

@@ -17,9 +17,9 @@ ESPALIER_BEGIN_SET
 template <class Sweep>
 inline constexpr bool has_bounds = has_square_root && !(small_code && std::is_same_v<Sweep, BoxSweep>);
 
-/// Returns the last step that is not after a time.
-inline SweepStep step_before(float time) {
-    return static_cast<SweepStep>(static_cast<std::int32_t>(time * static_cast<float>(whole_way)));
+/// Returns the last tick that is not after a time.
+inline SweepTick last_tick_until(float time) {
+    return static_cast<SweepTick>(static_cast<std::int32_t>(time * static_cast<float>(whole_way)));
 }
 
 /// Calls `decide(slot)` for the slots that are set, the earliest first; `decide` returns the time from which on others
@@ -43,52 +43,52 @@ inline constexpr bool is_bounded_one_by_one = small_code && has_square_root;
 
 /// In place of a frame where there is none.
 struct NoFrame {
-    explicit NoFrame(const SweepInLanes&) {}
+    explicit NoFrame(const FloatSweep&) {}
 };
 
 // The shapes. `Memory` is what the decision on one triangle leaves for the next: it saves time and changes no answer.
 
-struct BoxMover {
+struct BoxSweepKernel {
     using Sweep = BoxSweep;
-    using InLanes = BoxInLanes;
+    using FloatShape = FloatBox;
     using Bounds = BoxBounds;
     struct Memory {};
     using Frame = NoFrame;
 
-    static SweepStep contact(const BoxSweep& sweep, const BoxInLanes&, Memory&, const LatticeTriangle& triangle,
-                             SweepStep, SweepStep most) {
-        return first_contact(sweep, triangle, most);
+    static SweepTick contact(const BoxSweep& sweep, const FloatBox&, Memory&, const LatticeTriangle& triangle,
+                             SweepTick, SweepTick most) {
+        return first_contact_tick(sweep, triangle, most);
     }
 };
 
-struct HullMover {
+struct HullSweepKernel {
     using Sweep = HullSweep;
-    using InLanes = HullInLanes;
+    using FloatShape = FloatHull;
     using Bounds = HullBounds;
     using Memory = PlaneAhead;
     using Frame = NoFrame;
 
-    static SweepStep contact(const HullSweep& sweep, const HullInLanes&, PlaneAhead& plane,
-                             const LatticeTriangle& triangle, SweepStep, SweepStep most) {
-        return first_contact(sweep, triangle, most, plane);
+    static SweepTick contact(const HullSweep& sweep, const FloatHull&, PlaneAhead& plane,
+                             const LatticeTriangle& triangle, SweepTick, SweepTick most) {
+        return first_contact_tick(sweep, triangle, most, plane);
     }
 };
 
-struct CapsuleMover {
+struct CapsuleSweepKernel {
     using Sweep = CapsuleSweep;
-    using InLanes = CapsuleInLanes;
+    using FloatShape = FloatCapsule;
     using Bounds = CapsuleBounds;
     struct Memory {};
     using Frame = std::conditional_t<is_bounded_one_by_one, SeparatingDirections, NoFrame>;
 
-    static SweepStep contact(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes, Memory&,
-                             const LatticeTriangle& triangle, SweepStep least, SweepStep most) {
-        if (in_lanes.is_sphere)
-            return first_contact(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most, least);
+    static SweepTick contact(const CapsuleSweep& sweep, const FloatCapsule& float_shape, Memory&,
+                             const LatticeTriangle& triangle, SweepTick least, SweepTick most) {
+        if (float_shape.is_sphere)
+            return first_contact_tick(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most, least);
         if (least == 0 && touches_at_start(sweep, triangle)) return 0;
         if (most == 0) return no_contact;
-        if (!has_bounds<CapsuleSweep> || in_lanes.is_far) return first_contact_after_start(sweep, triangle, most);
-        return contact_of_prism(sweep, in_lanes, triangle, least, most);
+        if (!has_bounds<CapsuleSweep> || float_shape.is_far) return first_contact_after_start(sweep, triangle, most);
+        return contact_of_prism(sweep, float_shape, triangle, least, most);
     }
 
 private:
@@ -99,7 +99,7 @@ private:
         float first[room];
 
         /// Returns the faces that it may touch up to the limit, and not before `begin`.
-        ESPALIER_NOINLINE unsigned fill(const CapsuleInLanes& capsule, const LatticeTriangle& triangle, float begin,
+        ESPALIER_NOINLINE unsigned fill(const FloatCapsule& capsule, const LatticeTriangle& triangle, float begin,
                                         float limit) {
             float corners[3][3][room];
             for (unsigned face = 0; face < room; ++face)
@@ -111,7 +111,7 @@ private:
                         corners[i][k][face] = corner < 4 ? at : at - capsule.axis[k];
                     }
                 }
-            CapsuleInLanes sphere = capsule;
+            FloatCapsule sphere = capsule;
             sphere.is_sphere = true;
             const CapsuleBounds bounds(sphere);
             const LaterBounds<CapsuleBounds> later(bounds, sphere, begin);
@@ -129,19 +129,19 @@ private:
         }
     };
     /// For a capsule that does not touch at the start.
-    ESPALIER_NOINLINE static SweepStep contact_of_prism(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes,
-                                                        const LatticeTriangle& triangle, SweepStep least,
-                                                        SweepStep most) {
+    ESPALIER_NOINLINE static SweepTick contact_of_prism(const CapsuleSweep& sweep, const FloatCapsule& float_shape,
+                                                        const LatticeTriangle& triangle, SweepTick least,
+                                                        SweepTick most) {
         FaceTimes times;
-        const unsigned near = times.fill(in_lanes, triangle, share_of_way(least), share_of_way(most));
+        const unsigned near = times.fill(float_shape, triangle, share_of_way(least), share_of_way(most));
         const IntegerTriangle seen = sweep.seen_from(sweep.from, triangle);
-        SweepStep best = no_contact;
+        SweepTick best = no_contact;
         decide_earliest_first(times.first, near, share_of_way(most), [&](unsigned face) {
-            const SweepStep step = first_contact(sweep.moving.sphere, face_of_prism(sweep.moving, seen, face), most,
-                                                 step_before(times.first[face]));
-            if (step != no_contact) {
-                best = step;
-                most = step - 1;
+            const SweepTick tick = first_contact_tick(sweep.moving.sphere, face_of_prism(sweep.moving, seen, face),
+                                                      most, last_tick_until(times.first[face]));
+            if (tick != no_contact) {
+                best = tick;
+                most = tick - 1;
             }
             return share_of_way(most);
         });
@@ -150,17 +150,17 @@ private:
 };
 
 /// A shape on its way.
-template <class Mover, class Node>
+template <class Kernel, class Node>
 struct MovingShape {
     struct CostlyLeaves {};
-    using Sweep = typename Mover::Sweep;
-    using InLanes = typename Mover::InLanes;
+    using Sweep = typename Kernel::Sweep;
+    using FloatShape = typename Kernel::FloatShape;
 
     const RayLanesOf<Node>& ray_lanes;
     const Sweep& sweep;
-    const InLanes& in_lanes;
-    typename Mover::Memory& memory;
-    const typename Mover::Frame& frame;
+    const FloatShape& float_shape;
+    typename Kernel::Memory& memory;
+    const typename Kernel::Frame& frame;
     const SweepOptions& options;
 
     ESPALIER_ALWAYS_INLINE unsigned cull(const Node& node, float limit, Keys keys) const {
@@ -169,7 +169,7 @@ struct MovingShape {
     template <class Leaf>
     Visit scan(const Leaf& leaf, Closest<FoundContact>& answer) const {
         LeafTimes<Leaf> times;
-        const auto near = times.template fill<typename Mover::Bounds>(leaf, in_lanes, answer.limit);
+        const auto near = times.template fill<typename Kernel::Bounds>(leaf, float_shape, answer.limit);
         decide_earliest_first(times.first, near, answer.limit, [&](unsigned slot) {
             offer(leaf, slot, leaf.triangle(slot), times.first[slot], answer);
             return answer.limit;
@@ -188,13 +188,13 @@ struct MovingShape {
 
     /// For those of them with a float unit.
     [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const requires is_bounded_one_by_one {
-        if constexpr (std::is_same_v<typename Mover::Frame, NoFrame>) return time_of(triangle, limit);
-        else return frame.first_contact(triangle, limit);
+        if constexpr (std::is_same_v<typename Kernel::Frame, NoFrame>) return time_of(triangle, limit);
+        else return frame.bound(triangle, limit);
     }
     [[nodiscard]] float tighten(const LatticeTriangle& triangle, float time,
                                 float) const requires is_bounded_one_by_one {
         if constexpr (has_bounds<Sweep>)
-            if (!in_lanes.is_far) return maximum(tighter(triangle, time), time);
+            if (!float_shape.is_far) return maximum(tighter(triangle, time), time);
         return time;
     }
     template <class Leaf>
@@ -219,48 +219,48 @@ private:
         }
         if (enter > leave) return time_bounds::never;
         if constexpr (has_bounds<Sweep>)
-            if (!in_lanes.is_far) return tighter(triangle, enter);
+            if (!float_shape.is_far) return tighter(triangle, enter);
         return enter;
     }
     [[nodiscard]] float tighter(const LatticeTriangle& triangle, float enter) const {
         Floats at[3][3];
         for (unsigned i = 0; i < 3; ++i)
             for (unsigned k = 0; k < 3; ++k)
-                at[i][k] = static_cast<float>(triangle.corner[i][k]) * in_lanes.scale - in_lanes.from[k];
+                at[i][k] = static_cast<float>(triangle.corner[i][k]) * float_shape.scale - float_shape.from[k];
         const CornersFromPoint t = {
             {at[0][0], at[0][1], at[0][2]}, {at[1][0], at[1][1], at[1][2]}, {at[2][0], at[2][1], at[2][2]}};
-        using Bounds = typename Mover::Bounds;
-        const Bounds bounds(in_lanes);
-        return LaterBounds<Bounds>(bounds, in_lanes, earliest(&enter, 1u))(t);
+        using Bounds = typename Kernel::Bounds;
+        const Bounds bounds(float_shape);
+        return LaterBounds<Bounds>(bounds, float_shape, earliest(&enter, 1u))(t);
     }
     template <class Leaf>
     void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float time,
                Closest<FoundContact>& answer) const {
         const std::uint32_t index = owner_index(leaf, slot);
         // On a tie the lower index wins; at the start the deepest triangle does.
-        const SweepStep most = !answer.found()                                      ? whole_way
-                               : index < answer.best.index || answer.best.step == 0 ? answer.best.step
-                                                                                    : answer.best.step - 1;
-        const SweepStep step =
-            Mover::contact(sweep, in_lanes, memory, triangle, has_bounds<Sweep> ? step_before(time) : 0, most);
-        if (step == no_contact || is_left_out(sweep, triangle, step, options)) return;
-        answer.take(found_contact(sweep, triangle, index, step));
+        const SweepTick most = !answer.found()                                      ? whole_way
+                               : index < answer.best.index || answer.best.tick == 0 ? answer.best.tick
+                                                                                    : answer.best.tick - 1;
+        const SweepTick tick =
+            Kernel::contact(sweep, float_shape, memory, triangle, has_bounds<Sweep> ? last_tick_until(time) : 0, most);
+        if (tick == no_contact || is_left_out(sweep, triangle, tick, options)) return;
+        answer.take(found_contact(sweep, triangle, index, tick));
     }
 };
 
-template <class Mover>
-inline FoundContact find_first_contact(const BlobData& blob, const typename Mover::Sweep& sweep,
+template <class Kernel>
+inline FoundContact find_first_contact(const BlobData& blob, const typename Kernel::Sweep& sweep,
                                        const SweepOptions& options) {
     FoundContact best;
     Closest<FoundContact> answer(best, options.filter ? &options.filter : nullptr);
     answer.limit = 1.0f;
-    const auto shape_in_lanes = in_lanes(blob, sweep);
-    typename Mover::Memory memory;
-    const typename Mover::Frame frame(shape_in_lanes);
+    const auto shape_in_floats = float_shape(blob, sweep);
+    typename Kernel::Memory memory;
+    const typename Kernel::Frame frame(shape_in_floats);
     with_leaves_of(blob, [&]<class Leaf>() {
         using Node = typename Leaf::Node;
-        const auto box_in_lanes = spread_sweep<RayLanesOf<Node>>(blob, sweep);
-        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes, memory, frame, options};
+        const auto ray_lanes = spread_sweep<RayLanesOf<Node>>(blob, sweep);
+        MovingShape<Kernel, Node> shape = {ray_lanes, sweep, shape_in_floats, memory, frame, options};
         find_nearest_first_in<Leaf>(blob, shape, answer);
     });
     return best;
@@ -268,15 +268,15 @@ inline FoundContact find_first_contact(const BlobData& blob, const typename Move
 
 ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep,
                                                  const SweepOptions& options) {
-    return find_first_contact<CapsuleMover>(blob, sweep, options);
+    return find_first_contact<CapsuleSweepKernel>(blob, sweep, options);
 }
 ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep,
                                                  const SweepOptions& options) {
-    return find_first_contact<BoxMover>(blob, sweep, options);
+    return find_first_contact<BoxSweepKernel>(blob, sweep, options);
 }
 ESPALIER_QUERY_OF_SET FoundContact first_contact(const BlobData& blob, const HullSweep& sweep,
                                                  const SweepOptions& options) {
-    return find_first_contact<HullMover>(blob, sweep, options);
+    return find_first_contact<HullSweepKernel>(blob, sweep, options);
 }
 
 ESPALIER_END_SET

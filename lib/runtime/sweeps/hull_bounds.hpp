@@ -14,7 +14,7 @@ class BoxBounds {
 public:
     using Beside = AnyPlace;
 
-    explicit BoxBounds(const BoxInLanes& box)
+    explicit BoxBounds(const FloatBox& box)
         : way_(splat_each(box.way)), half_(splat_each(box.half)), size_(add(length_bound(way_), length_bound(half_))) {}
 
     /// Returns a bound for each triangle, whose three corners are seen from the middle of the box.
@@ -58,7 +58,7 @@ class HullBounds {
 public:
     using Beside = AnyPlace;
 
-    explicit HullBounds(const HullInLanes& hull) : hull_(hull), way_(splat_each(hull.way)) {
+    explicit HullBounds(const FloatHull& hull) : hull_(hull), way_(splat_each(hull.way)) {
         size_ =
             add(length_bound(way_), larger(length_bound(splat_each(hull.low)), length_bound(splat_each(hull.high))));
     }
@@ -71,7 +71,7 @@ public:
         const Floats far = multiply(add(reach, size_), splat(time_bounds::rounding));
         time_bounds::CommonTime common;
         for (unsigned i = 0; i < hull_.axis_count; ++i) {
-            const HullInLanes::Axis& axis = hull_.axis[i];
+            const FloatHull::Axis& axis = hull_.axis[i];
             const Floats3 along = splat_each(axis.along);
             const Floats at[3] = {dot(along, a), dot(along, b), dot(along, c)};
             narrow(common, dot(along, way_), {splat(axis.low), splat(axis.high)},
@@ -108,7 +108,7 @@ private:
     }
     /// Grown by what floats may move hull and triangles.
     [[nodiscard]] Ends ends_along(const Floats3& axis) const {
-        const Floats slack = multiply(length_bound(axis), splat(lane_slack));
+        const Floats slack = multiply(length_bound(axis), splat(float_slack));
         if (hull_.edge_count != 0) {
             Floats reach = slack;
             for (unsigned i = 0; i < 3; ++i) reach = add(reach, absolute_of(dot(axis, splat_each(hull_.half_edge[i]))));
@@ -123,7 +123,7 @@ private:
         return {subtract(low, slack), add(high, slack)};
     }
 
-    const HullInLanes& hull_;
+    const FloatHull& hull_;
     Floats3 way_;
     Floats size_;
 };

@@ -4,7 +4,7 @@
 #define ESPALIER_SWEEPS_LEAF_BOUNDS_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/sweeps/float_shapes.hpp>
 #include <runtime/sweeps/time_bounds.hpp>
 
 ESPALIER_BEGIN_SET
@@ -12,7 +12,7 @@ ESPALIER_BEGIN_SET
 /// When the boxes around triangles are met by the one around a shape.
 class SweptBox {
 public:
-    explicit SweptBox(const SweepInLanes& sweep) {
+    explicit SweptBox(const FloatSweep& sweep) {
         for (unsigned k = 0; k < 3; ++k) {
             const float way = sweep.way[k];
             inverse_[k] = splat(1.0f / (absolute(way) < still ? still : way));
@@ -41,8 +41,8 @@ private:
 
 /// The test in place of BesideWay where bounds take no longer. It rejects nothing.
 struct AnyPlace {
-    using Shape = SweepInLanes;
-    AnyPlace(const SweepInLanes&, float) {}
+    using Shape = FloatSweep;
+    AnyPlace(const FloatSweep&, float) {}
     [[nodiscard]] unsigned meet(const CornersFromPoint&) const { return ~0u; }
 };
 
@@ -50,9 +50,9 @@ struct AnyPlace {
 /// leads from the nearest point of the way of the capsule's middle to the mean of the corners.
 class BesideWay {
 public:
-    using Shape = CapsuleInLanes;
+    using Shape = FloatCapsule;
 
-    BesideWay(const CapsuleInLanes& capsule, float limit)
+    BesideWay(const FloatCapsule& capsule, float limit)
         : axis_(splat_each(capsule.axis)), thick_(splat(capsule.radius + rounding)) {
         float way[3], squared = 0.0f;
         for (unsigned k = 0; k < 3; ++k) {
@@ -92,7 +92,7 @@ private:
 template <class Bounds>
 class LaterBounds {
 public:
-    LaterBounds(const Bounds& bounds, const SweepInLanes& sweep, float begin)
+    LaterBounds(const Bounds& bounds, const FloatSweep& sweep, float begin)
         : bounds_(bounds), begin_(splat(begin * (1.0f - 0x1p-22f))) {
         gone_ = {splat(begin * sweep.way[0]), splat(begin * sweep.way[1]), splat(begin * sweep.way[2])};
     }
@@ -121,7 +121,7 @@ class VerticesFromShape {
     using Slots = typename Leaf::Slots;
 
 public:
-    VerticesFromShape(const Leaf& leaf, const SweepInLanes& sweep) : leaf_(leaf) {
+    VerticesFromShape(const Leaf& leaf, const FloatSweep& sweep) : leaf_(leaf) {
         for (unsigned k = 0; k < 3; ++k) {
             const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
             const Floats from = splat(sweep.from[k]), scale = splat(sweep.scale);

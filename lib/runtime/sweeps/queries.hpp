@@ -10,51 +10,52 @@
 namespace espalier::detail {
 
 struct FoundContact : Found {
-    SweepStep step = no_contact;
+    SweepTick tick = no_contact;
     LatticeTriangle triangle;
     float gap = 0.0f;  ///< of a contact at the start: the smaller, the deeper
 
-    [[nodiscard]] float key() const { return share_of_way(step); }
+    [[nodiscard]] float key() const { return share_of_way(tick); }
     [[nodiscard]] float limit(float) const { return key(); }
 };
 /// Whether a is earlier than b, or deeper at the start, or as early and as deep and of a lower index.
 inline bool comes_before(const FoundContact& a, const FoundContact& b) {
-    if (a.step != b.step) return a.step < b.step;
+    if (a.tick != b.tick) return a.tick < b.tick;
     return a.gap < b.gap || (a.gap == b.gap && a.index < b.index);
 }
 
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
 
 /// Out of line: what it needs must not lie on the stack below the kernel of the start.
-ESPALIER_NOINLINE inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
-                                                             SweepStep most) noexcept {
-    return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
+ESPALIER_NOINLINE inline SweepTick first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
+                                                             SweepTick most) noexcept {
+    return first_contact_tick(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
 }
-inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+inline SweepTick first_contact_tick(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
+                                    SweepTick most) noexcept {
     if (takes_shortcut(is_zero(sweep.moving.axis)))  // a sphere's kernel looks at the start by itself
-        return first_contact(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most);
+        return first_contact_tick(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most);
     return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
 }
-inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    return first_contact(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
+inline SweepTick first_contact_tick(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepTick most) noexcept {
+    return first_contact_tick(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
 }
-inline SweepStep first_contact(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep most,
-                               PlaneAhead& plane) noexcept {
-    return first_contact(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), most, plane);
+inline SweepTick first_contact_tick(const HullSweep& sweep, const LatticeTriangle& triangle, SweepTick most,
+                                    PlaneAhead& plane) noexcept {
+    return first_contact_tick(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), most, plane);
 }
-inline SweepStep first_contact(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+inline SweepTick first_contact_tick(const HullSweep& sweep, const LatticeTriangle& triangle, SweepTick most) noexcept {
     PlaneAhead plane;
-    return first_contact(sweep, triangle, most, plane);
+    return first_contact_tick(sweep, triangle, most, plane);
 }
 
-inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), step);
+inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepTick tick) noexcept {
+    return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), tick);
 }
-inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(sweep, integer_triangle(triangle, sweep.fraction_bits), step);
+inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepTick tick) noexcept {
+    return contact_at(sweep, integer_triangle(triangle, sweep.fraction_bits), tick);
 }
-inline SweepContact contact_at(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), step);
+inline SweepContact contact_at(const HullSweep& sweep, const LatticeTriangle& triangle, SweepTick tick) noexcept {
+    return contact_at(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), tick);
 }
 /// Where a shape touches at the start: as seen from its middle.
 inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {
@@ -83,22 +84,22 @@ ESPALIER_SHARED_CODE inline bool is_culled(const LatticeSweep& sweep, const Latt
     const int along = sign(dot<Int128>(normal_of(integer_triangle(triangle)), sweep.displacement));
     return culling == FaceCulling::back ? along > 0 : culling == FaceCulling::front && along < 0;
 }
-/// Whether the options leave out a triangle that the shape first touches at that step, apart from the filter.
+/// Whether the options leave out a triangle that the shape first touches at that tick, apart from the filter.
 template <class Sweep>
-bool is_left_out(const Sweep& sweep, const LatticeTriangle& triangle, SweepStep step, const SweepOptions& options) {
+bool is_left_out(const Sweep& sweep, const LatticeTriangle& triangle, SweepTick tick, const SweepOptions& options) {
     if (options.culling != FaceCulling::none && is_culled(sweep, triangle, options.culling)) return true;
-    return step == 0 && options.ignore_leaving && leaves_at_start(sweep, triangle);
+    return tick == 0 && options.ignore_leaving && leaves_at_start(sweep, triangle);
 }
 template <class Sweep>
-FoundContact found_contact(const Sweep& sweep, const LatticeTriangle& triangle, std::uint32_t index, SweepStep step) {
-    return {{index}, step, triangle, step == 0 ? gap_at_start(sweep, triangle) : 0.0f};
+FoundContact found_contact(const Sweep& sweep, const LatticeTriangle& triangle, std::uint32_t index, SweepTick tick) {
+    return {{index}, tick, triangle, tick == 0 ? gap_at_start(sweep, triangle) : 0.0f};
 }
 
 /// Returns the last tick before a contact at which the shape is no nearer than the skin, in lattice steps, to the plane
 /// of the contact; the start if it is nearer there.
-ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep, SweepStep step, const Vec3& normal,
+ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep, SweepTick first, const Vec3& normal,
                                                        float skin) {
-    const std::uint32_t tick = tick_before(step);
+    const std::uint32_t tick = tick_before(first);
     if (!(skin > 0.0f) || tick == 0) return tick;
     const float scale = power_of_two(-sweep.fraction_bits);
     const Vec3 way = to_vector(sweep.displacement) * scale;
@@ -113,12 +114,12 @@ ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep
 /// Builds the result for the caller. The shape stops at a distance of `skin`, in lattice steps, before the contact.
 template <class Sweep>
 SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found, float skin = 0.0f) noexcept {
-    const bool at_start = found.step == 0;
+    const bool at_start = found.tick == 0;
     const SweepContact contact =
-        at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.step);
+        at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.tick);
     const Vec3 point = point_of(found.triangle, contact.u, contact.v);
     SweepHit hit;
-    hit.t = share_of_way(tick_at_skin(sweep, found.step, contact.normal, skin));
+    hit.t = share_of_way(tick_at_skin(sweep, found.tick, contact.normal, skin));
     hit.point = to_local(blob, point.x, point.y, point.z);
     hit.normal = contact.normal;
     hit.face_normal = face_normal_of(found.triangle);

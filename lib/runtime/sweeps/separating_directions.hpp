@@ -2,7 +2,7 @@
 // lanes.
 #pragma once
 
-#include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/sweeps/float_shapes.hpp>
 
 namespace espalier::detail {
 
@@ -11,7 +11,7 @@ namespace espalier::detail {
 /// directions are right; where way and axis are parallel, others take their place.
 class SeparatingDirections {
 public:
-    explicit SeparatingDirections(const CapsuleInLanes& capsule) {
+    explicit SeparatingDirections(const FloatCapsule& capsule) {
         float way[3], axis[3], normal[3];
         const bool moves = to_unit_length(capsule.way, way), is_long = to_unit_length(capsule.axis, axis);
         const float* const along = moves ? way : axis;
@@ -34,7 +34,7 @@ public:
         set_direction(directions_[2], is_plane ? across : along, capsule);
     }
     /// Returns a time that is not after the first contact; above the limit any time above it.
-    [[nodiscard]] float first_contact(const LatticeTriangle& triangle, float limit) const {
+    [[nodiscard]] float bound(const LatticeTriangle& triangle, float limit) const {
         float corners[3][3];
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) corners[i][k] = static_cast<float>(triangle.corner[i][k]);
@@ -74,7 +74,7 @@ private:
         for (int k = 0; k < 3; ++k) unit[k] = a[k] * inverse;
         return is_long;
     }
-    static void set_direction(Direction& direction, const float* unit, const CapsuleInLanes& capsule) {
+    static void set_direction(Direction& direction, const float* unit, const FloatCapsule& capsule) {
         const float speed = dot(unit, capsule.way);
         const float sign = speed < 0.0f ? -1.0f : 1.0f;
         for (int k = 0; k < 3; ++k) direction.scaled[k] = unit[k] * sign * capsule.scale;

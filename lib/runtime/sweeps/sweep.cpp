@@ -32,8 +32,8 @@ SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacem
         if (shape.vertices.empty()) return hit;
     if (blob.triangle_count() == 0) return hit;
     const FoundContact found = ESPALIER_DISPATCH(first_contact, data_of(blob), rounded, options);
-    if (found.step == no_contact) return hit;
-    contact_t = share_of_way(tick_before(found.step));
+    if (found.tick == no_contact) return hit;
+    contact_t = share_of_way(tick_before(found.tick));
     return to_sweep_hit(data_of(blob), rounded, found, radius_in_steps(data_of(blob), options.skin));
 }
 

@@ -82,17 +82,17 @@ TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
     const std::uint64_t count = scaled(1'500);
     for (std::uint64_t i = 0; i < count; ++i) {
         const Case<MovingBox> c = some_box(random);
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
         const std::optional<Rational> time = exact_first_contact(c);
         CAPTURE(i);
         ++decided;
-        require_right_limits(c, step, random, seen);
-        if (!require_tick(time, step)) continue;
+        require_right_limits(c, tick, random, seen);
+        if (!require_tick(time, tick)) continue;
 
         // The normal separates, and looks against the way.
-        const SweepContact contact = contact_at(c.moving, c.triangle, step);
+        const SweepContact contact = contact_at(c.moving, c.triangle, tick);
         const Point way = exact(c.moving.displacement), normal = require_normal(contact, way);
-        const Point moved = way * ticks(step - 1);
+        const Point moved = way * ticks(tick - 1);
         Rational of_box = normal.dot(moved);
         Rational size = 0;
         for (int k = 0; k < 3; ++k) {

@@ -46,15 +46,15 @@ TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
             ++seen[0];
             continue;
         }
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-        REQUIRE(step > 0);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
+        REQUIRE(tick > 0);
         ++decided;
-        require_right_step(c, step);
-        require_right_limits(c, step, random, seen);
-        if (step == no_contact || !has_area(c.triangle)) continue;
+        require_right_tick(c, tick);
+        require_right_limits(c, tick, random, seen);
+        if (tick == no_contact || !has_area(c.triangle)) continue;
         // The named point is on the triangle and as far from the axis as the normal says.
-        const SweepContact contact = contact_at(c.moving, c.triangle, step);
-        const Point start = exact(c.moving.sphere.displacement) * ticks(detail::tick_before(step));
+        const SweepContact contact = contact_at(c.moving, c.triangle, tick);
+        const Point start = exact(c.moving.sphere.displacement) * ticks(detail::tick_before(tick));
         const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
         const Point point = weighted(c.triangle, contact);
         const std::array<Point, 1> named = {point};

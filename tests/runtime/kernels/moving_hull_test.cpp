@@ -156,16 +156,16 @@ TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
     const std::uint64_t count = scaled(1'500);
     for (std::uint64_t i = 0; i < count; ++i) {
         const Case<MovingHull> c = some_hull(random);
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
         const std::optional<Rational> time = exact_first_contact(c);
         CAPTURE(i);
         CAPTURE(describe(c));
         ++decided;
-        require_right_limits(c, step, random, seen);
-        if (!require_tick(time, step)) continue;
+        require_right_limits(c, tick, random, seen);
+        if (!require_tick(time, tick)) continue;
 
         // The normal separates, and looks against the way.
-        const SweepContact contact = contact_at(c.moving, c.triangle, step);
+        const SweepContact contact = contact_at(c.moving, c.triangle, tick);
         const Point way = exact(c.moving.displacement), normal = require_normal(contact, way);
         const Point moved = way * *time;
         std::optional<Rational> of_hull, of_triangle;
@@ -257,9 +257,9 @@ TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at t
             at.z += 70;
             if (squared > 1900 && squared < 2500) add(c.moving, at);
         }
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
         const std::optional<Rational> time = exact_first_contact(c);
-        hits += require_tick(time, step) ? 1u : 0u;
+        hits += require_tick(time, tick) ? 1u : 0u;
     }
     if (asks_enough()) CHECK(hits > 0);
 }
@@ -270,11 +270,11 @@ TEST_CASE("kernel: the plane that a moving hull met before changes no contact") 
     for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
         Case<MovingHull> c = some_hull(random);
         detail::PlaneAhead plane;
-        SweepStep most = whole_way;
+        SweepTick most = whole_way;
         for (int neighbour = 0; neighbour < 6; ++neighbour) {
-            const SweepStep expected = first_contact(c.moving, c.triangle, most);
+            const SweepTick expected = first_contact_tick(c.moving, c.triangle, most);
             const bool has_plane = !plane.speed.is_zero();
-            REQUIRE(first_contact(c.moving, c.triangle, most, plane) == expected);
+            REQUIRE(first_contact_tick(c.moving, c.triangle, most, plane) == expected);
             if (expected != no_contact) most = expected;
             late += has_plane && expected == no_contact ? 1u : 0u;
             // The next one shares two corners, or is a little farther.

@@ -16,7 +16,7 @@ using detail::MovingCapsule;
 using detail::MovingSphere;
 using detail::no_contact;
 using detail::SweepContact;
-using detail::SweepStep;
+using detail::SweepTick;
 using detail::whole_way;
 using oracle::Point;
 using oracle::Rational;
@@ -182,35 +182,35 @@ bool touches_at_start(const Case<Moving>& c) {
 }
 
 template <class Moving>
-void require_right_step(const Case<Moving>& c, SweepStep step) {
-    if (step == no_contact) {
+void require_right_tick(const Case<Moving>& c, SweepTick tick) {
+    if (tick == no_contact) {
         REQUIRE_FALSE(touches_between(c.moving, c.triangle, 0, whole_way));
-    } else if (step == 0) {
+    } else if (tick == 0) {
         REQUIRE(touches_at_start(c));
     } else {
-        REQUIRE(step <= whole_way);
-        REQUIRE_FALSE(touches_between(c.moving, c.triangle, 0, step - 1));
-        REQUIRE(touches_between(c.moving, c.triangle, step - 1, step));
+        REQUIRE(tick <= whole_way);
+        REQUIRE_FALSE(touches_between(c.moving, c.triangle, 0, tick - 1));
+        REQUIRE(touches_between(c.moving, c.triangle, tick - 1, tick));
     }
 }
 
 /// A limit changes nothing but that later contacts are none. Counts the contact: at the start, none, or later.
 template <class Moving>
-void require_right_limits(const Case<Moving>& c, SweepStep step, Random& random, std::array<std::uint64_t, 3>& seen) {
-    ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
-    const SweepStep near = step == no_contact ? whole_way : step;
-    for (const SweepStep most : {near, near == 0 ? 0 : near - 1, random.below(whole_way + 1)})
-        REQUIRE(first_contact(c.moving, c.triangle, most) == (step <= most ? step : no_contact));
+void require_right_limits(const Case<Moving>& c, SweepTick tick, Random& random, std::array<std::uint64_t, 3>& seen) {
+    ++seen[tick == 0 ? 0 : tick == no_contact ? 1 : 2];
+    const SweepTick near = tick == no_contact ? whole_way : tick;
+    for (const SweepTick most : {near, near == 0 ? 0 : near - 1, random.below(whole_way + 1)})
+        REQUIRE(first_contact_tick(c.moving, c.triangle, most) == (tick <= most ? tick : no_contact));
 }
 
 /// Requires the tick in which an exact time lies. Returns whether that is after the start.
-inline bool require_tick(const std::optional<Rational>& time, SweepStep step) {
-    REQUIRE(time.has_value() == (step != no_contact));
+inline bool require_tick(const std::optional<Rational>& time, SweepTick tick) {
+    REQUIRE(time.has_value() == (tick != no_contact));
     if (!time) return false;
-    REQUIRE((time->sign() == 0) == (step == 0));
-    if (step == 0) return false;
-    REQUIRE(*time <= ticks(step));
-    REQUIRE(*time > ticks(step - 1));
+    REQUIRE((time->sign() == 0) == (tick == 0));
+    if (tick == 0) return false;
+    REQUIRE(*time <= ticks(tick));
+    REQUIRE(*time > ticks(tick - 1));
     return true;
 }
 

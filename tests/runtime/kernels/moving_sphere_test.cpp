@@ -31,11 +31,11 @@ TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
     const std::uint64_t count = scaled(1'200);
     for (std::uint64_t i = 0; i < count; ++i) {
         const Case<MovingSphere> c = some_sphere(random);
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
         CAPTURE(i);
         ++decided;
-        require_right_step(c, step);
-        require_right_limits(c, step, random, seen);
+        require_right_tick(c, tick);
+        require_right_limits(c, tick, random, seen);
     }
     for (const std::uint64_t number : seen) CHECK(number > count / 20);
     MESSAGE(decisions_made("sphere that moves", decided));
@@ -67,8 +67,8 @@ TEST_CASE("kernel: a moving sphere touches exactly where its segment comes withi
         const bool within =
             is_within_radius(path, triangle, distance_to(path, triangle), static_cast<float>(c.moving.radius));
         if (static_cast<std::int64_t>(static_cast<float>(c.moving.radius)) != c.moving.radius) continue;
-        const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
-        REQUIRE((step != no_contact) == within);
+        const SweepTick tick = first_contact_tick(c.moving, c.triangle, whole_way);
+        REQUIRE((tick != no_contact) == within);
         touched += within ? 1 : 0;
     }
     CHECK(tried > count / 2);

@@ -16,7 +16,7 @@ using detail::HullSweep;
 using detail::Integer3;
 using detail::LatticeTriangle;
 using detail::no_contact;
-using detail::SweepStep;
+using detail::SweepTick;
 using detail::whole_way;
 
 namespace {
@@ -182,7 +182,7 @@ struct Outcome {
 };
 
 /// A triangle as lanes see it.
-detail::scalar::CornersFromPoint seen_in_lanes(const detail::SweepInLanes& lanes, const LatticeTriangle& triangle) {
+detail::scalar::CornersFromPoint seen_in_lanes(const detail::FloatSweep& lanes, const LatticeTriangle& triangle) {
     detail::scalar::Floats3 corners[3];
     for (unsigned i = 0; i < 3; ++i) {
         float at[3];
@@ -192,8 +192,8 @@ detail::scalar::CornersFromPoint seen_in_lanes(const detail::SweepInLanes& lanes
     return {corners[0], corners[1], corners[2]};
 }
 /// The time that lanes give a triangle, as they do for a leaf.
-template <class Bounds, class InLanes>
-float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
+template <class Bounds, class FloatShape>
+float time_of(const FloatShape& lanes, const LatticeTriangle& triangle) {
     using namespace detail::scalar;
     const CornersFromPoint t = seen_in_lanes(lanes, triangle);
     float time = 0.0f;
@@ -205,7 +205,7 @@ float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
 
 template <class Sweep>
 void check(const Cases& cases, const Sweep& sweep, float time, Outcome& outcome) {
-    const SweepStep step = first_contact(sweep, cases.triangle(), whole_way);
+    const SweepTick step = first_contact_tick(sweep, cases.triangle(), whole_way);
     if (step == no_contact) {
         ++outcome.misses;
         outcome.rejected += time > 1.0f ? 1u : 0u;
@@ -230,9 +230,9 @@ void check(const Cases& cases, const Sweep& sweep, float time, Outcome& outcome)
 }
 
 /// The same of a direction that may separate both until a step. The triangle meets the box that goes the same way.
-void check_beside(const Cases& cases, const CapsuleSweep& sweep, SweepStep step, SweepStep most, Outcome& outcome) {
+void check_beside(const Cases& cases, const CapsuleSweep& sweep, SweepTick step, SweepTick most, Outcome& outcome) {
     using namespace detail::scalar;
-    const auto lanes = detail::in_lanes(cases.blob(), sweep);
+    const auto lanes = detail::float_shape(cases.blob(), sweep);
     const CornersFromPoint t = seen_in_lanes(lanes, cases.triangle());
     const float limit = detail::share_of_way(most);
     float time = 0.0f;
@@ -268,14 +268,14 @@ TEST_SUITE("bounds") {
         const std::uint64_t count = scaled_share(200'000);
         for_each_case(count, [&](Cases& cases) {
             const CapsuleSweep capsule = cases.capsule();
-            const auto in_lanes = detail::in_lanes(cases.blob(), capsule);
-            check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(in_lanes, cases.triangle()), capsules);
-            check(cases, capsule, detail::SeparatingDirections(in_lanes).first_contact(cases.triangle(), 1.0f), frames);
+            const auto float_shape = detail::float_shape(cases.blob(), capsule);
+            check(cases, capsule, time_of<detail::scalar::CapsuleBounds>(float_shape, cases.triangle()), capsules);
+            check(cases, capsule, detail::SeparatingDirections(float_shape).bound(cases.triangle(), 1.0f), frames);
             const BoxSweep box = cases.box();
-            const auto box_in_lanes = detail::in_lanes(cases.blob(), box);
+            const auto box_in_lanes = detail::float_shape(cases.blob(), box);
             check(cases, box, time_of<detail::scalar::BoxBounds>(box_in_lanes, cases.triangle()), boxes);
             const detail::HullSweep hull = cases.hull();
-            const auto hull_in_lanes = detail::in_lanes(cases.blob(), hull);
+            const auto hull_in_lanes = detail::float_shape(cases.blob(), hull);
             check(cases, hull, time_of<detail::scalar::HullBounds>(hull_in_lanes, cases.triangle()), hulls);
         });
         for (const Outcome& outcome : {capsules, boxes, hulls, frames}) {
@@ -294,8 +294,8 @@ TEST_SUITE("bounds") {
         for_each_case(count, [&](Cases& cases) {
             const CapsuleSweep capsule = cases.capsule();
             // At some step, and most often at the one of the first contact.
-            const SweepStep step = first_contact(capsule, cases.triangle(), whole_way);
-            const SweepStep most = step != no_contact && random.below(4) != 0 ? step : random.below(whole_way + 1);
+            const SweepTick step = first_contact_tick(capsule, cases.triangle(), whole_way);
+            const SweepTick most = step != no_contact && random.below(4) != 0 ? step : random.below(whole_way + 1);
             check_beside(cases, capsule, step, most, outcome);
         });
         MESSAGE(outcome.hits, " hits; ", outcome.misses, " misses, ", outcome.rejected, " beside the way");

@@ -162,7 +162,7 @@ void require_right_starts(std::uint64_t seed, std::uint64_t count, bool has_all_
         sweep.fraction_bits = maker.bits;
         Body body{{}, {}, exact(triangle, maker.bits), {}};
         make(maker, triangle, sweep, body);
-        if (detail::first_contact(sweep, triangle, 0) != 0) continue;
+        if (detail::first_contact_tick(sweep, triangle, 0) != 0) continue;
         body.way = exact(sweep.displacement);
         require_right(sweep, triangle, body, has_all_directions, seen);
     }

@@ -43,7 +43,7 @@ std::array<SweepHit, option_sets> ask(const TriangleLoop& loop, const Blob& blob
         const auto all = [](TriangleId) { return true; };
         const detail::FoundContact found = options.filter ? loop.first_contact(sweep, third_is_left_out, options)
                                                           : loop.first_contact(sweep, all, options);
-        if (found.step != detail::no_contact)
+        if (found.tick != detail::no_contact)
             hits[i] = to_sweep_hit(data, sweep, found, detail::radius_in_steps(data, options.skin));
     }
     return hits;

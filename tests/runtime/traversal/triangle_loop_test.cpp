@@ -94,8 +94,8 @@ struct Loops {
         const auto all = [](TriangleId) { return true; };
         const detail::FoundContact found = quick.first_contact(rounded, all);
         const detail::FoundContact expected = whole.first_contact(rounded, all);
-        REQUIRE(found.step == expected.step);
-        if (found.step == detail::no_contact) return 0;
+        REQUIRE(found.tick == expected.tick);
+        if (found.tick == detail::no_contact) return 0;
         REQUIRE(found.index == expected.index);
         return 1;
     }

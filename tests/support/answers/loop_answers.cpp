@@ -70,7 +70,7 @@ Difference moving(const Blob& blob, const TriangleLoop& loop, const Moving<Shape
     if (round_sweep(detail::data_of(blob), moving.shape, moving.displacement, rounded) == QueryStatus::ok)
         expected = loop.first_contact(rounded, [](TriangleId) { return true; });
     const SweepHit hit = sweep(blob, query_shape(moving.shape), moving.displacement);
-    bool same = bool(hit) == (expected.step != detail::no_contact);
+    bool same = bool(hit) == (expected.tick != detail::no_contact);
     if (hit && same) {
         const SweepHit other = to_sweep_hit(detail::data_of(blob), rounded, expected);
         same = hit.triangle == other.triangle && same_bits(hit.t, other.t) && same_bits(hit.point, other.point) &&

@@ -213,10 +213,10 @@ detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const de
     detail::FoundContact best;
     for (const auto& [when, i] : met) {
         // Contacts are told by the tick that they end in: none that follows is in this one.
-        if (best.step != detail::no_contact && std::ldexp(when, detail::tick_bits) > static_cast<double>(best.step) + 1)
+        if (best.tick != detail::no_contact && std::ldexp(when, detail::tick_bits) > static_cast<double>(best.tick) + 1)
             break;
         if (!filter({indices_[i]})) continue;
-        const detail::SweepStep step = detail::first_contact(sweep, triangles_[i], detail::whole_way);
+        const detail::SweepTick step = detail::first_contact_tick(sweep, triangles_[i], detail::whole_way);
         if (step == detail::no_contact || is_left_out(sweep, triangles_[i], step, options)) continue;
         const detail::FoundContact found = found_contact(sweep, triangles_[i], indices_[i], step);
         if (comes_before(found, best)) best = found;

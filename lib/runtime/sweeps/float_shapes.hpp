@@ -7,11 +7,11 @@ namespace espalier::detail {
 
 /// How far floats may move a shape and a triangle towards each other, and more (docs/numerics.md): shapes are grown by
 /// this.
-inline constexpr float lane_slack = 0x1p-19f;
+inline constexpr float float_slack = 0x1p-19f;
 /// From this distance on, in lattice steps, only boxes are compared: products of small sides would be subnormal.
-inline constexpr float farthest_in_lanes = 0x1p25f;
+inline constexpr float farthest_in_floats = 0x1p25f;
 
-struct SweepInLanes {
+struct FloatSweep {
     float scale;
     bool is_far;
     float from[3];  ///< a point of the shape at the start
@@ -20,17 +20,17 @@ struct SweepInLanes {
     float high[3];
 };
 
-struct CapsuleInLanes : SweepInLanes {
+struct FloatCapsule : FloatSweep {
     float axis[3];  ///< from the point to the other end
     float radius;
     bool is_sphere;
 };
 
-struct BoxInLanes : SweepInLanes {
+struct FloatBox : FloatSweep {
     float half[3];  ///< of the sides; the point is the middle
 };
 
-struct HullInLanes : SweepInLanes {
+struct FloatHull : FloatSweep {
     /// What the hull takes up along an axis.
     struct Axis {
         float along[3];
@@ -47,7 +47,7 @@ struct HullInLanes : SweepInLanes {
 /// Sets what all shapes share but their box. The point is given in units of the sweep, `size` is the largest coordinate
 /// of anything seen from it, in lattice steps.
 inline void set_way(const BlobData& blob, const LatticeSweep& sweep, const Integer3& from, float size,
-                    SweepInLanes& lanes) {
+                    FloatSweep& lanes) {
     const float step = power_of_two(-sweep.fraction_bits);
     float reach = maximum(size, 1.0f);
     for (int k = 0; k < 3; ++k) {
@@ -56,7 +56,7 @@ inline void set_way(const BlobData& blob, const LatticeSweep& sweep, const Integ
         reach = maximum(maximum(absolute(lanes.from[k]), absolute(lanes.from[k] - blob.extent_steps[k])), reach);
         reach = maximum(absolute(lanes.way[k]), reach);
     }
-    lanes.is_far = reach > farthest_in_lanes;
+    lanes.is_far = reach > farthest_in_floats;
     lanes.scale = power_of_two(-exponent_of(reach) - 1);
     for (int k = 0; k < 3; ++k) {
         lanes.from[k] *= lanes.scale;
@@ -64,8 +64,8 @@ inline void set_way(const BlobData& blob, const LatticeSweep& sweep, const Integ
     }
 }
 
-inline CapsuleInLanes in_lanes(const BlobData& blob, const CapsuleSweep& sweep) {
-    CapsuleInLanes lanes;
+inline FloatCapsule float_shape(const BlobData& blob, const CapsuleSweep& sweep) {
+    FloatCapsule lanes;
     const float step = power_of_two(-sweep.fraction_bits);
     const float radius = to_float(sweep.moving.sphere.radius) * step;
     float size = radius;
@@ -74,7 +74,7 @@ inline CapsuleInLanes in_lanes(const BlobData& blob, const CapsuleSweep& sweep) 
         size = maximum(absolute(lanes.axis[k]), size);
     }
     set_way(blob, sweep, sweep.from, size, lanes);
-    lanes.radius = radius * lanes.scale + lane_slack;
+    lanes.radius = radius * lanes.scale + float_slack;
     lanes.is_sphere = is_zero(sweep.moving.axis);
     for (int k = 0; k < 3; ++k) {
         lanes.axis[k] *= lanes.scale;
@@ -84,8 +84,8 @@ inline CapsuleInLanes in_lanes(const BlobData& blob, const CapsuleSweep& sweep) 
     return lanes;
 }
 
-inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
-    BoxInLanes lanes;
+inline FloatBox float_shape(const BlobData& blob, const BoxSweep& sweep) {
+    FloatBox lanes;
     const float half_step = power_of_two(-sweep.fraction_bits - 1);
     float size = 0.0f;
     for (int k = 0; k < 3; ++k) {
@@ -94,7 +94,7 @@ inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
     }
     set_way(blob, sweep, sweep.middle(), size, lanes);
     // The middle is rounded down to a whole unit.
-    const float slack = lane_slack + half_step * lanes.scale;
+    const float slack = float_slack + half_step * lanes.scale;
     for (int k = 0; k < 3; ++k) {
         lanes.half[k] = lanes.half[k] * lanes.scale + slack;
         lanes.low[k] = -lanes.half[k];
@@ -104,8 +104,8 @@ inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
 }
 
 /// The ends are grown by what floats may move hull and triangles.
-inline void add_axis(HullInLanes& lanes, const Vec3& along) {
-    HullInLanes::Axis& axis = lanes.axis[lanes.axis_count++];
+inline void add_axis(FloatHull& lanes, const Vec3& along) {
+    FloatHull::Axis& axis = lanes.axis[lanes.axis_count++];
     axis = {{along.x, along.y, along.z}, infinity, -infinity};
     for (unsigned i = 0; i < lanes.point_count; ++i) {
         const float* const p = lanes.point[i];
@@ -113,11 +113,11 @@ inline void add_axis(HullInLanes& lanes, const Vec3& along) {
         axis.low = minimum(at, axis.low);
         axis.high = maximum(at, axis.high);
     }
-    const float slack = (absolute(along.x) + absolute(along.y) + absolute(along.z)) * lane_slack;
+    const float slack = (absolute(along.x) + absolute(along.y) + absolute(along.z)) * float_slack;
     axis.low -= slack;
     axis.high += slack;
 }
-inline void set_faces(const HullSweep& sweep, float scale, HullInLanes& lanes) {
+inline void set_faces(const HullSweep& sweep, float scale, FloatHull& lanes) {
     const auto& corner = sweep.moving.point;
     lanes.edge_count = 3;
     for (unsigned i = 0; i < 3; ++i)
@@ -128,7 +128,7 @@ inline void set_faces(const HullSweep& sweep, float scale, HullInLanes& lanes) {
         add_axis(lanes, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
     }
 }
-inline void set_diagonals(HullInLanes& lanes) {
+inline void set_diagonals(FloatHull& lanes) {
     for (const float sign : {1.0f, -1.0f}) {
         add_axis(lanes, {0.0f, 1.0f, sign});
         add_axis(lanes, {1.0f, 0.0f, sign});
@@ -138,8 +138,8 @@ inline void set_diagonals(HullInLanes& lanes) {
     }
 }
 
-inline HullInLanes in_lanes(const BlobData& blob, const HullSweep& sweep) {
-    HullInLanes lanes;
+inline FloatHull float_shape(const BlobData& blob, const HullSweep& sweep) {
+    FloatHull lanes;
     const float step = power_of_two(-sweep.fraction_bits);
     const Integer3 middle = sweep.middle();
     float size = 0.0f;
@@ -150,8 +150,8 @@ inline HullInLanes in_lanes(const BlobData& blob, const HullSweep& sweep) {
     for (unsigned i = 0; i < lanes.point_count; ++i)
         for (int k = 0; k < 3; ++k) lanes.point[i][k] = to_float(sweep.moving.point[i][k] - middle[k]) * scale;
     for (int k = 0; k < 3; ++k) {
-        lanes.low[k] = to_float(sweep.low[k] - middle[k]) * scale - lane_slack;
-        lanes.high[k] = to_float(sweep.high[k] - middle[k]) * scale + lane_slack;
+        lanes.low[k] = to_float(sweep.low[k] - middle[k]) * scale - float_slack;
+        lanes.high[k] = to_float(sweep.high[k] - middle[k]) * scale + float_slack;
     }
     lanes.edge_count = lanes.axis_count = 0;
     if (sweep.is_box) set_faces(sweep, scale, lanes);
