@@ -3,7 +3,7 @@
 
 #include <baker/build/build.hpp>
 #include <baker/build/spatial.hpp>
-#include <espalier/statistics.hpp>
+#include <espalier/advanced/statistics.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/answers/differences.hpp"
