@@ -112,7 +112,8 @@ public:
     /// transforms do nothing but translate by whole steps. Rays are rounded once for all of them. The status is
     /// not_found if there are none, or if they extend over more than 2^24 - 1 steps.
     [[nodiscard]] constexpr Result<Lattice> common_lattice() const noexcept {
-        if (data_.tree.bytes == nullptr) return {{}, QueryStatus::not_open};
+        if (data_.tree.bytes == nullptr)
+            return {{}, data_.must_refit ? QueryStatus::not_refitted : QueryStatus::not_open};
         return {data_.common, data_.has_common ? QueryStatus::ok : QueryStatus::not_found};
     }
 
@@ -282,9 +283,8 @@ InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displac
                         const SceneSweepOptions& options = {}) noexcept;
 
 /// Returns the first contact with a triangle that the filter keeps.
-template <SweptShape Shape>
-InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement,
-                        const SceneFilter& filter) noexcept {
+template <SweptShape Shape, std::convertible_to<SceneFilter> Filter>
+InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement, Filter&& filter) noexcept {
     return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
 }
 

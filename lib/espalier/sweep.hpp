@@ -70,8 +70,8 @@ template <SweptShape Shape>
 SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, const SweepOptions& options = {}) noexcept;
 
 /// Returns the first contact with a triangle that the filter keeps.
-template <SweptShape Shape>
-SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, TriangleFilter filter) noexcept {
+template <SweptShape Shape, std::convertible_to<TriangleFilter> Filter>
+SweepHit sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Filter&& filter) noexcept {
     SweepOptions options;
     options.filter = filter;
     return sweep(blob, shape, displacement, options);

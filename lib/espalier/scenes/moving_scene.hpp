@@ -4,22 +4,23 @@
 // whole BakedScene, is inserted like a mesh, so that one query covers both what moves and what does not. Every query of
 // scene.hpp and contacts.hpp takes a MovingScene, with the same arguments and answers, where InstanceId::index is a
 // slot. Queries refuse a scene that waits for refit() (not_refitted), and call visitors in the order of the tree, which
-// is the same on every machine, rather than in that of the slots. Only mesh_at() is limited to baked scenes. pairs.hpp
-// finds the instances that may touch or do touch.
+// is the same on every machine, rather than in that of the slots. mesh_at() is limited to baked scenes, and bounds() is
+// a function of SceneView. pairs.hpp finds the instances that may touch or do touch.
 //
 // Rays are rounded once for all instances on the common lattice, such as the pieces of a ground that come and go, so no
 // ray slips between two that share an edge. This lattice belongs to the world: its points are whole steps from the
 // origin. common_lattice() describes what lies on it.
 //
 // A world too large for float32, such as 100 km at a resolution of millimetres, is seen from positions in it. A view
-// made by seen_from() takes and returns coordinates relative to its origin(), which is near such a position. An
-// instance inserted through a view keeps its position exactly; for an instance inserted from elsewhere, the view rounds
-// the translation once to float32. Every query is thus exact for the instances as seen from the view, and those near it
-// lie where they were placed.
+// made by seen_from() is a MovingScene, too, and follows all changes of the block; a SceneView, to which a MovingScene
+// converts for each query, is valid until the next change only. A view made by seen_from() takes and returns
+// coordinates relative to its origin(), which is near such a position. An instance inserted through a view keeps its
+// position exactly; for an instance inserted from elsewhere, the view rounds the translation once to float32. Every
+// query is thus exact for the instances as seen from the view, and those near it lie where they were placed.
 //
 // The block contains no pointers. A copy of its bytes is a snapshot: write it back over the block of the same scene,
-// even under existing views, or open it elsewhere with open_moving_scene(). The same calls, including those for pairs,
-// produce the same bytes on every machine of the same byte order.
+// even under existing MovingScenes, or open it elsewhere with open_moving_scene(). The same calls, including those for
+// pairs, produce the same bytes on every machine of the same byte order.
 //
 // A simulation step moves many instances with one call of move() and then calls refit(). The boxes of instances are
 // integers, in steps of the world. The tree over them is an R-tree, whose depth is at most 12 for any order of calls.

@@ -130,8 +130,8 @@ class ShapeQueries:
     def contacts(self, shape: Body, margin: ArrayLike = 0.0, *, most: int = 16, threads: int = 1) -> Lists:
         """Returns the contacts of each body with triangles within a margin, the deepest first: lists of CONTACT.
 
-        margin: (...), 0 or more. A body whose middle is inside a closed surface has a contact at any depth. Of more
-        contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
+        margin: (...), 0 or more. A body whose middle is inside a solid, where the winding number of a closed surface is
+        positive, has a contact at any depth. Of more contacts than `most` the deepest are kept, with the status OUTPUT_FULL.
         """
         kind, fields = split(shape, Body, "contacts()")
         return lists_in_source(Lists(*_core.contact_lists(self._core, kind, fields, margin, most, threads)), self._origin)

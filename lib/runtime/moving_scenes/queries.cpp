@@ -8,11 +8,16 @@ using namespace detail;
 
 namespace {
 
+/// Whether there is anything to walk. A view is valid until the next change of its scene; the walk of one that is used
+/// after the last instance was removed must not read a root that the block does not have.
+bool has_root(const SceneData& scene) { return parts_of(scene.block).head->root != no_child; }
+
 template <class Region>
 void nearest_first(const Region& region, AnyInstanceAnswer& answer) {
-    ESPALIER_DISPATCH(moving_instances_nearest_first, region, answer);
+    if (has_root(answer.scene)) ESPALIER_DISPATCH(moving_instances_nearest_first, region, answer);
 }
 Visit in_order(const Passage& passage, AnyInstanceAnswer& answer) {
+    if (!has_root(answer.scene)) return Visit::next;
     return ESPALIER_DISPATCH(moving_instances_in_order, passage, answer);
 }
 Transform transform_in_block(const SceneData& scene, InstanceId instance) {

@@ -315,10 +315,25 @@ TEST_CASE("scene: queries wait for a refit after a batch of moves and see its pl
     CHECK(for_each_candidate(scene, Box{}, [](InstanceId) {}) == QueryStatus::not_refitted);
     CHECK(collect_candidate_pairs(scene, pairs).status == QueryStatus::not_refitted);
     CHECK(collect_colliding_pairs(scene, pairs, WorkLimit::unlimited()).status == QueryStatus::not_refitted);
+    CHECK(SceneView(scene).common_lattice().status == QueryStatus::not_refitted);
     CHECK(refit(scene) == 0);  // the root is the only node
     const InScene<RayHit> hit = raycast(scene, ray);
     CHECK(hit.instance == InstanceId{handle.slot});
     CHECK(hit->t == 2.5f);
+}
+
+TEST_CASE("scene: a view that outlives the last instance finds nothing") {
+    MadeScene made(4, step_exponent, parts().meshes, parts().tiles);
+    const Result<InstanceHandle> only = insert(made.scene, instance_at_place({}));
+    REQUIRE(only);
+    const SceneView view = made.scene;
+    const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
+    REQUIRE(raycast(view, ray));
+    REQUIRE(remove(made.scene, *only) == QueryStatus::ok);
+    CHECK_FALSE(raycast(view, ray));
+    CHECK_FALSE(occluded(view, ray).yes());
+    CHECK_FALSE(closest_point(view, Vec3{}));
+    CHECK_FALSE(overlaps(view, Sphere{{}, 1.0f}).yes());
 }
 
 TEST_CASE("scene: quality rises as instances move away from their neighbours and is one after a repack") {

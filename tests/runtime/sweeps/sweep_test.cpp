@@ -441,6 +441,20 @@ TEST_CASE("sweep: of contacts at the start the deepest is that of find_contacts"
     if (asks_enough()) CHECK(compared > scaled(2'000));
 }
 
+TEST_CASE("sweep: braces mean options and a callable is a filter") {
+    const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+    const Sphere sphere = {{0.0f, 0.0f, 3.0f}, 1.0f};
+    const Vec3 way = {0.0f, 0.0f, -2.0f};
+    const float t = sweep(cube.blob, sphere, way).t;
+    CHECK(t < 1.0f);
+    CHECK(sweep(cube.blob, sphere, way, {}).t == t);
+    CHECK(sweep(cube.blob, sphere, way, {.skin = 0.5f}).t < t);
+    std::uint32_t asked = 0;
+    auto nothing = [&asked](TriangleId) mutable { return ++asked == 0; };
+    CHECK(sweep(cube.blob, sphere, way, nothing).t == 1.0f);
+    CHECK(asked > 0);
+}
+
 TEST_CASE("sweep: culled faces are passed from the side that is ignored") {
     for_each_profile([](Profile profile) {
         const Cube cube(profile);
