@@ -127,6 +127,8 @@ protected:
 /// BakedScene was never opened and has no instances.
 class [[nodiscard]] BakedScene : public SceneView {
 public:
+    constexpr BakedScene() noexcept = default;  // as an aggregate it could be made of any view
+
     /// Returns ok, not_opened, or why open_scene() refused the bytes.
     [[nodiscard]] constexpr OpenStatus status() const noexcept {
         if (data_.tree.bytes != nullptr) return OpenStatus::ok;
