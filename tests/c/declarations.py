@@ -158,9 +158,9 @@ def functions_in(scope, owner, header, concepts):
         before = re.split(r"[;}]|\{ ", scope[:match.start()])[-1] + match[1]
         function = CppFunction(match[2], "" if "friend " in before else owner,
                                split(scope[match.end():end - 1]), "static " in before, header)
-        template = re.search(r"template <(?:std::)?(\w+)(?:<(\w+)>)? (\w+)>", before)
-        if not template:
-            yield function
-            continue
-        shapes = [template[2]] if template[2] else concepts.get(template[1]) or re.findall(r"same_as<Shape, (\w+)>", before)
-        yield from (function.in_shape(template[3], shape) for shape in shapes)
+        variants = [function]
+        template = re.search(r"template <((?:[^<>]|<[^<>]*>)*)>", before)
+        for concept, taken, name in re.findall(r"(?:std::)?(\w+)(?:<(\w+)>)? (\w+)(?:,|$)", template[1] if template else ""):
+            shapes = [taken] if taken else concepts.get(concept) or re.findall(r"same_as<Shape, (\w+)>", before)
+            variants = [each.in_shape(name, shape) for each in variants for shape in shapes]
+        yield from variants

@@ -43,7 +43,7 @@ RUNTIME = {  # from numbers to the families of queries
     "moving_scenes": "base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree",
     "deformation": "base lattice blob",
     "asset": "base lattice blob traversal",
-    "contacts": f"{WALKS} transforms pairs asset",
+    "contacts": f"{WALKS} proximity transforms pairs asset",
     "batches": "base",
     "c": "moving_scenes",
 }
