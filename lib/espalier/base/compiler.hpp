@@ -70,10 +70,10 @@ __extension__ using NativeUnsignedInt128 = unsigned __int128;
 #define ESPALIER_END_TARGET ESPALIER_PRAGMA(clang attribute pop)
 #else
 // Silences -Wpsabi, because no function outside these regions takes or returns a vector.
-#define ESPALIER_BEGIN_TARGET(features)                                                 \
-    ESPALIER_PRAGMA(GCC diagnostic push)                                                \
-    ESPALIER_PRAGMA(GCC diagnostic ignored "-Wpsabi") ESPALIER_PRAGMA(GCC push_options) \
-        ESPALIER_PRAGMA(GCC target(features))
+#define ESPALIER_BEGIN_TARGET(features)               \
+    ESPALIER_PRAGMA(GCC diagnostic push)              \
+    ESPALIER_PRAGMA(GCC diagnostic ignored "-Wpsabi") \
+    ESPALIER_PRAGMA(GCC push_options) ESPALIER_PRAGMA(GCC target(features))
 #define ESPALIER_END_TARGET ESPALIER_PRAGMA(GCC pop_options) ESPALIER_PRAGMA(GCC diagnostic pop)
 #endif
 /// Encloses code of instruction sets that few machines depend on, to be compiled at a level ("Os", "O2") that trades

@@ -94,7 +94,11 @@ inline std::uint32_t owner_index(const Leaf& leaf, unsigned slot) {
 /// Calls the function with the size of the smallest table that has room for so many vertices: this many groups of
 /// `lanes`. With four lanes sizes are powers of two, as the numbers of the vertices can name, or that of the largest
 /// leaf.
-template <unsigned max_vertices, unsigned groups = (lanes > 4 ? 1 : lanes > 1 ? 2 : max_vertices), class Function>
+template <unsigned max_vertices,
+          unsigned groups = (lanes > 4   ? 1
+                             : lanes > 1 ? 2
+                                         : max_vertices),
+          class Function>
 ESPALIER_ALWAYS_INLINE constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     constexpr unsigned next = lanes > 4 ? groups + 1 : groups < 8 ? 2 * groups : 14;
     if constexpr (groups * lanes >= max_vertices) return function(std::integral_constant<unsigned, groups>{});
