@@ -66,11 +66,11 @@ __extension__ using NativeUnsignedInt128 = unsigned __int128;
 /// from outside the region, and Clang cannot return a vector from it.
 #if defined(__clang__)
 // A fragment may have no function of its own for a set.
-#define ESPALIER_BEGIN_TARGET(features)                                                               \
-    ESPALIER_PRAGMA(clang diagnostic push)                                                            \
-    ESPALIER_PRAGMA(clang diagnostic ignored "-Wpragma-clang-attribute")                              \
-        ESPALIER_PRAGMA(clang attribute push(__attribute__((target(features))), apply_to = function)) \
-            ESPALIER_PRAGMA(clang diagnostic pop)
+#define ESPALIER_BEGIN_TARGET(features)                                                           \
+    ESPALIER_PRAGMA(clang diagnostic push)                                                        \
+    ESPALIER_PRAGMA(clang diagnostic ignored "-Wpragma-clang-attribute")                          \
+    ESPALIER_PRAGMA(clang attribute push(__attribute__((target(features))), apply_to = function)) \
+    ESPALIER_PRAGMA(clang diagnostic pop)
 #define ESPALIER_END_TARGET ESPALIER_PRAGMA(clang attribute pop)
 #else
 // Silences -Wpsabi, because no function outside these regions takes or returns a vector.
