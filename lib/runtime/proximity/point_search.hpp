@@ -66,7 +66,7 @@ struct SphereShape {
         return overlap_test(node, sphere, blob, inside);
     }
     template <class Leaf, class SomeAnswer>
-    Visit scan(const Leaf& leaf, SomeAnswer& answer) const {
+    ESPALIER_SHARED_OR_PART_OF_CALLER Visit scan(const Leaf& leaf, SomeAnswer& answer) const {
         using Slots = typename Leaf::Slots;
         OverlapCandidates<Slots> candidates = {leaf.used_slots(), ~Slots{0}};
         // mutant(== -> true) work: tests each triangle of a box that is wholly inside, with the same result
