@@ -11,7 +11,8 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/base/vector.hpp>
 #include <runtime/blob/duplicate_references.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/plain_leaf.hpp>
+#include <runtime/blob/strip_leaf.hpp>
 #include <runtime/blob/vertex_word.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
 #include <espalier/base/compiler.hpp>

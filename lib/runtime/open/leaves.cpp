@@ -1,6 +1,7 @@
 // The part of `open` that proves the leaves, stream by stream: no byte is looked at before it is known to be inside the
 // section, but for the few that the guard behind the section is there for.
-#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/plain_leaf.hpp>
+#include <runtime/blob/strip_leaf.hpp>
 #include <runtime/open/checks.hpp>
 
 namespace espalier::detail {

@@ -3,7 +3,8 @@
 
 #include "open_blobs.hpp"
 
-#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/plain_leaf.hpp>
+#include <runtime/blob/strip_leaf.hpp>
 
 namespace espalier::tests::open_predicted_strips_test {
 namespace {

@@ -1,7 +1,8 @@
 // Two blobs on their common grid, for tests that call the queries of an instruction set.
 #pragma once
 
-#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/plain_leaf.hpp>
+#include <runtime/blob/strip_leaf.hpp>
 #include <runtime/pairs/frame.hpp>
 
 namespace espalier::tests {
