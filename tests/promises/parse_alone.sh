@@ -5,11 +5,12 @@ set -euo pipefail
 export clang=$1 library=$2
 command -v "$clang" >/dev/null || { echo "skipped: there is no clang++"; exit 77; }
 
-# The options for a file of one kind of processor; .clangd has the same.
+# The options for a file of one kind of processor, or that compiles what its user names; .clangd has the same.
 options_for() {
     case $1 in
         *neon*) echo --target=aarch64-linux-gnu ;;
         *simd128*) echo --target=wasm32-wasi -msimd128 ;;
+        */for_each_set.hpp) echo '--target=x86_64-linux-gnu -DESPALIER_FRAGMENT=<runtime/lanes/contract.hpp>' ;;
         */lanes/* | *avx*) echo --target=x86_64-linux-gnu ;;
     esac
 }
