@@ -52,10 +52,10 @@ struct [[nodiscard]] RayHit {
 /// Returns the hit with the smallest t. If several hits have the same t, the lowest triangle wins. With a filter, the
 /// query behaves as if the blob held only the triangles that the filter keeps. Expected cost: O(log n); for the worst
 /// case see docs/queries/README.md, Bounded.
-RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noexcept;
+RayHit raycast(const Blob& blob, const Ray& ray, const TriangleFilter& filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle, in less time than raycast().
-YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noexcept;
+YesNo occluded(const Blob& blob, const Ray& ray, const TriangleFilter& filter = {}) noexcept;
 
 /// Writes the first hits along the ray, as many as `hits` has room for, sorted by t and, for equal t, by triangle. The
 /// first is the one that raycast() returns. A triangle with duplicate references appears once.
@@ -63,7 +63,8 @@ YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter = {}) noe
 /// Returns ok, even if there is no hit; output_full if there are more hits than `hits` has room for; or why the ray was
 /// refused. The rest of `hits` may be overwritten. Cost: the query visits every hit until there are more than fit, and
 /// then only nearer ones. Each takes O(log(hits.size())), or O(hits.size()) in a blob with duplicate references.
-Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter = {}) noexcept;
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits,
+                    const TriangleFilter& filter = {}) noexcept;
 
 /// Calls the visitor once for each hit, in ascending order of triangles rather than of t. In a blob with duplicate
 /// references, a triangle is visited at the first of its references whose boxes the ray passes through. Returns ok,

@@ -11,7 +11,7 @@ import declarations
 # Functions of C++ without counterpart: of types that C lays out as structures, and internals.
 ONLY_IN_CPP = set("""
     Deformable::create(Blob, byte)  Filled::in(auto)  FilledPairs::in(auto)  PlacedBlob::blob()  PlacedBlob::transform()
-    QueryCounters::count_node()  QueryCounters::count_leaf()  QueryCounters::count_triangles(unsigned)
+    QueryCounters::count_node()  QueryCounters::count_leaf(unsigned)
     QueryCounters::count_candidates(unsigned)  PairCounters::count_leaves(unsigned, unsigned)
     RayArrays::at(size_t)  RayArrays::from(size_t)  SphereArrays::at(size_t)  SphereArrays::from(size_t)
     BoxArrays::at(size_t)  BoxArrays::from(size_t)  Strided::at(size_t)  Strided::from(size_t)

@@ -90,7 +90,7 @@ private:
     void measure_rays(const Ray& ray) {
         measure("raycast", [&] { (void)raycast(blob_, ray); });
         measure("raycast, the inner query", [&] {
-            for (const InstructionPath& path : paths_) (void)path.closest_hit(data_, ray, nullptr);
+            for (const InstructionPath& path : paths_) (void)path.closest_hit(data_, ray, {});
         });
         measure("raycast, a rounded ray", [&] { (void)raycast(blob_, round_ray(blob_.lattice(), ray)); });
         measure("occluded", [&] { (void)occluded(blob_, ray); });

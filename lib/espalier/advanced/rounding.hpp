@@ -126,10 +126,10 @@ Result<Lattice> lattice_of(std::span<const Blob> blobs) noexcept;
 ///
 /// Refuses a blob that is not open (not_open); a refused ray, with the status of the ray; a blob with another step, and
 /// bits that are no rounded ray (invalid_argument); and a blob that extends beyond the ray's region (out_of_range).
-RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
+RayHit raycast(const Blob& blob, const RoundedRay& ray, const TriangleFilter& filter = {}) noexcept;
 
 /// Returns whether the ray hits any triangle, in less time than raycast(). Refuses the same rays and blobs.
-YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter = {}) noexcept;
+YesNo occluded(const Blob& blob, const RoundedRay& ray, const TriangleFilter& filter = {}) noexcept;
 
 /// Calls the visitor with each hit, like for_each_hit() of a Ray. Refuses what raycast() refuses.
 QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;

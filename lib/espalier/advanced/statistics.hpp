@@ -21,10 +21,10 @@ struct QueryCounters {
     std::uint64_t candidates = 0;  ///< triangles that were decided exactly
 
     void count_node() { ++nodes; }
-    void count_leaf() { ++leaves; }
-    void count_triangles(unsigned count) {  // of one leaf
-        groups += (count + 7) / 8;
-        triangles += count;
+    void count_leaf(unsigned of_triangles) {
+        ++leaves;
+        groups += (of_triangles + 7) / 8;
+        triangles += of_triangles;
     }
     void count_candidates(unsigned count) { candidates += count; }
 };

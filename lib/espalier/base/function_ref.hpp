@@ -162,4 +162,8 @@ private:
 /// nothing but the triangle. An empty filter keeps all triangles.
 using TriangleFilter = FunctionRef<bool(TriangleId)>;
 
+namespace detail {
+inline constexpr TriangleFilter no_filter;
+}
+
 }  // namespace espalier

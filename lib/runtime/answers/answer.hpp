@@ -102,18 +102,18 @@ private:
 template <class Kind>
 struct Closest : Answer {
     Kind& best;
-    const TriangleFilter* filter;  ///< leaves triangles out; may be null
+    const TriangleFilter& filter;
 
-    explicit Closest(Kind& place, const TriangleFilter* leave_out = nullptr)
+    explicit Closest(Kind& place, const TriangleFilter& keep = no_filter)
         : Answer([](Answer& self, const Found& found) {
               return static_cast<Closest&>(self).take(static_cast<const Kind&>(found));
           }),
           best(place),
-          filter(leave_out) {}
+          filter(keep) {}
     [[nodiscard]] bool found() const { return last != no_index; }
     Visit take(const Kind& candidate) {
         if (found() && !comes_before(candidate, best)) return Visit::next;
-        if (filter != nullptr && !(*filter)(TriangleId{candidate.index})) return Visit::next;
+        if (filter && !filter(TriangleId{candidate.index})) return Visit::next;
         best = candidate;
         worst = candidate.key();
         last = candidate.index;

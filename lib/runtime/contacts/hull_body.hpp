@@ -29,7 +29,12 @@ struct HullBody {
         const std::int32_t* at = vertex[number];
         return {at[0], at[1], at[2]};
     }
-    [[nodiscard]] Vec3 at(unsigned number) const { return to_vector(vertex[number]) * scale; }
+    /// Without operators of vectors, which small cores would call: this is the innermost loop of contacts.
+    [[nodiscard]] Vec3 at(unsigned number) const {
+        const std::int32_t* at = vertex[number];
+        return {static_cast<float>(at[0]) * scale, static_cast<float>(at[1]) * scale,
+                static_cast<float>(at[2]) * scale};
+    }
     /// Returns the half-edge behind another one in its face.
     [[nodiscard]] unsigned next(unsigned face, unsigned half_edge) const {
         return half_edge + 1u == first[face + 1] ? first[face] : half_edge + 1u;

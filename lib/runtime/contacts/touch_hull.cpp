@@ -50,9 +50,9 @@ public:
         for_each_edge(hull, [&](const HullEdge& edge) {
             for (unsigned side = 0; side < 3; ++side) try_edges(edge, side);
             // A triangle that is a point has no sides, so that no product of it and a segment gives a direction.
-            constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-            for (const Integer3& unit : units)
-                if (hull.vertex_count == 2) try_both_ways(to_vector(cross(edge.units, unit)));
+            static constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+            if (hull.vertex_count == 2)
+                for (const Integer3& unit : units) try_both_ways(to_vector(cross(edge.units, unit)));
             // Within the triangle's plane, in which a flat hull may lie beside it.
             if (is_flat) try_both_ways(cross(triangle.front, to_vector(edge.units)));
         });

@@ -56,7 +56,8 @@ inline unsigned pair_test(const Node& node, const DistantShape& shape, const Blo
                           float* distances) {
     const auto boxes = boxes_of(node, blob);
     unsigned mask = 0;
-    for (unsigned first = 0; first < Node::max_children; first += lanes) {
+    const unsigned end = small_code ? node.node_children() + node.leaf_children() : Node::max_children;
+    for (unsigned first = 0; first < end; first += lanes) {
         Floats low[3], high[3];
         for (int k = 0; k < 3; ++k) {
             low[k] = boxes.low(k, first);

@@ -21,7 +21,7 @@ inline float reach_from(const BlobData& blob, const float* point) {
 struct SeenTriangle {
     float corner[3][3];
 
-    SeenTriangle(const LatticeTriangle& triangle, const float* from) {
+    ESPALIER_PART_OF_CALLER SeenTriangle(const LatticeTriangle& triangle, const float* from) {
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) corner[i][k] = static_cast<float>(triangle.corner[i][k]) - from[k];
     }
@@ -33,7 +33,8 @@ inline float dot(const float* a, const float* b) { return a[0] * b[0] + a[1] * b
 
 /// Returns the bound along a direction; 0 or a NaN where nothing is clear. `end` is how far along the shape's other end
 /// is, `reach` bounds what all of this rounds.
-inline float squared_along(const SeenTriangle& t, const float* direction, float end, float reach) {
+ESPALIER_PART_OF_CALLER inline float squared_along(const SeenTriangle& t, const float* direction, float end,
+                                                   float reach) {
     const Span<float> along =
         span_of(dot(direction, t.corner[0]), dot(direction, t.corner[1]), dot(direction, t.corner[2]));
     const float apart = maximum(along.low - maximum(end, 0.0f), minimum(end, 0.0f) - along.high);

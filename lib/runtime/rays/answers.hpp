@@ -23,8 +23,7 @@ struct RayShape {
         RayLeaf<Leaf> leaf;
         auto candidates = ray_candidates(*place.blob, place.node, place.number, ray, leaf);
         if (counters != nullptr) {
-            counters->count_leaf();
-            counters->count_triangles(leaf.triangle_count());
+            counters->count_leaf(leaf.triangle_count());
             counters->count_candidates(static_cast<unsigned>(std::popcount(candidates)));
         }
         for (; candidates != 0; candidates &= candidates - 1)
@@ -45,7 +44,7 @@ using RayQuery = Query<RayShape<Leaf>, SomeAnswer, true>;
 template <class Caller>
 struct ClosestHit {
     RayHit* best;  ///< the caller's, undivided; a miss at first
-    const TriangleFilter* filter;
+    const TriangleFilter& filter;
     Limit limit;
     std::uint32_t volume_bits = 0;  ///< of the best, a float and its sign; 0 while there is none
 
@@ -63,7 +62,7 @@ struct ClosestHit {
         const std::uint32_t index = owner_index(leaf, slot);
         // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
         if (index >= end) return Visit::next;
-        if (filter != nullptr && !(*filter)(TriangleId{index})) return Visit::next;
+        if (filter && !filter(TriangleId{index})) return Visit::next;
         // Small cores load it again: what GCC keeps of it in registers takes 8 bytes of their stack.
         const TriangleHit& kept = load_again(hit);
         set_undivided(*best, kept, index);
@@ -82,7 +81,7 @@ struct ClosestHit {
 /// are more.
 struct FirstFewHits {
     FirstHits& hits;
-    const TriangleFilter* filter;
+    const TriangleFilter& filter;
     Limit limit;
 
     template <class Leaf>
@@ -92,7 +91,7 @@ struct FirstFewHits {
         const std::uint32_t index = owner_index(leaf, slot);
         if constexpr (Leaf::may_have_duplicates)
             if (hits.has(*leaf.blob, index)) return Visit::next;
-        if (filter != nullptr && !(*filter)(TriangleId{index})) return Visit::next;
+        if (filter && !filter(TriangleId{index})) return Visit::next;
         hits.offer(to_ray_hit(hit, index));
         if (!hits.has_overflowed()) return Visit::next;
         if (hits.is_empty()) return Visit::stop;
@@ -116,13 +115,13 @@ struct AnyHit {
 template <class Caller>
 struct AnyKeptHit {
     Limit limit;
-    const TriangleFilter* filter;  ///< may be null
+    const TriangleFilter& filter;
 
     template <class Leaf>
     ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
         TriangleHit hit;
         if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
-        return filter == nullptr || (*filter)(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
+        return !filter || filter(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
     }
 };
 

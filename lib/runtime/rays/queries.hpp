@@ -28,14 +28,14 @@ QueryStatus refusal_of(const RoundedRayData& ray);
 inline QueryStatus status_without_walk(const BlobData&, const RayOnLattice&) { return QueryStatus::not_found; }
 
 ESPALIER_IN_EACH_SET(
-    RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter);
-    Filled first_hits(const BlobData& blob, const Ray& ray, std::span<RayHit> hits, const TriangleFilter* filter);
-    YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter);
+    RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter& filter);
+    Filled first_hits(const BlobData& blob, const Ray& ray, std::span<RayHit> hits, const TriangleFilter& filter);
+    YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter& filter);
     QueryStatus every_hit(const BlobData& blob, const Ray& ray, Visitor<const RayHit&> visit);
     QueryStatus every_crossing(const BlobData& blob, const Ray& ray, Visitor<const RayHit&> visit);
     YesNo may_hit(const BlobData& blob, const Ray& ray, const WalkAccuracy& accuracy);
-    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
-    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);
+    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter& filter);
+    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter& filter);
     QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);
     QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);
     // Batches, of a blob that has triangles; the answers are those of one call for each ray.

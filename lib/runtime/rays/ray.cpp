@@ -19,16 +19,16 @@ namespace espalier {
 
 using namespace detail;
 
-RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, filter ? &filter : nullptr);
+RayHit raycast(const Blob& blob, const Ray& ray, const TriangleFilter& filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, filter);
 }
 
-YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, filter ? &filter : nullptr);
+YesNo occluded(const Blob& blob, const Ray& ray, const TriangleFilter& filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, filter);
 }
 
-Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept {
-    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, filter ? &filter : nullptr);
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, const TriangleFilter& filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, filter);
 }
 
 QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept {
@@ -41,7 +41,7 @@ QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const Ra
 
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
     return scalar::with_leaves_of(data_of(blob), [&]<class Leaf>() {
-        return scalar::closest_hit_in<Leaf>(data_of(blob), ray, nullptr, WalkAccuracy{-1, &counters});
+        return scalar::closest_hit_in<Leaf>(data_of(blob), ray, no_filter, WalkAccuracy{-1, &counters});
     });
 }
 

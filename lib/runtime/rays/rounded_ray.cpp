@@ -164,18 +164,18 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     return result;
 }
 
-RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
+RayHit raycast(const Blob& blob, const RoundedRay& ray, const TriangleFilter& filter) noexcept {
     RayOnLattice moved;
     const QueryStatus status = begin(blob, ray.data(), moved);
     if (status != QueryStatus::ok) return miss_with(status);
-    return ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, data_of(blob), moved, filter ? &filter : nullptr);
+    return ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, data_of(blob), moved, filter);
 }
 
-YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
+YesNo occluded(const Blob& blob, const RoundedRay& ray, const TriangleFilter& filter) noexcept {
     RayOnLattice moved;
     const QueryStatus status = begin(blob, ray.data(), moved);
     if (status != QueryStatus::ok) return YesNo(status);
-    return ESPALIER_DISPATCH_RAY(any_hit_on_lattice, data_of(blob), moved, filter ? &filter : nullptr);
+    return ESPALIER_DISPATCH_RAY(any_hit_on_lattice, data_of(blob), moved, filter);
 }
 
 QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept {

@@ -18,7 +18,7 @@ using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
 /// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
 template <class Leaf, class Caller, class... Counted>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& ray,
-                                                           const TriangleFilter* filter, const Counted&... counted) {
+                                                           const TriangleFilter& filter, const Counted&... counted) {
     PreparedRayOf<typename Leaf::Node> prepared;
     const QueryStatus status = prepare(blob, ray, prepared);
     RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
@@ -52,14 +52,15 @@ ESPALIER_ALWAYS_INLINE inline YesNo visit_every_hit(const BlobData& blob, const 
 
 /// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
 template <class Leaf, class SomeAnswer, class Caller, class... Filter>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& ray, Filter... filter) {
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& ray,
+                                                      const Filter&... filter) {
     PreparedRayOf<typename Leaf::Node> prepared;
     if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok) return YesNo(status);
     RayQuery<Leaf, SomeAnswer> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray), filter...}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
 template <class SomeAnswer, class Caller, class... Filter>
-ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& ray, Filter... filter) {
+ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Caller& ray, const Filter&... filter) {
     return with_leaves_of(blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA {
         return any_hit_in<Leaf, SomeAnswer>(blob, ray, filter...);
     });
@@ -67,9 +68,9 @@ ESPALIER_ALWAYS_INLINE inline YesNo find_any_hit(const BlobData& blob, const Cal
 
 template <class Caller>
 ESPALIER_ALWAYS_INLINE inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& ray,
-                                                      const TriangleFilter* filter) {
+                                                      const TriangleFilter& filter) {
     if constexpr (decides_by_signs)
-        if (filter == nullptr) return find_any_hit<AnyHit>(blob, ray);
+        if (!filter) return find_any_hit<AnyHit>(blob, ray);
     return find_any_hit<AnyKeptHit<Caller>>(blob, ray, filter);
 }
 
@@ -88,13 +89,13 @@ bool is_crossing_at(const LatticeRay& ray, const LatticeTriangle& triangle) { re
 
 }  // namespace
 
-ESPALIER_QUERY_OF_SET RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET RayHit closest_hit(const BlobData& blob, const Ray& ray, const TriangleFilter& filter) {
     return with_leaves_of(
         blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return closest_hit_in<Leaf>(blob, ray, filter); });
 }
 
 ESPALIER_QUERY_OF_SET Filled first_hits(const BlobData& blob, const Ray& ray, std::span<RayHit> hits,
-                                        const TriangleFilter* filter) {
+                                        const TriangleFilter& filter) {
     return with_leaves_of(blob, [&]<class Leaf>() -> Filled {
         PreparedRayOf<typename Leaf::Node> prepared;
         if (const QueryStatus status = prepare(blob, ray, prepared); status != QueryStatus::ok)
@@ -110,16 +111,16 @@ ESPALIER_QUERY_OF_SET Filled first_hits(const BlobData& blob, const Ray& ray, st
 }
 
 ESPALIER_QUERY_OF_SET RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
-                                                    const TriangleFilter* filter) {
+                                                    const TriangleFilter& filter) {
     return with_leaves_of(
         blob, [&]<class Leaf>() ESPALIER_ALWAYS_INLINE_LAMBDA { return closest_hit_in<Leaf>(blob, ray, filter); });
 }
 
-ESPALIER_QUERY_OF_SET YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter* filter) {
+ESPALIER_QUERY_OF_SET YesNo any_hit(const BlobData& blob, const Ray& ray, const TriangleFilter& filter) {
     return find_any_kept_hit(blob, ray, filter);
 }
 ESPALIER_QUERY_OF_SET YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray,
-                                               const TriangleFilter* filter) {
+                                               const TriangleFilter& filter) {
     return find_any_kept_hit(blob, ray, filter);
 }
 

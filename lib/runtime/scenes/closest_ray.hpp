@@ -6,8 +6,8 @@
 
 namespace espalier::detail {
 
-/// Returns the closest hit of a mesh, for a ray in its local space and a filter or null.
-using ClosestHitQuery = RayHit (*)(const BlobData& mesh, const Ray& local, const TriangleFilter* filter);
+/// Returns the closest hit of a mesh, for a ray in its local space and a filter.
+using ClosestHitQuery = RayHit (*)(const BlobData& mesh, const Ray& local, const TriangleFilter& filter);
 
 /// A search for the closest hit of a ray, which a walk takes to the instances of a scene.
 class ClosestRay {
@@ -47,8 +47,7 @@ private:
     template <ClosestHitQuery closest_hit>
     ESPALIER_ALWAYS_INLINE static InScene<RayHit> hit_of(const FilterOfInstance& keep, const Blob& mesh,
                                                          const Ray& local) {
-        const TriangleFilter filter = keep.of(mesh);
-        return {closest_hit(data_of(mesh), local, filter ? &filter : nullptr), {}};
+        return {closest_hit(data_of(mesh), local, keep.of(mesh)), {}};
     }
     template <ClosestHitQuery>
     static InScene<RayHit> hit_of(const FilterOfInstance& keep, const Blob& mesh, const RoundedRay& local) {

@@ -252,7 +252,7 @@ template <class Kernel>
 inline FoundContact find_first_contact(const BlobData& blob, const typename Kernel::Sweep& sweep,
                                        const SweepOptions& options) {
     FoundContact best;
-    Closest<FoundContact> answer(best, options.filter ? &options.filter : nullptr);
+    Closest<FoundContact> answer(best, options.filter);
     answer.limit = 1.0f;
     const auto shape_in_floats = float_shape(blob, sweep);
     typename Kernel::Memory memory;

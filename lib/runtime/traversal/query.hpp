@@ -37,6 +37,11 @@ struct NoApproximation {
     NoApproximation(const BlobData&) {}  // NOLINT(google-explicit-constructor): an Approximation has a blob
 };
 
+/// Small code has one copy of it.
+ESPALIER_SHARED_OR_PART_OF_CALLER inline void count_leaf(QueryCounters& counters, unsigned triangles) {
+    counters.count_leaf(triangles);
+}
+
 /// Shape and answer may be references.
 template <class Shape, class SomeAnswer, bool is_exact>
 struct Query {
@@ -63,7 +68,9 @@ struct Query {
         } else {
             // mutant(without 1, != -> true) equivalent: every leaf ends after 0
             if (answer.first != 0 && storage_index(leaf, 0) + leaf.triangle_count() <= answer.first) return Visit::next;
-            if constexpr (!is_exact) count_leaf(leaf, approximation.accuracy.counters);
+            if constexpr (!is_exact)
+                if (approximation.accuracy.counters != nullptr)
+                    count_leaf(*approximation.accuracy.counters, leaf.triangle_count());
             constexpr bool has_scan = requires { shape.scan(leaf, answer); };
             constexpr bool has_bounds_of_triangles = requires(const LatticeTriangle& triangle) {
                 shape.bound(triangle, answer.limit);
@@ -92,12 +99,6 @@ struct Query {
     }
 
 private:
-    template <class Leaf>
-    static void count_leaf(const Leaf& leaf, QueryCounters* counters) {
-        if (counters == nullptr) return;
-        counters->count_leaf();
-        counters->count_triangles(leaf.triangle_count());
-    }
     template <class Node, class NodeKeys>
     unsigned children_not_small(const Node& node, NodeKeys keys) {
         const BlobData& blob = approximation.blob;

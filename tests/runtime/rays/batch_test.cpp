@@ -71,7 +71,7 @@ struct Expected {
 Expected one_by_one(const Blob& blob, const std::vector<Ray>& rays) {
     Expected expected;
     for (const Ray& ray : rays) {
-        const RayHit hit = detail::scalar::closest_hit(detail::data_of(blob), ray, nullptr);
+        const RayHit hit = detail::scalar::closest_hit(detail::data_of(blob), ray, {});
         expected.hits.push_back(hit);
         expected.occluded.push_back(YesNo(hit.status));
         expected.count += hit ? 1u : 0u;

@@ -23,8 +23,8 @@ void require_hit(const Blob& blob, const Ray& ray, unsigned mode) {
         bool closest = false, any = false;
         {
             const FloatMode in_mode(mode);
-            closest = bool(path.closest_hit(detail::data_of(blob), ray, nullptr));
-            any = path.any_hit(detail::data_of(blob), ray, nullptr).yes();
+            closest = bool(path.closest_hit(detail::data_of(blob), ray, {}));
+            any = path.any_hit(detail::data_of(blob), ray, {}).yes();
         }
         if (!closest || !any) FAIL(std::string(path.name), ": a leak, mode ", mode, ": ", describe(ray));
     }

@@ -73,9 +73,9 @@ TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
         const RoundedRay rounded = round_ray(cube.blob.lattice(), ray);
         for (const InstructionPath& path : instruction_paths()) {
             CAPTURE(path.name);
-            RayHit hit = path.closest_hit(detail::data_of(cube.blob), ray, nullptr);
+            RayHit hit = path.closest_hit(detail::data_of(cube.blob), ray, {});
             CHECK(hit.t == 0.0f);
-            CHECK(path.any_hit(detail::data_of(cube.blob), ray, nullptr).yes());
+            CHECK(path.any_hit(detail::data_of(cube.blob), ray, {}).yes());
             YesNo occluded;
             path.any_hits(detail::data_of(cube.blob), &ray, &occluded, 1);
             CHECK(occluded.yes());

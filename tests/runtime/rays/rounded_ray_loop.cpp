@@ -92,9 +92,9 @@ RayHit require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob,
     if (ray.data().may_hit == 0) return expected;
     const detail::RayOnLattice on_blob = moved(ray, before);
     for (const InstructionPath& path : instruction_paths()) {
-        const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob, nullptr);
+        const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob, {});
         REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-        REQUIRE_MESSAGE(path.any_hit_on_lattice(detail::data_of(blob), on_blob, nullptr).status() == expected.status,
+        REQUIRE_MESSAGE(path.any_hit_on_lattice(detail::data_of(blob), on_blob, {}).status() == expected.status,
                         std::string(path.name));
     }
     return expected;

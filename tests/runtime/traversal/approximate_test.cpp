@@ -94,7 +94,7 @@ void check_rays_beside_boxes(Asked& asked, bool, Tally& tally) {
         CAPTURE(path.name);
         REQUIRE(path.may_hit(blob, ray, {steps, &counters}).yes() == maybe);
     }
-    tally.add(maybe, scalar.any_hit(blob, ray, nullptr).yes());
+    tally.add(maybe, scalar.any_hit(blob, ray, {}).yes());
 }
 
 struct Kind {

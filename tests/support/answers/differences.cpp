@@ -67,12 +67,11 @@ bool keep(TriangleId triangle) { return third_is_left_out(triangle.index); }
 
 /// What an instruction set says, in full.
 RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
-    const TriangleFilter filter = keep;
-    const auto select = [&](const TriangleFilter* of) {
+    const auto select = [&](const TriangleFilter& of) {
         return selected(ray, path.closest_hit(data, ray, of), path.any_hit(data, ray, of),
                         [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, of); });
     };
-    RayAnswers answers = {select(nullptr), select(&filter), {}, {}};
+    RayAnswers answers = {select({}), select(keep), {}, {}};
     static_cast<void>(path.every_hit(data, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
     static_cast<void>(path.every_crossing(data, ray, [&](const RayHit& each) { answers.crossings.push_back(each); }));
     sort_duplicates(data, answers.every);

@@ -104,7 +104,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     const bool has_lists = data.copies == nullptr || questions.sound;
 
     about([&](AnswerHash& hash) {
-        for (const TriangleFilter* each : {static_cast<const TriangleFilter*>(nullptr), &filter}) {
+        for (const TriangleFilter& each : {TriangleFilter(), filter}) {
             const RayHit hit = path.closest_hit(data, ray, each);
             hash.add(static_cast<std::uint32_t>(hit.status), static_cast<std::uint32_t>(hit.side));
             add(hash, hit);
@@ -112,11 +112,11 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     });
     about([&](AnswerHash& hash) {
         std::array<RayHit, 3> hits;
-        const Filled count = path.first_hits(data, ray, hits, nullptr);
+        const Filled count = path.first_hits(data, ray, hits, {});
         for (std::size_t i = 0; i < count.count; ++i) add(hash, hits[i]);
         hash.add(static_cast<std::uint32_t>(count.status));
     });
-    about([&](AnswerHash& hash) { hash.add(static_cast<std::uint32_t>(path.any_hit(data, ray, &filter).status())); });
+    about([&](AnswerHash& hash) { hash.add(static_cast<std::uint32_t>(path.any_hit(data, ray, filter).status())); });
     about([&](AnswerHash& hash) {
         if (!has_lists) return;
         unsigned seen = 0;

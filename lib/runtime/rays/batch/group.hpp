@@ -44,7 +44,7 @@ struct BatchHit : ClosestHit<Ray> {
 template <class Leaf>
 struct alignas(32) RayInBatch {
     PreparedRayIn<RayLanesOf<typename Leaf::Node>> prepared = {};
-    RayQuery<Leaf, BatchHit> query = {{prepared.ray, prepared.lanes()}, {{nullptr, nullptr, {}}}};
+    RayQuery<Leaf, BatchHit> query = {{prepared.ray, prepared.lanes()}, {{nullptr, no_filter, {}}}};
 
     /// Prepares the ray for its walk, which writes to `best`, or stops at any hit if that is null. Returns ok, or why
     /// it needs no walk.

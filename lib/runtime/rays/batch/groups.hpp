@@ -11,13 +11,14 @@
 ESPALIER_BEGIN_SET
 
 /// One ray after the other, by a query for single rays.
-template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter&)>
 void closest_hits_one_by_one(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
-    for (RayHit* const end = hits + count; hits != end; ++hits) *hits = closest_hit(blob, *rays++, nullptr);
+    for (RayHit* const end = hits + count; hits != end; ++hits) *hits = closest_hit(blob, *rays++, no_filter);
 }
-template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter&)>
 void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
-    for (YesNo* const end = occluded + count; occluded != end; ++occluded) *occluded = any_hit(blob, *rays++, nullptr);
+    for (YesNo* const end = occluded + count; occluded != end; ++occluded)
+        *occluded = any_hit(blob, *rays++, no_filter);
 }
 
 #if ESPALIER_LANES == 1
