@@ -117,10 +117,10 @@ TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a sid
             }
             if (exact_aim) ++exact_aims;
             for (const InstructionPath& path : instruction_paths()) {
-                REQUIRE_MESSAGE(path.closest_hit(detail::data_of(shape.opened.blob), ray, {}),
-                                std::string(path.name), ": ", describe(ray));
-                REQUIRE_MESSAGE(path.any_hit(detail::data_of(shape.opened.blob), ray, {}).yes(),
-                                std::string(path.name), ": ", describe(ray));
+                REQUIRE_MESSAGE(path.closest_hit(detail::data_of(shape.opened.blob), ray, {}), std::string(path.name),
+                                ": ", describe(ray));
+                REQUIRE_MESSAGE(path.any_hit(detail::data_of(shape.opened.blob), ray, {}).yes(), std::string(path.name),
+                                ": ", describe(ray));
             }
         }
         CHECK(exact_aims == count);
