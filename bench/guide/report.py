@@ -4,13 +4,11 @@
     bench/guide/report.py bench/results/FILE.jsonl        writes the chapters (between markers) and the figures
     bench/guide/report.py --check                         exits with 1 when a chapter or a figure is not what its rows say
     bench/guide/report.py --section NAME FOLDER FILE...   writes the tables and figures of one section into a folder
-    bench/guide/report.py --group FILE...                 writes the rows to stdout, a line for each measurement of a mesh
 
 Standard library only.
 """
 
 import importlib
-import json
 import pathlib
 import re
 import sys
@@ -99,21 +97,8 @@ def write_section(name, folder, files):
         (target / file).write_text(text if is_figure else text + "\n", encoding="utf-8")
 
 
-def group(files):
-    """What rows have in common stands once: the names of their fields would make most of the file."""
-    groups = {}
-    for row in read_objects([pathlib.Path(file) for file in files], "tools/dev guide", lambda row: COMMON):
-        groups.setdefault(tuple(row.get(name) for name in (*COMMON, "mesh")), []).append(row)
-    for rows in groups.values():
-        common = {name: value for name, value in rows[0].items() if all(row.get(name) == value for row in rows)}
-        others = [{name: value for name, value in row.items() if name not in common} for row in rows]
-        print(json.dumps({**common, "rows": others}, separators=(",", ":")))
-
-
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["--group"]:
-        group(sys.argv[2:])
-    elif sys.argv[1:2] == ["--section"]:
+    if sys.argv[1:2] == ["--section"]:
         if len(sys.argv) < 5:
             fail("--section NAME FOLDER FILE...")
         write_section(sys.argv[2], sys.argv[3], sys.argv[4:])

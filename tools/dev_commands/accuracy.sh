@@ -9,7 +9,8 @@ accuracy() {
         [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME is the date, as in 2026-11-20_accuracy"
         name=$2
         "$program" "${@:3}" >"$rows"
-        mv "$rows" "bench/results/$name.jsonl"
+        bench/group_rows.py "$rows" >"$rows.grouped"
+        mv "$rows.grouped" "bench/results/$name.jsonl"
         python3 bench/accuracy_report.py "bench/results/$name.jsonl"
     else
         "$program" "$@"

@@ -28,7 +28,8 @@ publish_bench() {
         echo "run $run of 3" >&2
         build/bench/bench/espalier_bench_peers rays "$@" >>"$rows"
     done
-    mv "$rows" "bench/results/$name.jsonl"
+    bench/group_rows.py "$rows" >"$rows.grouped"
+    mv "$rows.grouped" "bench/results/$name.jsonl"
     python3 bench/report.py --add "bench/results/$name.jsonl"
 }
 

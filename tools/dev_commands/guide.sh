@@ -65,7 +65,7 @@ guide() {
         [[ -f $guide_folder/$part.jsonl ]] || fail "guide: the part '$part' was never measured; run guide without --part"
         files+=("$guide_folder/$part.jsonl")
     done
-    python3 bench/guide/report.py --group "${files[@]}" >"$guide_folder/all.partial"
+    bench/group_rows.py "${files[@]}" >"$guide_folder/all.partial"
     mv "$guide_folder/all.partial" "bench/results/$name.jsonl"
     python3 bench/guide/report.py "bench/results/$name.jsonl"
 }
