@@ -9,8 +9,7 @@ accuracy() {
         [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME is the date, as in 2026-11-20_accuracy"
         name=$2
         "$program" "${@:3}" >"$rows"
-        bench/group_rows.py "$rows" >"$rows.grouped"
-        mv "$rows.grouped" "bench/results/$name.jsonl"
+        publish_rows "$name" "$rows"
         python3 bench/accuracy_report.py "bench/results/$name.jsonl"
     else
         "$program" "$@"

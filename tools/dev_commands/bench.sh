@@ -28,8 +28,7 @@ publish_bench() {
         echo "run $run of 3" >&2
         build/bench/bench/espalier_bench_peers rays "$@" >>"$rows"
     done
-    bench/group_rows.py "$rows" >"$rows.grouped"
-    mv "$rows.grouped" "bench/results/$name.jsonl"
+    publish_rows "$name" "$rows"
     python3 bench/report.py --add "bench/results/$name.jsonl"
 }
 

@@ -22,7 +22,8 @@ firmware() {
     done
     [[ $failures -eq 0 ]] || fail "$failures cores gave other answers, or none"
     [[ -n $name ]] || return 0
-    bash tests/firmware/rows.sh json "$rows" >"bench/results/$name.jsonl"
+    bash tests/firmware/rows.sh json "$rows" >"$rows.json"
+    publish_rows "$name" "$rows.json"
     bash tests/firmware/rows.sh budgets "$rows" >tests/firmware/budgets.txt
     python3 bench/firmware_report.py "bench/results/$name.jsonl"
 }

@@ -4,9 +4,6 @@
 guide_parts=(growth subdivision volumes obb builders ladder traversal cost_model deformation moving exactness load)
 guide_folder=build/guide
 
-# smaller_meshes MESH...: those of at most 10 MB, one a line
-smaller_meshes() { find "$@" -maxdepth 0 -size -10M -printf '%p\n'; }
-
 # guide_rows PART MESH...: the rows of a part, to stdout
 guide_rows() {
     local part=$1 study=$guide_folder/bench/espalier_bench_study few
@@ -27,17 +24,6 @@ guide_rows() {
     esac
 }
 
-# guide_meshes: the meshes of ESPALIER_MESHES or ../shared/meshes, and the house of Debian's assimp-testmodels, one a line
-guide_meshes() {
-    local folder=${ESPALIER_MESHES:-../shared/meshes} house=$guide_folder/house.obj
-    [[ -d $folder ]] || fail "guide: name meshes, or set ESPALIER_MESHES to a folder of .obj and .ply files"
-    find "$folder" -maxdepth 1 -type f \( -name '*.obj' -o -name '*.ply' \) | LC_ALL=C sort
-    install_missing assimp-utils assimp-testmodels >&2
-    mkdir -p "$guide_folder"
-    [[ -f $house ]] || assimp export /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc "$house" >&2
-    echo "$house"
-}
-
 guide() {
     local parts=("${guide_parts[@]}") name meshes part files=() started
     name=$(date -u +%F)_guide
@@ -52,7 +38,7 @@ guide() {
     done
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev nlohmann-json3-dev doctest-dev python3 >&2
     check_cmake
-    if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(guide_meshes); fi
+    if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(measured_meshes); fi
     [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
     build "$guide_folder" espalier_bench_study -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
     for part in "${parts[@]}"; do
@@ -65,8 +51,7 @@ guide() {
         [[ -f $guide_folder/$part.jsonl ]] || fail "guide: the part '$part' was never measured; run guide without --part"
         files+=("$guide_folder/$part.jsonl")
     done
-    bench/group_rows.py "${files[@]}" >"$guide_folder/all.partial"
-    mv "$guide_folder/all.partial" "bench/results/$name.jsonl"
+    publish_rows "$name" "${files[@]}"
     python3 bench/guide/report.py "bench/results/$name.jsonl"
 }
 
