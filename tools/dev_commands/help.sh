@@ -13,7 +13,7 @@ Every day
   prove       Runs the other tests, in parts, and writes what passed into docs/proven.md:
               prove PART... | --since COMMIT | --all | --drawn | --list
               --since: the parts whose sources differ from the commit's, with --list only their names; --all: three hours;
-              --drawn: instruction_sets, small_code or firmware, by the hash of the commit, as continuous integration does.
+              --drawn: small_code, or one instruction set, by the hash of the commit, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.

@@ -9,9 +9,6 @@ parts=(cases instruction_sets sanitizers small_code i686 armhf aarch64 riscv64 s
 # Those that take one core most of the time: two of them run at once.
 emulated_parts=(i686 armhf aarch64 riscv64 s390x)
 
-# Those that `prove --drawn` draws from, as continuous integration does: at most 12 minutes in a fresh clone.
-drawn_parts=(instruction_sets small_code firmware)
-
 # part_sources PART: a pattern of the files whose change can break it
 part_sources() {
     local build='CMakeLists.txt|CMakePresets.json|tools/dev$|tools/dev_commands/(shared/|prove.sh)|lib/(CMakeLists.txt|cmake)'
@@ -70,14 +67,21 @@ prove_cases() {
 }
 
 # The cases of tools/dev test with no more than each instruction set, and more of the golden answers of each.
-prove_instruction_sets() {
+prove_instruction_sets() { prove_sets scalar sse42 avx2 avx512; }
+prove_scalar() { prove_sets scalar; }
+prove_sse42() { prove_sets sse42; }
+prove_avx2() { prove_sets avx2; }
+prove_avx512() { prove_sets avx512; }
+
+# prove_sets SET...: those that the processor has
+prove_sets() {
     local set status here=$PWD/build/test/tests/platform
     build_test_targets all
-    for set in scalar sse42 avx2 avx512; do
+    for set in "$@"; do
         status=0
         bash tests/platform/check_golden.sh tests/platform/golden.txt 2000 "$here/blobs" "$here/espalier_query_answers" --set "$set" ||
             status=$?
-        [[ $status -ne 77 ]] || continue  # the processor has no such set
+        [[ $status -ne 77 ]] || { echo "this processor has no $set"; continue; }
         [[ $status -eq 0 ]] || failed=$((failed + 1))
         ESPALIER_SET=$set quick_cases quick run_tests build/test --label-regex '^(unit|promises|oracle|c)$'
     done
@@ -235,12 +239,9 @@ state_of_tree() {
 
 # write_line PART COMMIT SECONDS RESULT: replaces the part's line of docs/proven.md; in a shell of its own, whose end gives up the lock
 write_line() (
-    local processor flags set sets="" known part line page
+    local processor sets known part line page
     processor=$(sed -nE '/^model name/ { s/.*: //p; q }' /proc/cpuinfo)
-    flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
-    for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
-        [[ $flags != *" ${set%:*} "* ]] || sets+=${sets:+, }${set#*:}
-    done
+    sets=$(sets_here | paste -sd , | sed 's/,/, /g')
     line="| $1 | $(date -u +%F) | $2 | $(nproc) × $processor | ${sets:-none} | $3 | $4 |"
     exec {page}>build/prove/page.lock
     flock "$page"
@@ -266,11 +267,22 @@ TEXT
     [[ $(grep -cE '^\| [a-z0-9_]+ \|' build/prove/proven.new) -gt ${#parts[@]} ]] && mv build/prove/proven.new "$proven" || return 1
 )
 
-# drawn_part: one of drawn_parts, by the hash of the commit
+# drawn_part: small_code, or one set of instruction_sets that this processor has, by the hash of the commit: at most five minutes
+# after tools/dev test
 drawn_part() {
-    local hash
+    local hash drawn=(small_code scalar)
     hash=$(git rev-parse HEAD | cut -c 1-8)
-    echo "${drawn_parts[$((0x$hash % ${#drawn_parts[@]}))]}"
+    drawn+=($(sets_here | tr -d '.-' | tr 'A-Z' 'a-z'))
+    echo "${drawn[$((0x$hash % ${#drawn[@]}))]}"
+}
+
+# sets_here: the instruction sets of this processor, a name a line
+sets_here() {
+    local flags set
+    flags=" $(sed -nE '/^flags/ { s/.*: //p; q }' /proc/cpuinfo) "
+    for set in sse4_2:SSE4.2 avx2:AVX2 avx512_vbmi2:AVX-512; do
+        [[ $flags != *" ${set%:*} "* ]] || echo "${set#*:}"
+    done
 }
 
 # parts_since COMMIT: those whose sources differ from the commit's, one a line; files that git does not have yet differ too
@@ -306,11 +318,13 @@ prove() {
             return
             ;;
         "" | -*) fail "prove PART... | --since COMMIT | --all | --drawn | --list: the parts are ${parts[*]}" ;;
-        *) chosen=("$@") ;;
+        *)
+            for part in "$@"; do
+                [[ " ${parts[*]} " == *" $part "* ]] || fail "prove: there is no part '$part'; the parts are ${parts[*]}"
+            done
+            chosen=("$@")
+            ;;
     esac
-    for part in "${chosen[@]}"; do
-        [[ " ${parts[*]} " == *" $part "* ]] || fail "prove: there is no part '$part'; the parts are ${parts[*]}"
-    done
     one_at_a_time
     run_parts "${chosen[@]}"
     for part in "${chosen[@]}"; do
