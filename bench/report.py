@@ -126,8 +126,8 @@ def outputs(files):
 
 
 def replace_machine(named, added):
-    """The named files and the added one, in the place of a file of the same machine."""
-    kept = [file for file in named if file != added and machine_of(file) != machine_of(added)]
+    """The named files and the added one, in the place of a file of the same machine, which may be gone already."""
+    kept = [file for file in named if file != added and file.exists() and machine_of(file) != machine_of(added)]
     return sorted([*kept, added])
 
 
