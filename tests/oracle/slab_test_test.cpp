@@ -39,10 +39,12 @@ std::vector<Path<Node>> paths() {
 #if ESPALIER_X86
     const detail::InstructionSet best = best_instruction_set();
     if (best >= detail::InstructionSet::sse42) result.push_back({"sse42", detail::sse42::children<Node>});
+#if ESPALIER_HAS_AVX2
     if (best >= detail::InstructionSet::avx2) {
         result.push_back({"avx2", detail::avx2::children<Node>});
         result.push_back({"avx2 as defined", detail::avx2::children_as_defined<Node>});
     }
+#endif
 #if ESPALIER_HAS_AVX512
     if (best >= detail::InstructionSet::avx512) result.push_back({"avx512", detail::avx512::children<Node>});
 #endif
@@ -306,7 +308,7 @@ TEST_SUITE("slab test") {
         detail::RayLanes lanes;
         detail::spread_ray(blob, ray, slope, lanes);
         CHECK(!std::signbit(lanes.tau_min));
-#if ESPALIER_X86
+#if ESPALIER_HAS_AVX2
         detail::avx2::PlacedRayLanes placed_lanes;
         detail::spread_ray(blob, ray, slope, placed_lanes);
         CHECK(!std::signbit(placed_lanes.tau_min));
