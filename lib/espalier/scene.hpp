@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <espalier/blob.hpp>
 #include <espalier/distance.hpp>
@@ -287,7 +288,9 @@ InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displac
 /// Returns the first contact with a triangle that the filter keeps.
 template <SweptShape Shape, std::convertible_to<SceneFilter> Filter>
 InScene<SweepHit> sweep(const SceneView& scene, const Shape& shape, Vec3 displacement, Filter&& filter) noexcept {
-    return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
+    if constexpr (std::integral<std::remove_cvref_t<Filter>>)  // a mask: `1` would warn of its sign in here
+        return sweep(scene, shape, displacement, SceneSweepOptions{.filter = static_cast<std::uint32_t>(filter)});
+    else return sweep(scene, shape, displacement, SceneSweepOptions{.filter = filter});
 }
 
 /// Calls the visitor with each instance whose box in the tree, widened by the slack of rounding, touches the box, in
