@@ -147,7 +147,7 @@ inline constexpr StackBudget stack_budgets[] = {
     {"scene of tiles, sweep, an oriented box", {8384, 8960, 10048, 11456}, {8576, 10624, 10560, 11136}},
     {"scene, sweep, a hull", {7872, 8640, 9664, 11072}, {8064, 9920, 10176, 10752}},
     {"scene of tiles, sweep, a hull", {9856, 10624, 11712, 13056}, {10112, 12160, 12096, 12736}},
-    {"scene, for_each_candidate", {1216, 1280, 1280, 1280}, {1088, 1216, 896, 896}},
+    {"scene, for_each_candidate", {1216, 1280, 1280, 1280}, {1088, 1216, 960, 960}},
     {"scene of tiles, for_each_candidate", {1920, 1856, 1856, 1984}, {2112, 2368, 1856, 1856}},
     {"refit", {1024, 1024, 1024, 1024}, {1300, 1300, 1300, 1300}},
     {"seal and create_deformable", {384, 384, 384, 384}, {512, 512, 512, 512}},
