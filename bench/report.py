@@ -117,6 +117,7 @@ def outputs(files):
                    "builds": report_tables.builds(machines), **report_queries.texts()},
         FIGURES: {"glance": report_tables.glance(machines), "every_loss": report_tables.every_loss(machines),
                   "tables": report_tables.tables(machines)},
+        ROOT / "docs" / "engines.md": {"engines": report_queries.engines_table(report_queries.read_engines())},
         README: {"numbers": report_tables.numbers(machines) + "\n\n" + processors(machines)}}
     result = {page: fill(page, texts) for page, texts in made.items()}
     result[CHART] = chart(machines)
