@@ -5,7 +5,7 @@ set -euo pipefail
 
 compiler=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-peers=(EMBREE BULLET ODE FCL)
+peers=(EMBREE BULLET ODE FCL EMBREE4 TINYBVH JOLT BOX3D)
 
 failures=0
 # compile FILE PEER...
@@ -14,12 +14,12 @@ compile() {
         -DESPALIER_BENCH_VERSION='""' "${@:2}" "$1" || { echo "failed: $*"; failures=$((failures + 1)); }
 }
 
-mapfile -t files < <(grep -rlE "ESPALIER_BENCH_(EMBREE|BULLET|ODE|FCL)" bench --include=*.cpp)
+mapfile -t files < <(grep -rlE "ESPALIER_BENCH_($(IFS="|" && echo "${peers[*]}"))\b" bench --include=*.cpp)
 [[ ${#files[@]} -gt 0 ]] || { echo "failed: no file depends on a peer"; exit 1; }
 for file in "${files[@]}"; do
     defined=()
     for peer in "${peers[@]}"; do
-        grep -q "ESPALIER_BENCH_$peer" "$file" && defined+=("-DESPALIER_BENCH_$peer")
+        grep -q "ESPALIER_BENCH_$peer\b" "$file" && defined+=("-DESPALIER_BENCH_$peer")
     done
     compile "$file"
     [[ ${#defined[@]} -lt 2 ]] || compile "$file" "${defined[@]}"

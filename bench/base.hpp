@@ -197,6 +197,14 @@ inline const char* instruction_set_name() {
     return names[static_cast<std::size_t>(detail::instruction_set())];
 }
 
+/// Adds where and when the row was measured.
+inline void add_machine(JsonObject& row) {
+    row.add("processor", processor());
+    row.add("instruction_set", instruction_set_name());
+    row.add("compiler", compiler());
+    row.add("date", today());
+}
+
 /// Returns a row of measurements for docs/guide, with the fields that all of them have. `measures` names the kind of
 /// row; `mesh` is the name of a mesh's file, or of a made mesh.
 inline JsonObject guide_row(const std::string& measures, const std::string& mesh, std::size_t triangles) {
@@ -204,8 +212,7 @@ inline JsonObject guide_row(const std::string& measures, const std::string& mesh
     row.add("measures", measures);
     row.add("mesh", mesh);
     row.add("triangles", triangles);
-    row.add("processor", processor());
-    row.add("compiler", std::string(compiler()));
+    add_machine(row);
     return row;
 }
 

@@ -53,9 +53,6 @@ def machine_line(machine, file):
             f"{', '.join(versions) or 'no peers'}.\n  Rows: {links(DOCUMENT, [file])}.{noise}")
 
 
-EFFORTS = {0: "`fast`", 5: "`normal`", 8: "`best`"}  # by the number in the rows
-
-
 def conditions(machines, files):
     row = machines[0].row
     runs = {len(system.rows) for machine in machines for mesh in machine.meshes for system in mesh.systems}
@@ -64,7 +61,7 @@ def conditions(machines, files):
     return "\n".join([
         "Measured on one thread of:", "", *(machine_line(machine, file) for machine, file in zip(machines, files)), "",
         f"{spread} of {row['repetitions']} repetitions in which the systems take turns ({row['builds']} for *build*).",
-        f"{row['rays']:,} incoherent rays, {row['bits']}-bit lattice, effort {EFFORTS[row['effort']]}"
+        f"{row['rays']:,} incoherent rays, {row['bits']}-bit lattice, effort `{row['effort']}`"
         + (f", builder {row['builder']}" if row.get("builder") else "") + "."])
 
 
@@ -113,10 +110,11 @@ def outputs(files):
     machines = read_machines(files)
     made = {
         DOCUMENT: {"conditions": conditions(machines, files), "rays": report_tables.rays(machines),
-                   "memory": report_tables.memory(machines), "losses": report_tables.losses(machines),
+                   "memory": report_tables.memory(machines), "beside_peers": report_tables.beside_peers(machines),
                    "builds": report_tables.builds(machines), **report_queries.texts()},
         FIGURES: {"glance": report_tables.glance(machines), "every_loss": report_tables.every_loss(machines),
                   "tables": report_tables.tables(machines)},
+        ROOT / "docs" / "engines.md": {"engines": report_queries.engines_table(report_queries.read_engines())},
         README: {"numbers": report_tables.numbers(machines) + "\n\n" + processors(machines)}}
     result = {page: fill(page, texts) for page, texts in made.items()}
     result[CHART] = chart(machines)

@@ -7,7 +7,8 @@ import charts
 FRAME = charts.Frame(46, 14, 30, 40, "#e4e4e4")
 LAYOUT = charts.Layout(FRAME.width, FRAME.height, header=52)  # the header is title and legend
 STYLES = {"espalier": ("#D55E00", "diamond"), "embree": ("#0072B2", "circle"), "bullet": ("#009E73", "square"),
-          "ode": ("#8A5A83", "triangle")}
+          "ode": ("#8A5A83", "triangle"), "embree4": ("#56B4E9", "circle"), "tinybvh": ("#B8860B", "square"),
+          "jolt": ("#CC79A7", "diamond"), "box3d": ("#333333", "triangle")}
 OTHER = ("#444444", "circle")
 
 

@@ -1,4 +1,4 @@
-"""Tables of docs/benchmarks.md about spheres, closest points and pairs of meshes, from the newest rows of each kind."""
+"""Tables of docs/benchmarks.md about all but single rays, and that of docs/engines.md, from the newest rows of each kind."""
 
 import pathlib
 import statistics
@@ -13,7 +13,15 @@ PAIRS = {"yes_no": "contact or not", "all": "all pairs", "distance": "distance"}
 # The fastest peer that answers the same question in double precision, as its users would call it.
 PEERS = {"yes_no": ("fcl", "obbrss double"), "all": ("ode", "opcode"), "distance": ("fcl", "obbrss double")}
 PROFILES = ("fast", "balanced")
-PEER_NAMES = {"fcl": "FCL", "ode": "ODE"}
+PEER_NAMES = {"fcl": "FCL", "ode": "ODE", "bullet": "Bullet", "box3d": "Box3D"}
+SHAPES = {8: "oriented box", 16: "hull of 16", 64: "hull of 64"}  # by vertices
+OWN_SHAPES = ("fast", "balanced", "small")
+SWEPT_BY = ("bullet", "box3d")
+SCENE_PROFILES = ("fast", "balanced")
+# Of each column of docs/engines.md its header and decimals; None: text.
+ENGINES = {"engine": ("engine", None), "shape": ("mesh shape", None), "bytes": ("bytes", 0), "ms_per_step": ("ms a step", 3),
+           "times_own": ("times its own", 2), "fallen": ("fallen off", 0), "moving": ("still moving", 0),
+           "energy": ("energy of motion, J", 2), "metres_apart": ("median distance between resting places, m", 2)}
 
 
 def newest(kind):
@@ -29,8 +37,9 @@ class Runs:
         self.file = newest(kind)
         self.rows = {}
         for row in read_objects([self.file], f"espalier_bench_peers {kind}", lambda _: (*key, *fields)):
-            mesh = pathlib.PurePath(row["mesh"]).stem
-            self.rows.setdefault((mesh, *(row[name] for name in key if name != "mesh")), []).append(row)
+            if "mesh" in row:
+                row["mesh"] = pathlib.PurePath(row["mesh"]).stem
+            self.rows.setdefault(tuple(row[name] for name in key), []).append(row)
         self.meshes = list(dict.fromkeys(name for name, *_ in self.rows))
 
     def values(self, field, *key):
@@ -52,10 +61,18 @@ def spread(values, digits):
     return f"{statistics.median(values):.{digits}f} ({min(values):.{digits}f}–{max(values):.{digits}f})"
 
 
+def measured(rows):
+    """Where and when, and a link to the rows."""
+    all_rows = [row for runs in rows.rows.values() for row in runs]
+    machines = list(dict.fromkeys((row["processor"], row["instruction_set"], row["compiler"], row["date"]) for row in all_rows))
+    return "\n\n" + "".join(f"One thread of {processor} ({name}), {compiler}, {date}. " for processor, name, compiler, date in machines) + (
+        f"Rows: {links(PAGE, [rows.file])}.")
+
+
 def points_table(rows):
     lines = [[mesh, f"`{profile}`", *(spread(rows.values(f"{query}_ratio", mesh, profile), 2) for query in POINTS)]
              for mesh, profile in rows.rows]
-    return table(["mesh", "profile", *POINTS.values()], lines) + f"\n\nRows: {links(PAGE, [rows.file])}."
+    return table(["mesh", "profile", *POINTS.values()], lines) + measured(rows)
 
 
 def times(rows, mesh, question, profile):
@@ -72,8 +89,57 @@ def pairs_table(rows):
             peer = f"{PEER_NAMES[PEERS[question][0]]} {rows.median('median_ms', mesh, question, *PEERS[question]):.1f}"
             lines.append([mesh, words, *own, peer, *(spread(times(rows, mesh, question, profile), 1) for profile in PROFILES)])
     header = ["mesh", "query", *(f"`{profile}`, ms" for profile in PROFILES), "peer, ms", "peer's time / `fast`'s", "/ `balanced`'s"]
-    return table(header, lines) + f"\n\nRows: {links(PAGE, [rows.file])}."
+    return table(header, lines) + measured(rows)
+
+
+def read_sweeps():
+    return Runs("sweeps", ("mesh", "vertices", "size"), ("espalier_us", *(f"{peer}_{field}" for peer in SWEPT_BY for field in ("ratio", "differing"))))
+
+
+def sweeps_table(rows):
+    """A line for each mesh and shape: microseconds by size, and how many times as long each peer takes."""
+    lines = []
+    for mesh in rows.meshes:
+        for vertices, shape in SHAPES.items():
+            keys = [key for key in rows.rows if key[:2] == (mesh, vertices)]
+            own = " / ".join(f"{rows.median('espalier_us', *key):.1f}" for key in keys)
+            lines.append([mesh, shape, own, *(" / ".join(f"{rows.median(f'{peer}_ratio', *key):.1f}" for key in keys) for peer in SWEPT_BY)])
+    header = ["mesh", "shape", "Espalier, µs", *(f"{PEER_NAMES[peer]}'s time / Espalier's" for peer in SWEPT_BY)]
+    return table(header, lines) + measured(rows)
+
+
+def read_scenes():
+    return Runs("scenes", ("mesh", "scene", "system", "profile"), ("instances", "us_per_ray", "ratio_to_last", "bytes"))
+
+
+def scenes_table(rows):
+    lines = []
+    for mesh in rows.meshes:
+        for scene in dict.fromkeys(key[1] for key in rows.rows if key[0] == mesh):
+            own = [(mesh, scene, "espalier", profile) for profile in SCENE_PROFILES]
+            peer = (mesh, scene, "embree", "default")
+            speeds = [spread([peer_us / own_us for own_us, peer_us in zip(rows.values("us_per_ray", *key), rows.values("us_per_ray", *peer))], 2)
+                      for key in own]
+            lines.append([mesh, scene, f"{rows.median('us_per_ray', *peer):.2f}", *speeds,
+                          *(f"{rows.median('bytes', *key) / 1e6:.2f}" for key in (*own, peer))])
+    header = ["mesh", "rays into", "Embree, µs a ray", *(f"speed of `{profile}`" for profile in SCENE_PROFILES),
+              *(f"`{profile}`, MB" for profile in SCENE_PROFILES), "Embree, MB"]
+    return table(header, lines) + measured(rows)
+
+
+def read_engines():
+    return Runs("engines", ("engine", "shape"), ENGINES)
+
+
+def engines_table(rows):
+    def cell(value, digits):
+        if digits is not None:
+            return f"{value:.{digits}f}"
+        return f"`{value}`" if value in OWN_SHAPES else value
+    lines = [[cell(row[name], digits) for name, (_, digits) in ENGINES.items()] for (row,) in rows.rows.values()]
+    return table([words for words, _ in ENGINES.values()], lines) + measured(rows)
 
 
 def texts():
-    return {"points": points_table(read_points()), "pairs": pairs_table(read_pairs())}
+    return {"points": points_table(read_points()), "pairs": pairs_table(read_pairs()), "sweeps": sweeps_table(read_sweeps()),
+            "scenes": scenes_table(read_scenes())}

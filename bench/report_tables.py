@@ -7,7 +7,7 @@ from report_rows import KINDS, RAYS
 
 REFERENCES = ("default", "robust")  # Embree's modes that speeds are shown beside; rows hold ratios to the first
 QUERIES = {"incoherent": "closest hit, incoherent rays", "coherent": "closest hit, coherent rays", "any": "any hit"}
-SYSTEMS = {"espalier": "Espalier", "embree": "Embree", "bullet": "Bullet", "ode": "ODE", "fcl": "FCL"}
+SYSTEMS = {"espalier": "Espalier", "embree": "Embree", "bullet": "Bullet", "ode": "ODE", "fcl": "FCL", "embree4": "Embree 4", "tinybvh": "tinybvh", "jolt": "Jolt", "box3d": "Box3D"}
 TIE = 0.995  # shares above round to 1.00
 
 
@@ -109,17 +109,15 @@ def share(machines, mesh, profile, peer, kind):
     return lowest if lowest < TIE else None
 
 
-def losses(machines):
-    """The meshes on which a peer answers faster: a row for each query and peer."""
+def beside_peers(machines):
+    """Speeds as shares of each peer's, from the mesh with the lowest to the one with the highest: a row for each peer."""
     lines = []
-    for kind, query in QUERIES.items():
-        for peer in system_keys(machines):
-            shares = [{mesh: share(machines, mesh, profile, peer, kind) for mesh in mesh_names(machines)}
-                      for profile in single_profiles(machines)]
-            cells = [", ".join(f"{mesh} {value:.2f}" for mesh, value in found.items() if value is not None) or "–" for found in shares]
-            if peer[0] != "espalier" and any(cell != "–" for cell in cells):
-                lines.append([query, name_of(peer[0], [peer[1]]), *cells])
-    return table(["query", "faster peer", *(f"`{profile}`" for profile in single_profiles(machines))], lines)
+    for peer in system_keys(machines):
+        cells = [span([value for mesh in mesh_names(machines) for value in ratios(machines, mesh, ("espalier", profile), peer, kind)])
+                 for kind in QUERIES for profile in ("fast", "balanced")]
+        if peer[0] != "espalier" and any(cell != "–" for cell in cells):
+            lines.append([name_of(peer[0], [peer[1]]), *cells])
+    return table(["peer", *(f"{query}, `{profile}`" for query in QUERIES.values() for profile in ("fast", "balanced"))], lines)
 
 
 def builds(machines):

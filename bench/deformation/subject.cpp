@@ -218,10 +218,7 @@ JsonObject MotionSubject::row(const std::string& measures) const {
     row.add("bits", std::size_t{options_.bits});
     row.add("rounds", options_.rounds);
     row.add("espalier", ESPALIER_BENCH_VERSION);
-    row.add("processor", processor());
-    row.add("instruction_set", instruction_set_name());
-    row.add("compiler", compiler());
-    row.add("date", today());
+    add_machine(row);
     return row;
 }
 

@@ -1,5 +1,5 @@
 // engines: bodies that fall onto levels, with an engine's own mesh shape and with Espalier's: memory, time of a step,
-// where they come to rest, and the energy that is left. Prints Markdown.
+// where they come to rest, and the energy that is left. JSON, an object a line.
 #include <iterator>
 
 #include "drop.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 /// Bodies are chaotic: the work on one level depends on where a few of them come to rest.
 constexpr std::uint32_t level_count = 10, first_seed = 3;
-constexpr const char* shape_names[] = {"its own", "`fast`", "`balanced`", "`small`"};
+constexpr const char* shape_names[] = {"its own", "fast", "balanced", "small"};
 constexpr std::size_t shape_count = std::size(shape_names);
 
 std::vector<std::byte> baked(const tests::Mesh& mesh, Profile profile) {
@@ -44,9 +44,19 @@ struct Total {
 
 void print(const char* engine, const char* shape, Total& total, const Total& own) {
     std::sort(total.apart.begin(), total.apart.end());
-    std::printf("| %s | %s | %zu | %.3f | %.2f | %u | %u | %.2f | %.2f |\n", engine, shape, total.bytes / level_count,
-                total.ms_per_step / level_count, total.ms_per_step / own.ms_per_step, total.lost, total.moving,
-                total.energy, total.apart.empty() ? 0.0 : total.apart[total.apart.size() / 2]);
+    JsonObject row;
+    row.add("engine", engine);
+    row.add("shape", shape);
+    add_machine(row);
+    row.add("levels", std::size_t{level_count});
+    row.add("bytes", total.bytes / level_count);
+    row.add("ms_per_step", total.ms_per_step / level_count, 3);
+    row.add("times_own", total.ms_per_step / own.ms_per_step, 2);
+    row.add("fallen", std::size_t{total.lost});
+    row.add("moving", std::size_t{total.moving});
+    row.add("energy", total.energy, 2);
+    row.add("metres_apart", total.apart.empty() ? 0.0 : total.apart[total.apart.size() / 2], 2);
+    row.print();
 }
 
 /// Adds the drops onto one level, on the engine's own shape and on each blob.
@@ -68,9 +78,6 @@ void drop_on(std::uint32_t seed, const Engine& engine, Total (&totals)[shape_cou
 }  // namespace
 
 int main() {
-    std::printf(
-        "| engine | mesh shape | bytes | ms a step | times its own | fallen off | still moving | energy of motion, J | "
-        "median distance between resting places, m |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const Engine& engine : engines()) {
         Total totals[shape_count];
         for (std::uint32_t level = 0; level < level_count; ++level) drop_on(first_seed + level, engine, totals);

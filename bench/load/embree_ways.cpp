@@ -41,10 +41,7 @@ public:
     EmbreeLoaded& operator=(const EmbreeLoaded&) = delete;
 
     [[nodiscard]] float closest(const Ray& ray) const override {
-        const FlushToZero mode;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        const RTCRayHit query = embree_closest_hit(scene_, context, ray);
+        const RTCRayHit query = EmbreeRays(scene_).closest(ray);
         return is_hit(query) ? query.ray.tfar : std::numeric_limits<float>::infinity();
     }
     [[nodiscard]] std::size_t bytes() const override { return bytes_; }

@@ -76,10 +76,7 @@ JsonObject row_of(const Scenario& scenario, const std::string& measures) {
     row.add("unmeasured", scenario.unmeasured);
     row.add("steps", scenario.steps);
     row.add("repeats", scenario.repeats);
-    row.add("processor", processor());
-    row.add("instruction_set", instruction_set_name());
-    row.add("compiler", compiler());
-    row.add("date", today());
+    add_machine(row);
     return row;
 }
 

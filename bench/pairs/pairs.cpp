@@ -61,6 +61,7 @@ void measure(const Mesh& mesh, const char* question, PoseContest& contest, const
         JsonObject row;
         row.add("mesh", mesh.name);
         row.add("triangles", mesh.triangles.size());
+        add_machine(row);
         row.add("system", contestant.system);
         row.add("profile", contestant.profile);
         row.add("question", question);

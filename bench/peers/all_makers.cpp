@@ -24,6 +24,18 @@ std::vector<Maker> all_makers(const BakeSettings& settings) {
 #if defined(ESPALIER_BENCH_FCL)
     insert(all.size(), fcl_makers());
 #endif
+#if defined(ESPALIER_BENCH_EMBREE4)
+    insert(all.size(), embree4_makers());
+#endif
+#if defined(ESPALIER_BENCH_TINYBVH)
+    insert(all.size(), tinybvh_makers());
+#endif
+#if defined(ESPALIER_BENCH_JOLT)
+    insert(all.size(), jolt_makers());
+#endif
+#if defined(ESPALIER_BENCH_BOX3D)
+    insert(all.size(), box3d_makers());
+#endif
     return all;
 }
 

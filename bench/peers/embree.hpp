@@ -1,8 +1,12 @@
-// Embree as every benchmark measures it: one thread, and meshes copied into its own buffers. Compiled where Embree is
-// installed.
+// Embree as every benchmark measures it: one thread, and meshes copied into its own buffers. Version 3 is that of a
+// package, version 4 that of a checkout.
 #pragma once
 
+#ifdef ESPALIER_BENCH_IS_EMBREE4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
@@ -86,15 +90,52 @@ inline RTCRay embree_ray(const Ray& ray) {
     return query;
 }
 
-/// Returns the result of the query for the closest hit: one without an id is a miss.
-inline RTCRayHit embree_closest_hit(RTCScene scene, RTCIntersectContext& context, const Ray& ray) {
-    RTCRayHit query;
-    query.ray = embree_ray(ray);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &query);
-    return query;
-}
+/// Rays in a scene, in the processor's mode that Embree requires, from construction to destruction.
+class EmbreeRays {
+public:
+    explicit EmbreeRays(RTCScene scene, bool coherent = false) : scene_(scene) {
+#if RTC_VERSION_MAJOR >= 4
+        rtcInitIntersectArguments(&closest_);
+        rtcInitOccludedArguments(&any_);
+        if (coherent) closest_.flags = any_.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+#else
+        rtcInitIntersectContext(&context_);
+        if (coherent) context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+#endif
+    }
+    /// Returns the query with its answer: one without an id is a miss.
+    [[nodiscard]] RTCRayHit closest(const Ray& ray) {
+        RTCRayHit query;
+        query.ray = embree_ray(ray);
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+        rtcIntersect1(scene_, &query, &closest_);
+#else
+        rtcIntersect1(scene_, &context_, &query);
+#endif
+        return query;
+    }
+    [[nodiscard]] bool hits_any(const Ray& ray) {
+        RTCRay query = embree_ray(ray);
+#if RTC_VERSION_MAJOR >= 4
+        rtcOccluded1(scene_, &query, &any_);
+#else
+        rtcOccluded1(scene_, &context_, &query);
+#endif
+        return query.tfar < 0.0f;
+    }
+
+private:
+    const FlushToZero mode_;
+    RTCScene scene_;
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments closest_;
+    RTCOccludedArguments any_;
+#else
+    RTCIntersectContext context_;
+#endif
+};
 
 inline bool is_hit(const RTCRayHit& query) { return query.hit.geomID != RTC_INVALID_GEOMETRY_ID; }
 

@@ -17,12 +17,9 @@ public:
     [[nodiscard]] std::size_t bytes() const override { return device_.bytes(); }
     [[nodiscard]] double build_seconds() const override { return seconds_; }
     void closest(const std::vector<Ray>& rays, bool coherent, std::vector<Hit>& hits) override {
-        const FlushToZero mode;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        EmbreeRays asked(scene_, coherent);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const RTCRayHit query = embree_closest_hit(scene_, context, rays[i]);
+            const RTCRayHit query = asked.closest(rays[i]);
             hits[i].found = is_hit(query);
             if (hits[i].found)
                 hits[i] = {true,
@@ -34,14 +31,8 @@ public:
         }
     }
     void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) override {
-        const FlushToZero mode;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            RTCRay query = embree_ray(rays[i]);
-            rtcOccluded1(scene_, &context, &query);
-            answers[i] = query.tfar < 0.0f;
-        }
+        EmbreeRays asked(scene_);
+        for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = asked.hits_any(rays[i]);
     }
 
 private:
@@ -52,7 +43,14 @@ private:
 
 }  // namespace
 
+#if RTC_VERSION_MAJOR >= 4
+// All that the library of this version shows (checkouts.cmake).
+__attribute__((visibility("default"))) std::vector<Maker> embree4_makers() {
+    constexpr const char* name = "embree4";
+#else
 std::vector<Maker> embree_makers() {
+    constexpr const char* name = "embree";
+#endif
     struct Mode {
         const char* profile;
         int flags;
@@ -65,7 +63,7 @@ std::vector<Maker> embree_makers() {
     };
     std::vector<Maker> makers;
     for (const Mode& mode : modes)
-        makers.push_back({"embree", mode.profile, RTC_VERSION_STRING, [flags = mode.flags](const Mesh& mesh) {
+        makers.push_back({name, mode.profile, RTC_VERSION_STRING, [flags = mode.flags](const Mesh& mesh) {
                               return std::make_unique<EmbreeSystem>(mesh, flags);
                           }});
     return makers;

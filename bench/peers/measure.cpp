@@ -127,10 +127,7 @@ void add_conditions(JsonObject& row, const Mesh& mesh, const Options& options, s
     row.add("seed", std::size_t{options.seed});
     row.add("repetitions", std::size_t{options.repetitions});
     row.add("builds", std::size_t{options.builds});
-    row.add("instruction_set", instruction_set_name());
-    row.add("processor", processor());
-    row.add("compiler", compiler());
-    row.add("date", today());
+    add_machine(row);
     row.add("processors", std::size_t{std::thread::hardware_concurrency()});
     row.add("load", load, 2);
 }

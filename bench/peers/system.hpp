@@ -69,6 +69,10 @@ std::vector<Maker> embree_makers();  ///< the reference first
 std::vector<Maker> bullet_makers();
 std::vector<Maker> ode_makers();
 std::vector<Maker> fcl_makers();
+std::vector<Maker> embree4_makers();
+std::vector<Maker> jolt_makers();
+std::vector<Maker> box3d_makers();
+std::vector<Maker> tinybvh_makers();
 
 /// All that this build knows, in the order in which they take turns: the reference and Espalier next to each other.
 std::vector<Maker> all_makers(const BakeSettings& settings);

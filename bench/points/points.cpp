@@ -73,6 +73,7 @@ void measure(const Mesh& mesh, const std::string& profile_name, Profile profile,
     JsonObject row;
     row.add("mesh", mesh.name);
     row.add("triangles", mesh.triangles.size());
+    add_machine(row);
     row.add("profile", profile_name);
     row.add("points", options.points);
     row.add("repetitions", std::size_t{options.repetitions});

@@ -37,12 +37,9 @@ public:
         for (RTCScene mesh : meshes_) rtcReleaseScene(mesh);
     }
     void closest(std::span<const Ray> rays, std::span<float> hits) const {
-        const FlushToZero mode;
-        RTCScene scene = scene_ != nullptr ? scene_ : meshes_.front();
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
+        EmbreeRays asked(scene_ != nullptr ? scene_ : meshes_.front());
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const RTCRayHit query = embree_closest_hit(scene, context, rays[i]);
+            const RTCRayHit query = asked.closest(rays[i]);
             hits[i] = is_hit(query) ? query.ray.tfar : std::numeric_limits<float>::infinity();
         }
     }

@@ -92,10 +92,12 @@ void measure(const std::string& name, std::size_t triangles, std::array<Side, 2>
             JsonObject row;
             row.add("mesh", name);
             row.add("triangles", triangles);
+            add_machine(row);
             row.add("scene", side.name);
             row.add("instances", options.instances);
             row.add("copies", options.copies);
-            row.add("system", own.system + ' ' + own.profile);
+            row.add("system", own.system);
+            row.add("profile", own.profile);
             row.add("us_per_ray", 1e6 * median_of(own.seconds) / static_cast<double>(options.rays), 4);
             row.add_raw("ratio_to_last",
                         json_list({decimal(ratios.low, 3), decimal(ratios.median, 3), decimal(ratios.high, 3)}));

@@ -44,8 +44,7 @@ struct World {
 
 }  // namespace
 
-std::function<void(std::span<const Moving> shapes, std::span<float> contacts)> bullet_sweeps(
-    const Mesh& mesh, std::span<const Moving> shapes) {
+Sweeps bullet_sweeps(const Mesh& mesh, std::span<const Moving> shapes) {
     const auto world = std::make_shared<World>(mesh);
     for (const Moving& moving : shapes) world->add(moving);
     return [world](std::span<const Moving> all, std::span<float> contacts) {

@@ -1,5 +1,5 @@
-// Oriented boxes and convex hulls that move through a mesh, beside Bullet's convex sweep: one thread, and the least
-// time of several repetitions counts. JSON, an object for each mesh, shape and size.
+// Oriented boxes and convex hulls that move through a mesh, beside convex sweeps of Bullet and Box3D: one thread, and
+// the least time of several repetitions counts. JSON, an object for each mesh, shape and size.
 
 #include "sweeps.hpp"
 
@@ -52,6 +52,18 @@ std::vector<Moving> some_shapes(const Mesh& mesh, std::size_t count, std::size_t
     return shapes;
 }
 
+Contest<Moving, float> peers(const Mesh& mesh, std::span<const Moving> shapes) {
+    Contest<Moving, float> all;
+    static_cast<void>(mesh), static_cast<void>(shapes);
+#if defined(ESPALIER_BENCH_BULLET)
+    all.push_back({"bullet", "", bullet_sweeps(mesh, shapes)});
+#endif
+#if defined(ESPALIER_BENCH_BOX3D)
+    all.push_back({"box3d", "", box3d_sweeps(mesh, shapes)});
+#endif
+    return all;
+}
+
 void measure(const Mesh& mesh, const Options& options) {
     const BakedBlob made = bake_blob(mesh);
     for (const std::size_t vertices : {std::size_t{8}, std::size_t{16}, max_hull_vertices})
@@ -66,22 +78,23 @@ void measure(const Mesh& mesh, const Options& options) {
             JsonObject row;
             row.add("mesh", mesh.name);
             row.add("triangles", mesh.triangles.size());
+            add_machine(row);
             row.add("shape", vertices == 8 ? "oriented box" : "hull");
             row.add("vertices", vertices);
             row.add("size", double(share), 2);
             row.add("hits",
                     static_cast<std::size_t>(std::ranges::count_if(own.answers, [](float t) { return t < 1; })));
             row.add("espalier_us", microseconds(own.least_seconds()), 3);
-#if defined(ESPALIER_BENCH_BULLET)
-            Contestant<Moving, float> bullet = {"bullet", "", bullet_sweeps(mesh, shapes)};
-            for (int repetition = 0; repetition < 2; ++repetition) bullet.answer(shapes);
-            std::size_t differing = 0;
-            for (std::size_t i = 0; i < shapes.size(); ++i)  // Bullet moves shapes that start in a contact
-                differing += own.answers[i] > 0.0f && std::fabs(bullet.answers[i] - own.answers[i]) > 0.01f ? 1u : 0u;
-            row.add("bullet_us", microseconds(bullet.least_seconds()), 3);
-            row.add("ratio", bullet.least_seconds() / own.least_seconds(), 1);
-            row.add("differing", differing);
-#endif
+            for (Contestant<Moving, float>& peer : peers(mesh, shapes)) {
+                for (int repetition = 0; repetition < 2; ++repetition) peer.answer(shapes);
+                std::size_t differing = 0;
+                for (std::size_t i = 0; i < shapes.size();
+                     ++i)  // peers have other rules for shapes that start in a contact
+                    differing += own.answers[i] > 0.0f && std::fabs(peer.answers[i] - own.answers[i]) > 0.01f ? 1u : 0u;
+                row.add(peer.system + "_us", microseconds(peer.least_seconds()), 3);
+                row.add(peer.system + "_ratio", peer.least_seconds() / own.least_seconds(), 1);
+                row.add(peer.system + "_differing", differing);
+            }
             row.print();
             std::fflush(stdout);
         }
@@ -92,7 +105,7 @@ void measure(const Mesh& mesh, const Options& options) {
 const Subcommand subcommand("sweeps", [](int count, char** words) {
     Options options;
     Program program("espalier_bench_peers sweeps",
-                    "Oriented boxes and hulls that move, beside Bullet's convex sweep; JSON");
+                    "Oriented boxes and hulls that move, beside convex sweeps of Bullet and Box3D; JSON");
     program.add_count("--repetitions", options.repetitions, "How often all sweeps are answered");
     program.add_count("--sweeps", options.sweeps, "Sweeps of each shape and size");
     return program.run_at_common_size(count, words, [&](const Mesh& mesh) { measure(mesh, options); });

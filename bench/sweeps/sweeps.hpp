@@ -1,4 +1,4 @@
-// Shapes that move through a mesh, as Espalier and Bullet take them.
+// Shapes that move through a mesh, as Espalier and its peers take them.
 #pragma once
 
 #include "../base.hpp"
@@ -13,9 +13,11 @@ struct Moving {
     std::vector<Vec3> vertices;  ///< in the world
 };
 
-/// Bullet's convex sweep over its triangle mesh, where Bullet is installed: returns for each shape the share of the way
-/// up to the first contact, 1 if there is none. No shape has a margin. The mesh outlives it.
-std::function<void(std::span<const Moving> shapes, std::span<float> contacts)> bullet_sweeps(
-    const Mesh& mesh, std::span<const Moving> shapes);
+/// Writes for each shape the share of the way up to the first contact, 1 if there is none.
+using Sweeps = std::function<void(std::span<const Moving> shapes, std::span<float> contacts)>;
+
+// Those of peers over their own triangle meshes, each where it is there. No shape has a margin. The mesh outlives them.
+Sweeps bullet_sweeps(const Mesh& mesh, std::span<const Moving> shapes);
+Sweeps box3d_sweeps(const Mesh& mesh, std::span<const Moving> shapes);
 
 }  // namespace espalier::bench

@@ -10,10 +10,10 @@ import re
 import sys
 
 from prose_rows import (DOCS, ROOT, bake_over_build, bakes_over_refits, balanced_over_deformable, beside_default, block_bytes,
-                        build_over_blob, bytes_of, bytes_of_peers, cached_meshes, code_budgets_over_rows, coherent_gains, counts,
+                        build_over_blob, bytes_of, bytes_of_peers, code_budgets_over_rows, coherent_gains, counts,
                         deformable, engine, engines, fast_over_balanced, fast_over_small, firmware, is_noisy, jolt_bytes, machines,
-                        meshes_ahead, more_pairs, of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds,
-                        sweeps_over_ray, times_own_bytes)
+                        more_pairs, of_fandisk, page_table, pair_speeds, peers_behind, ray_budget, sphere_speeds,
+                        sweeps_over_ray, times_own_bytes, tiny_over_small)
 
 PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
 MARK = re.compile(r" *<!-- rows: (\w+) -->")
@@ -47,6 +47,8 @@ def names(each):
 
 
 def more_or_fewer(mesh, more):
+    if abs(more) < 0.00005:
+        return f"as many on the {mesh}"
     digits = 1 if abs(more) >= 0.0005 else 2
     return f"{100 * abs(more):.{digits}f} % {'more' if more > 0 else 'fewer'} on the {mesh}"
 
@@ -60,15 +62,14 @@ FIGURES = {
     "bytes_of_others": lambda: [f"{jolt_bytes():.0f} bytes a triangle in Jolt", f"{min(bytes_of('embree', 'default')):.0f} in Embree"],
     "bytes_of_balanced": lambda: [f"{span(bytes_of('espalier', 'balanced'))} bytes a triangle"],
     "bytes_of_fast": lambda: [f"{span(fast_over_balanced(), 1)} times the bytes"],
-    "mesh_beyond_cache": lambda: [f"the {names(meshes_ahead())} does not fit, and there Espalier is ahead"],
+    "fast_rays": lambda: [f"{span(fast_over_balanced(), 1)} times the bytes", f"{span(beside_default('fast'), 2)} of the speed"],
+    "tiny_rays": lambda: [f"{span(tiny_over_small(), 1)} times as long"],
     "ray_budget": lambda: ["{:,} bytes of code and {} bytes of stack".format(*ray_budget())],
     "sweeps": lambda: [f"{span(sweeps_over_ray())} times the instructions of a ray"],
     # benchmarks.md: rays, bytes and builds
-    "memory": lambda: [f"{span(bytes_of('espalier', 'balanced'), 1)} bytes", f"peers take {span(bytes_of_peers())}",
-                       f"Jolt's mesh {jolt_bytes():.0f}"],
+    "memory": lambda: [f"{span(bytes_of('espalier', 'balanced'), 1)} bytes", f"peers take {span(bytes_of_peers())}"],
     "busy": lambda: ["a busy machine" if any(map(is_noisy, machines())) else "an idle machine"],
-    "rays_in_cache": lambda: [f"{span(beside_default(cached_meshes()), 2)} of its speed"],
-    "rays_beyond_cache": lambda: [f"{span(beside_default(meshes_ahead()), 2)} times as fast"],
+    "rays": lambda: [f"`fast` reaches {span(beside_default('fast'), 2)} of its speed", f"`balanced` {span(beside_default(), 2)}"],
     "bakes": lambda: [f"{span([1 / speed for speed in beside_default(kind='build')], 1)} times as long"],
     "batches": lambda: [f"up to {percent([max(coherent_gains())])} faster"],
     "peers_behind": lambda: [f"{names(peers_behind())} are slower"],
@@ -91,7 +92,7 @@ FIGURES = {
     # engines.md
     "bullet_fast": lambda: [f"{below_one([engine('Bullet', 'fast', 'times')])} less time",
                             f"{span(times_own_bytes('Bullet', 'fast'), 1)} times fewer bytes"],
-    "bullet_balanced": lambda: [f"{span(times_own_bytes('Bullet', 'balanced'), 1)} times fewer bytes"],
+    "bullet_balanced": lambda: [f"{below_one([engine('Bullet', 'balanced', 'times')])} less", f"{span(times_own_bytes('Bullet', 'balanced'), 1)} times fewer bytes"],
     "bullet_small": lambda: [f"{span(times_own_bytes('Bullet', 'small'), 1)} times fewer",
                              f"{above_one([engine('Bullet', 'small', 'times')])} longer"],
     "bullet_rest": lambda: [f"{span([100 * metres for metres in engines('Bullet', 'metres')])} centimetres"],

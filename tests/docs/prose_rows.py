@@ -56,19 +56,16 @@ def fast_over_balanced():
     return [fast / balanced for fast, balanced in zip(bytes_of("espalier", "fast"), bytes_of("espalier", "balanced"))]
 
 
-def cached_meshes():
-    """Those whose blobs and trees fit a processor's caches."""
-    return [mesh for mesh in report_tables.mesh_names(machines()) if mesh != "dragon"]
+def beside_default(profile="balanced", kind="incoherent"):
+    """Speeds beside Embree's default mode."""
+    return [value for mesh in report_tables.mesh_names(machines())
+            for value in report_tables.speeds(machines(), mesh, profile, kind, "default")]
 
 
-def beside_default(meshes=None, kind="incoherent"):
-    """Speeds of the default profile beside Embree's default mode."""
-    return [value for mesh in meshes or report_tables.mesh_names(machines())
-            for value in report_tables.speeds(machines(), mesh, "balanced", kind, "default")]
-
-
-def meshes_ahead():
-    return [mesh for mesh in report_tables.mesh_names(machines()) if min(beside_default([mesh])) > 1]
+def tiny_over_small():
+    """Times of incoherent rays."""
+    return [1 / value for mesh in report_tables.mesh_names(machines())
+            for value in report_tables.ratios(machines(), mesh, ("espalier", "tiny"), ("espalier", "small"), "incoherent")]
 
 
 def coherent_gains():
@@ -98,7 +95,8 @@ points, pairs = functools.cache(report_queries.read_points), functools.cache(rep
 
 
 def sphere_speeds(mesh):
-    return [points().median("overlap_all_ratio", *key) for key in points().rows if key[0] == mesh]
+    """But in profile tiny."""
+    return [points().median("overlap_all_ratio", *key) for key in points().rows if key[0] == mesh and key[1] != "tiny"]
 
 
 def pair_speeds(question):

@@ -15,7 +15,7 @@ Every day
               --since: the parts whose sources differ from the commit's, with --list only their names; --all: three hours;
               --drawn: small_code, or one instruction set, by the hash of the commit, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
-  bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
+  bench       Measures rays in Espalier and in Embree, Bullet and ODE: bench [OPTION...] MESH...
               bench --help lists the options.
   python      Builds the wheel of the Python package, installs it in build/python/environment, and runs its tests and
               its example (5 minutes from nothing).
@@ -56,7 +56,9 @@ Research
   accuracy    Measures how far blobs of 8 to 20 bits are from their source: accuracy [OPTION...] MESH...
 
 Publishing
-  bench --publish NAME MESH...         writes bench/results, docs/benchmarks.md and docs/benchmarks/rays.md from three runs.
+  bench [--checkouts FOLDER] --all MACHINE
+                                       measures every figure of every page on a quiet machine, and writes bench/results and the
+                                       pages (90 minutes). FOLDER may have checkouts of embree (4), JoltPhysics, box3d, tinybvh.
   accuracy --publish NAME MESH...      writes bench/results and docs/accuracy.md.
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 
