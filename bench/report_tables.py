@@ -7,7 +7,8 @@ from report_rows import KINDS, RAYS
 
 REFERENCES = ("default", "robust")  # Embree's modes that speeds are shown beside; rows hold ratios to the first
 QUERIES = {"incoherent": "closest hit, incoherent rays", "coherent": "closest hit, coherent rays", "any": "any hit"}
-SYSTEMS = {"espalier": "Espalier", "embree": "Embree", "bullet": "Bullet", "ode": "ODE", "fcl": "FCL", "embree4": "Embree 4", "tinybvh": "tinybvh", "jolt": "Jolt", "box3d": "Box3D"}
+SYSTEMS = {"espalier": "Espalier", "embree": "Embree", "bullet": "Bullet", "ode": "ODE", "fcl": "FCL",
+           "embree4": "Embree 4", "tinybvh": "tinybvh", "jolt": "Jolt", "box3d": "Box3D"}
 TIE = 0.995  # shares above round to 1.00
 
 

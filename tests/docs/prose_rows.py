@@ -146,11 +146,6 @@ def times_own_bytes(name, *shapes):
     return [engine(name, "its own", "bytes") / engine(name, shape, "bytes") for shape in shapes or OWN_SHAPES]
 
 
-def jolt_bytes():
-    """A triangle: the levels of the table have 20,000."""
-    return engine("Jolt", "its own", "bytes") / 20_000
-
-
 @functools.cache
 def firmware():
     return firmware_report.Rows(read_objects(named_files(DOCS / "small_cores.md"), "tools/dev firmware", firmware_report.needed))
