@@ -10,7 +10,7 @@ constexpr double close_enough = 1.001;
 
 struct Piece {
     PointTriangle corners;
-    std::array<std::uint32_t, 3> nearest;  // of each corner
+    std::uint32_t nearest;  ///< a triangle near it
     double upper;
     friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
 };
@@ -22,15 +22,17 @@ public:
     [[nodiscard]] OneWayDistance result() const { return result_; }
     [[nodiscard]] bool is_settled(double upper) const { return upper <= result_.lower * close_enough; }
 
-    /// Looks at the corners and at the middle, which any piece that is left has had looked at.
+    /// Looks at the middle, and at the corners only as long as the piece may still hold the farthest point: most triangles
+    /// of a mesh are settled by the one triangle that is nearest to their middle.
     Piece look_at(const PointTriangle& corners, std::uint32_t guess) {
         ++result_.pieces;
-        Piece piece{corners, {}, 0.0};
-        for (unsigned k = 0; k < 3; ++k) piece.nearest[k] = guess = look_at(corners[k], guess);
         const std::uint32_t of_middle = look_at((1.0 / 3.0) * (corners[0] + corners[1] + corners[2]), guess);
-        piece.upper = farthest_corner(corners, of_middle);
-        for (const std::uint32_t candidate : piece.nearest)
-            piece.upper = std::min(piece.upper, farthest_corner(corners, candidate));
+        Piece piece{corners, of_middle, farthest_corner(corners, of_middle)};
+        for (const Point& corner : corners) {
+            if (is_settled(piece.upper)) break;
+            piece.nearest = look_at(corner, piece.nearest);
+            piece.upper = std::min(piece.upper, farthest_corner(corners, piece.nearest));
+        }
         return piece;
     }
 
@@ -76,7 +78,7 @@ OneWayDistance one_way_distance(const DoubleTree& from, const DoubleTree& to, st
     std::uint32_t guess = 0;
     for (const PointTriangle& triangle : from.triangles()) {
         Piece piece = search.look_at(triangle, guess);
-        guess = piece.nearest[2];
+        guess = piece.nearest;
         if (!search.is_settled(piece.upper)) open.push(piece);
     }
     const std::size_t end = search.result().pieces + most_pieces;
@@ -84,7 +86,7 @@ OneWayDistance one_way_distance(const DoubleTree& from, const DoubleTree& to, st
         const Piece piece = open.top();
         open.pop();
         for (const PointTriangle& half : halves(piece.corners)) {
-            Piece smaller = search.look_at(half, piece.nearest[0]);
+            Piece smaller = search.look_at(half, piece.nearest);
             smaller.upper = std::min(smaller.upper, piece.upper);
             if (!search.is_settled(smaller.upper)) open.push(smaller);
         }

@@ -50,7 +50,7 @@ bench_all() {
     date=$(date -u +%F)
     mapfile -t meshes < <(measured_meshes)
     mapfile -t small < <(smaller_meshes "${meshes[@]}")
-    measure_peers "${date}_$1" rays --repetitions 4 "${meshes[@]}"
+    measure_peers "${date}_$1" rays --repetitions 3 "${meshes[@]}"
     for subject in points pairs scenes; do measure_peers "${date}_$subject" "$subject" "${meshes[@]}"; done
     measure_peers "${date}_sweeps" sweeps "${small[@]}"
     $bench_folder/bench/espalier_bench_engines >$bench_folder/engines.jsonl
