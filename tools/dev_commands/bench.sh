@@ -1,7 +1,5 @@
 # Espalier and its peers, measured beside each other.
 
-bench_folder=build/bench
-
 # bench OPTION... MESH...: rays alone, as a table. The program measures other queries too (docs/benchmarks.md).
 bench() {
     local options=()
@@ -11,12 +9,7 @@ bench() {
         shift 2
     fi
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev python3 >&2
-    check_cmake
-    local target
-    for target in espalier_bench_peers espalier_bench_engines; do
-        build "$bench_folder" "$target" -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
-            "${options[@]}" >&2
-    done
+    build_bench espalier_bench_peers "${options[@]}"
     case ${1-} in
         --all)
             [[ $# -eq 2 ]] || fail "bench --all MACHINE: a name for this one, as in epyc_avx512"
@@ -46,7 +39,10 @@ measure_peers() {
 # bench_all MACHINE: every figure that a page shows, on a quiet machine: rays, points, pairs, sweeps, scenes, engines, all of the
 # guide, refits, accuracy and small cores. Then the pages.
 bench_all() {
-    local date meshes small subject started=$SECONDS
+    local date meshes small subject target started
+    for target in engines study accuracy; do build_bench "espalier_bench_$target"; done
+    build_firmware "$PWD/build/firmware"
+    started=$SECONDS
     date=$(date -u +%F)
     mapfile -t meshes < <(measured_meshes)
     mapfile -t small < <(smaller_meshes "${meshes[@]}")
@@ -57,7 +53,7 @@ bench_all() {
     publish_rows "${date}_engines" $bench_folder/engines.jsonl
     python3 bench/report.py "bench/results/${date}_$1.jsonl"
     tools/dev guide --name "${date}_guide" "${meshes[@]}"
-    build/guide/bench/espalier_bench_study deformation "${small[@]}" >$bench_folder/deformation.jsonl
+    $bench_folder/bench/espalier_bench_study deformation "${small[@]}" >$bench_folder/deformation.jsonl
     publish_rows "${date}_deformation" $bench_folder/deformation.jsonl
     python3 bench/deformation_report.py "bench/results/${date}_deformation.jsonl"
     tools/dev accuracy --publish "${date}_accuracy" "${meshes[@]}" &  # these two count

@@ -11,9 +11,7 @@ firmware() {
         done
     fi
     [[ $# -eq 0 || -d $1 ]] || fail "there is no folder $1"
-    install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" "${firmware_packages[@]}" >&2
-    check_cmake
-    build "$build" espalier_firmware -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
+    build_firmware "$build"
     ESPALIER_MESHES=${1:-none} "$build/tests/firmware/espalier_firmware_blobs" "$build/tests/firmware/blobs" >&2
     : >"$rows"
     for core in $(awk '!/^#/ { print $1 }' tests/firmware/cores.txt); do

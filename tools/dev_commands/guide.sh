@@ -6,7 +6,7 @@ guide_folder=build/guide
 
 # guide_rows PART MESH...: the rows of a part, to stdout
 guide_rows() {
-    local part=$1 study=$guide_folder/bench/espalier_bench_study few
+    local part=$1 study=$bench_folder/bench/espalier_bench_study few
     shift
     case $part in
         growth) "$study" growth ;;
@@ -37,10 +37,10 @@ guide() {
         shift 2
     done
     install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev nlohmann-json3-dev doctest-dev python3 >&2
-    check_cmake
     if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(measured_meshes); fi
     [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
-    build "$guide_folder" espalier_bench_study -DCMAKE_BUILD_TYPE=Release -DESPALIER_BENCH=ON -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
+    build_bench espalier_bench_study
+    mkdir -p "$guide_folder"
     for part in "${parts[@]}"; do
         started=$SECONDS
         guide_rows "$part" "${meshes[@]}" >"$guide_folder/$part.partial" || fail "guide: the part '$part' failed"
