@@ -38,6 +38,10 @@ def above_one(times):
     return percent([value - 1 for value in times])
 
 
+def less_or_longer(times):
+    return f"{percent([abs(times - 1)])} {'less' if times < 1 else 'longer'}"
+
+
 def fraction(value):
     return FRACTIONS.get(round(1 / value), f"{value:.2f}")
 
@@ -93,10 +97,10 @@ FIGURES = {
     # engines.md
     "bullet_fast": lambda: [f"{below_one([engine('Bullet', 'fast', 'times')])} less time",
                             f"{span(times_own_bytes('Bullet', 'fast'), 1)} times fewer bytes"],
-    "bullet_balanced": lambda: [f"{below_one([engine('Bullet', 'balanced', 'times')])} less",
+    "bullet_balanced": lambda: [less_or_longer(engine("Bullet", "balanced", "times")),
                                 f"{span(times_own_bytes('Bullet', 'balanced'), 1)} times fewer bytes"],
     "bullet_small": lambda: [f"{span(times_own_bytes('Bullet', 'small'), 1)} times fewer",
-                             f"{above_one([engine('Bullet', 'small', 'times')])} longer"],
+                             less_or_longer(engine("Bullet", "small", "times"))],
     "bullet_rest": lambda: [f"{span([100 * metres for metres in engines('Bullet', 'metres')])} centimetres"],
     "ode": lambda: [f"{above_one(engines('ODE', 'times'))} longer"],
     "jolt": lambda: [f"{below_one(engines('Jolt', 'times'))} less time", f"{span(times_own_bytes('Jolt'), 1)} times the bytes"],
