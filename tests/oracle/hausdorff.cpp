@@ -22,8 +22,8 @@ public:
     [[nodiscard]] OneWayDistance result() const { return result_; }
     [[nodiscard]] bool is_settled(double upper) const { return upper <= result_.lower * close_enough; }
 
-    /// Looks at the middle, and at the corners only as long as the piece may still hold the farthest point: most triangles
-    /// of a mesh are settled by the one triangle that is nearest to their middle.
+    /// Looks at the middle, and at the corners only as long as the piece may still hold the farthest point: most
+    /// triangles of a mesh are settled by the one triangle that is nearest to their middle.
     Piece look_at(const PointTriangle& corners, std::uint32_t guess) {
         ++result_.pieces;
         const std::uint32_t of_middle = look_at((1.0 / 3.0) * (corners[0] + corners[1] + corners[2]), guess);
