@@ -30,6 +30,12 @@ QueryStatus find_overlaps_of(const BlobData& blob, const void* shape, Each& answ
 template <>
 QueryStatus find_overlaps_of<Sphere>(const BlobData& blob, const void* shape, Each& answer,
                                      const WalkAccuracy& accuracy);  // declared here, whichever file comes first
+template <>
+QueryStatus find_overlaps_of<Capsule>(const BlobData& blob, const void* shape, Each& answer,
+                                      const WalkAccuracy& accuracy);
+template <>
+QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
+                                          const WalkAccuracy& accuracy);
 
 /// A shape of any type, with the function that handles it.
 struct AnyShape {

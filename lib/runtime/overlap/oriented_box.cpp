@@ -5,38 +5,22 @@
 #include <runtime/overlap/bounding_plane.hpp>
 #include <runtime/overlap/find.hpp>
 
+#if !ESPALIER_SMALL_CODE
+#define ESPALIER_FRAGMENT <runtime/overlap/oriented_box_queries.hpp>
+#include <runtime/lanes/for_each_set.hpp>
+#endif
+
 namespace espalier::detail {
 
-namespace {
-
-/// The planes of its faces. They are off by up to 2 size + 1 units.
-void set_planes(Rounded<OrientedBox>& box, std::int64_t size) {
-    for (const WideVector& face : box.face)
-        for (const WideVector& normal : {face, -face})
-            box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
-    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
-}
-
-/// What follows from center and half axes.
-void enclose(Rounded<OrientedBox>& box) {
-    std::int64_t size = 0;
-    for (int k = 0; k < 3; ++k) {
-        std::int64_t reach = 0;
-        for (const Integer3& half : box.half) reach += magnitude(half[k]);
-        box.set_bounds(k, box.center[k] - reach, box.center[k] + reach, box.fraction_bits);
-        size += reach;
-    }
+void add_faces(Rounded<OrientedBox>& box) noexcept {
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
         box.face[i] = wide_cross(box.half[j], box.half[k]);
     }
     box.face_reach = magnitude(dot(box.face[0], box.half[0]));
-    set_planes(box, size);
 }
 
-}  // namespace
-
-QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept {
+QueryStatus round_half_axes(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept {
     if (!is_finite(local)) return QueryStatus::invalid_argument;
     Rounder rounder(blob);
     const OrientedBoxInSteps steps(local, rounder);
@@ -45,9 +29,28 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded
     if (!(reach < shape_reach)) return QueryStatus::out_of_range;
     box.is_near = exponent_of(reach) <= volume_grid;
     box.fraction_bits = fraction_bits_for(reach, volume_grid);
-    box.center = to_grid(steps.center, box.fraction_bits);
-    for (int i = 0; i < 3; ++i) box.half[i] = to_grid(steps.half[i], box.fraction_bits);
-    enclose(box);
+    to_grid(steps.center, box.fraction_bits, box.center, box.center_steps);
+    for (int i = 0; i < 3; ++i) to_grid(steps.half[i], box.fraction_bits, box.half[i], box.half_steps[i]);
+    for (int k = 0; k < 3; ++k) {
+        std::int64_t side = 0;
+        for (const Integer3& half : box.half) side += magnitude(half[k]);
+        box.set_bounds(k, box.center[k] - side, box.center[k] + side, box.fraction_bits);
+    }
+    return QueryStatus::ok;
+}
+
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept {
+    const QueryStatus status = round_half_axes(blob, local, box);
+    if (status != QueryStatus::ok) return status;
+    add_faces(box);
+    std::int64_t size = 0;
+    for (const Integer3& half : box.half) size += sum_of_magnitudes(half);
+    // Planes are off by up to 2 size + 1 units.
+    for (const WideVector& face : box.face)
+        for (const WideVector& normal : {face, -face})
+            box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
+    box.planes_cull = blob.copies == nullptr;  // as in oriented_box_queries.hpp
+    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
     return QueryStatus::ok;
 }
 
@@ -133,6 +136,18 @@ bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noe
                                                      : is_separated<WideVector>(box, seen));
 }
 
-template QueryStatus find_overlaps_of<OrientedBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
+template <>
+QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
+                                          const WalkAccuracy& accuracy) {
+#if ESPALIER_SMALL_CODE
+    return find_overlaps_in_volume<OrientedBox>(blob, shape, answer, accuracy);
+#else
+    Rounded<OrientedBox> box;
+    const QueryStatus status = round_half_axes(blob, *static_cast<const OrientedBox*>(shape), box);
+    if (status == QueryStatus::not_found) return QueryStatus::ok;
+    if (status != QueryStatus::ok || blob.triangle_count == 0) return status;
+    return ESPALIER_DISPATCH(find_overlaps_of_box, blob, box, answer, accuracy) ? QueryStatus::stopped : QueryStatus::ok;
+#endif
+}
 
 }  // namespace espalier::detail

@@ -6,8 +6,8 @@
 
 #include <espalier/advanced/lattice.hpp>
 #include <espalier/shapes.hpp>
-#include <runtime/lattice/round_segment.hpp>
 #include <runtime/overlap/volume.hpp>
+#include <runtime/proximity/queries.hpp>
 
 namespace espalier::detail {
 
@@ -28,13 +28,10 @@ struct Rounded<LatticeBox> : Rounded<Box> {};
 /// Moves the box onto the grid, which rounds nothing.
 QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, Rounded<Box>& box) noexcept;
 
+/// A capsule by its axis; what is within its radius overlaps it (kernels/segment_triangle.hpp).
 template <>
-struct Rounded<Capsule> : VolumeOf<Capsule, 6> {
-    RoundedSegment segment;
-    float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
-};
+struct Rounded<Capsule> : DistantSegment {};
 QueryStatus round_volume(const BlobData& blob, const Capsule& local, Rounded<Capsule>& capsule) noexcept;
-[[nodiscard]] bool meets(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) noexcept;
 
 /// A convex set of half-spaces, bounded or not: normals whose largest coordinate is in [2^23, 2^24]; offsets within
 /// 2^52.
@@ -52,12 +49,43 @@ struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
     Integer3 center;
     Integer3 half[3];
     bool is_near;  ///< center and half axes stay below 2^23, seen from any vertex of the asset and added up
+    float center_steps[4], half_steps[3][4];  ///< the same in lattice steps, exactly; the fourth numbers are zero
 
     WideVector face[3];  ///< normals of the faces: products of two half axes
     Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
 };
+/// Rounds all but the faces, and add_faces() those; round_volume() does both, and adds planes.
+QueryStatus round_half_axes(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;
+void add_faces(Rounded<OrientedBox>& box) noexcept;
 QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;
 [[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
+
+/// A box in float, in lattice steps.
+struct FloatBox {
+    const Rounded<OrientedBox>& rounded;
+    float normal[3][3];  ///< across two of the half axes each
+    float face = 0.0f;   ///< how far each face is along its normal
+    float size = 0.0f;   ///< at least the sum of the lengths of the half axes
+    float spread[3];     ///< how far it reaches along each axis of space
+
+    explicit FloatBox(const Rounded<OrientedBox>& box) : rounded(box) {
+        const auto& half = box.half_steps;
+        for (int i = 0; i < 3; ++i) {
+            const float* const a = half[i == 2 ? 0 : i + 1];
+            const float* const b = half[i == 0 ? 2 : i - 1];
+            for (int k = 0; k < 3; ++k) {
+                const int y = k == 2 ? 0 : k + 1, z = k == 0 ? 2 : k - 1;
+                normal[i][k] = a[y] * b[z] - a[z] * b[y];
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            face += normal[0][k] * half[0][k];
+            spread[k] = absolute(half[0][k]) + absolute(half[1][k]) + absolute(half[2][k]);
+            size += spread[k];
+        }
+        face = absolute(face);
+    }
+};
 
 /// A triangle, also one without area.
 template <>

@@ -23,6 +23,7 @@ struct Volume {
     Kernel kernel;                   ///< whether shape and triangle share a point, exactly
     LatticePlane* planes = nullptr;  ///< the shape lies behind each of them
     unsigned plane_count = 0;
+    bool planes_cull = true;  ///< whether they are compared with nodes, too
     bool bounded = true;  ///< the shape lies within the bounds; only then are these set
     /// A vertex within the bounds and this deep behind each plane is inside the shape: 0 when bounds and planes are the
     /// shape itself, unknown when what encloses it does not bound its inside.

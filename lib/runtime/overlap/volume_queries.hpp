@@ -141,7 +141,7 @@ struct VolumeShape {
     template <class Node>
     [[nodiscard]] unsigned cull(const Node& node, float, float*) const {
         unsigned mask = volume.bounded ? children_within(node, blob.bits, volume.bounds) : all_children(node);
-        for (unsigned i = 0; i < volume.plane_count && mask != 0; ++i)
+        for (unsigned i = 0; volume.planes_cull && i < volume.plane_count && mask != 0; ++i)
             mask = children_behind(node, blob.bits, volume.planes[i], mask);
         return mask;
     }

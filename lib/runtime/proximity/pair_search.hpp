@@ -136,6 +136,22 @@ struct PairShape {
     }
 };
 
+/// What of the surface is within the radius of a segment, in storage order.
+struct CapsuleShape {
+    PairShape pair;
+
+    template <class Node>
+    unsigned cull(const Node& node, float limit, float* keys) const {
+        return pair.cull(node, limit, keys);
+    }
+    template <class Leaf>
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
+        const float bound = pair.bound(triangle, answer.limit);
+        if (bound > answer.limit || pair.tighten(triangle, bound, answer.limit) > answer.limit) return Visit::next;
+        return pair.decide(leaf, slot, triangle, bound, answer);
+    }
+};
+
 #else
 
 /// Bounds on the squared distances of triangles, seen from the start of the segment or the lowest corner of the box.
@@ -168,6 +184,22 @@ public:
         const Floats3 normal = cross(subtract(t.b, t.a), subtract(t.c, t.a));
         const Floats3 between = is_box_ ? between_box(t, nearest) : between_segment(t, nearest);
         return larger(along(normal, t), along(between, t));
+    }
+
+    /// About the squared distance of a segment from the inside of the faces: where one crosses its plane or, if it does
+    /// not, is nearest to it. Infinite where that is not clearly over the face.
+    [[nodiscard]] Floats to_face(const CornersFromPoint& t) const {
+        const Floats3 ab = subtract(t.b, t.a), normal = cross(ab, subtract(t.c, t.a));
+        const Floats height = dot(normal, t.a), slope = dot(normal, way_);
+        const Floats share = smaller(larger(divide(height, slope), splat(0.0f)), splat(1.0f));
+        const Floats3 place = {multiply(share, way_.x), multiply(share, way_.y), multiply(share, way_.z)};
+        const Floats3 a = subtract(t.a, place), b = subtract(t.b, place), c = subtract(t.c, place);
+        const Floats squared_normal = dot(normal, normal);
+        const Floats least = smaller(dot(cross(a, b), normal), smaller(dot(cross(b, c), normal), dot(cross(c, a), normal)));
+        const Floats apart = dot(normal, a);
+        // A weight of the place, times the squared normal, is off by less than this share of what is multiplied.
+        const Floats slack = multiply(multiply(multiply(reach_, reach_), splat(0x1p-18f)), length_bound(normal));
+        return where_at_most(slack, least, divide(multiply(apart, apart), squared_normal), splat(infinity));
     }
 
 private:
@@ -262,18 +294,85 @@ struct PairShape {
     }
 };
 
+/// What of the surface is within the radius of a segment, by whichever points.
+struct CapsuleShape {
+    const DistantShape& shape;
+    const BlobData& blob;
+    PairBounds bounds;
+    float inner_limit;  ///< what is no farther, squared, as floats see it is within the radius
+
+    CapsuleShape(const DistantShape& of, const BlobData& in, float reach)
+        : shape(of), blob(in), bounds(of, reach), inner_limit(-1.0f) {
+        // The two points that are compared are each off by less than 2^-20 of the reach.
+        const float inner = shape.radius - reach * 0x1p-19f;
+        if (inner > 0.0f) inner_limit = inner * inner * (1.0f - 0x1p-20f);
+    }
+    template <class Node>
+    unsigned cull(const Node& node, float limit, float* keys) const {
+        return pair_test(node, shape, blob, limit, keys);
+    }
+    template <class Leaf>
+    Visit scan(const Leaf& leaf, Each& answer) const {
+        const auto candidates = with_table_groups<Leaf::max_vertices>(
+            leaf.vertex_count, [&](auto groups) { return candidates_of<groups>(leaf, answer.limit); });
+        return take_candidates(leaf, candidates, answer, [&](unsigned slot) {
+            const LatticeTriangle triangle = leaf.triangle(slot);
+            return is_within_radius(shape.segment, triangle, distance_to(shape.segment, triangle), shape.radius);
+        });
+    }
+
+private:
+    template <unsigned groups, class Leaf>
+    ESPALIER_NOINLINE OverlapCandidates<typename Leaf::Slots> candidates_of(const Leaf& leaf, float limit) const {
+        using Slots = typename Leaf::Slots;
+        OverlapCandidates<Slots> candidates;
+        for_each_group_of<groups>(leaf, shape.segment.from_steps, [&](unsigned first, const CornersFromPoint& t) {
+            const BoxesFromPoint boxes(t);
+            const Floats to_box = bounds.quick(boxes);
+            if (at_most(to_box, splat(limit)) == 0) return;
+            Floats to_sides;
+            const Floats bound = larger(bounds.tight(t, boxes, to_sides), to_box);
+            const unsigned near = at_most(bound, splat(limit));
+            unsigned inside = at_most(to_sides, splat(inner_limit));
+            if ((near & ~inside) != 0) inside |= at_most(bounds.to_face(t), splat(inner_limit));
+            candidates.near |= Slots{near} << first;
+            candidates.inside |= Slots{inside} << first;
+        });
+        candidates.near &= leaf.used_slots();
+        return candidates;
+    }
+};
+
 #endif
 
-ESPALIER_QUERY_OF_SET void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer) {
-    answer.limit = shape.radius * shape.radius * distance_slack;
+/// Returns at least the sum of the absolute coordinates of any point of the asset and of the shape, seen from its start.
+inline float reach_of(const BlobData& blob, const DistantShape& shape) {
     float reach = reach_from(blob, shape.segment.from_steps);
+    if constexpr (!small_code)
+        for (int k = 0; k < 3; ++k) reach += shape.highest[k] - shape.lowest[k];
+    return reach;
+}
+
+ESPALIER_QUERY_OF_SET void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer) {
+    answer.limit = squared_limit_of(shape);
 #if ESPALIER_SMALL_CODE
-    PairShape pair = {shape, blob, reach};
+    PairShape pair = {shape, blob, reach_of(blob, shape)};
 #else
-    for (int k = 0; k < 3; ++k) reach += shape.highest[k] - shape.lowest[k];
-    PairShape pair = {shape, blob, PairBounds(shape, reach)};
+    PairShape pair = {shape, blob, PairBounds(shape, reach_of(blob, shape))};
 #endif
     find_nearest_first(blob, pair, answer);
+}
+
+ESPALIER_QUERY_OF_SET bool find_overlaps(const BlobData& blob, const DistantShape& shape, Each& answer,
+                                         const WalkAccuracy& accuracy) {
+    answer.limit = squared_limit_of(shape);
+#if ESPALIER_SMALL_CODE
+    CapsuleShape capsule = {{shape, blob, reach_of(blob, shape)}};
+    return find_each<Answer>(blob, capsule, answer, accuracy);
+#else
+    CapsuleShape capsule(shape, blob, reach_of(blob, shape));
+    return find_each<Each>(blob, capsule, answer, accuracy);
+#endif
 }
 
 ESPALIER_END_SET

@@ -1,4 +1,4 @@
-// Bounds on the distance of triangles, in lanes.
+// Triangles of a leaf in lanes, seen from a point, and bounds on their distance.
 #ifndef ESPALIER_PROXIMITY_POINT_BOUNDS_HPP
 #define ESPALIER_PROXIMITY_POINT_BOUNDS_HPP
 
@@ -33,6 +33,35 @@ struct BoxesFromPoint {
         return sum;
     }
 };
+
+/// Calls `on_group(first slot, corners)` for a leaf's triangles, seen from a point. The table has room for the vertices
+/// of this leaf, or of `any_leaf`.
+template <unsigned groups, bool any_leaf = false, class Leaf, class OnGroup>
+ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const float* steps, OnGroup on_group) {
+    Table<groups> coordinates[3];
+    unsigned used = Table<groups>::groups_of(leaf.vertex_count);
+    if constexpr (any_leaf) {
+        used = (leaf.vertex_count + lanes - 1) / lanes;
+        for (auto& table : coordinates)
+            for (unsigned group = 0; group < groups; ++group) table.set(group, splat(0.0f));
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
+        const Floats from = splat(steps[k]);
+        for (unsigned group = 0; group < used; ++group) {
+            coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
+        }
+    }
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const auto numbers = corners.next();
+        const auto look_up = [&](const Numbers& number) {
+            return Floats3{coordinates[0].look_up(number), coordinates[1].look_up(number),
+                           coordinates[2].look_up(number)};
+        };
+        on_group(first, CornersFromPoint{look_up(numbers.a), look_up(numbers.b), look_up(numbers.c)});
+    }
+}
 
 inline Floats dot(const Floats3& a, const Floats3& b) {
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply(a.z, b.z)));

@@ -11,35 +11,6 @@
 
 ESPALIER_BEGIN_SET
 
-/// Calls `on_group(first slot, corners)` for a leaf's triangles, seen from a point. The table has room for the vertices
-/// of this leaf, or of `any_leaf`.
-template <unsigned groups, bool any_leaf = false, class Leaf, class OnGroup>
-ESPALIER_ALWAYS_INLINE inline void for_each_group_of(const Leaf& leaf, const float* steps, OnGroup on_group) {
-    Table<groups> coordinates[3];
-    unsigned used = Table<groups>::groups_of(leaf.vertex_count);
-    if constexpr (any_leaf) {
-        used = (leaf.vertex_count + lanes - 1) / lanes;
-        for (auto& table : coordinates)
-            for (unsigned group = 0; group < groups; ++group) table.set(group, splat(0.0f));
-    }
-    for (unsigned k = 0; k < 3; ++k) {
-        const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
-        const Floats from = splat(steps[k]);
-        for (unsigned group = 0; group < used; ++group) {
-            coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
-        }
-    }
-    auto corners = corners_of(leaf);
-    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        const auto numbers = corners.next();
-        const auto look_up = [&](const Numbers& number) {
-            return Floats3{coordinates[0].look_up(number), coordinates[1].look_up(number),
-                           coordinates[2].look_up(number)};
-        };
-        on_group(first, CornersFromPoint{look_up(numbers.a), look_up(numbers.b), look_up(numbers.c)});
-    }
-}
-
 template <unsigned groups, class Leaf>
 ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
                                                                                        const RoundedPoint& point) {

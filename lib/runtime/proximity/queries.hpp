@@ -45,13 +45,19 @@ struct DistantShape {
 struct DistantSegment : DistantShape {};
 struct DistantBox : DistantShape {};
 
+/// Returns the squared distance beyond which nothing is within the radius, but for what bounds round.
+inline float squared_limit_of(const DistantShape& shape) { return shape.radius * shape.radius * distance_slack; }
+
 /// Sets what follows from the rounded segment or diagonal, and from the kind of shape.
 void prepare(DistantSegment& segment) noexcept;
 void prepare(DistantBox& box) noexcept;
 
-// find_overlaps: triangles of which something is within the radius, in storage order; true when the answer stopped it.
+// find_overlaps: triangles of which something is within the radius of a point or a segment, in storage order; true when
+// the answer stopped it.
 // find_nearest: triangles within the radius as FoundNearest, the nearest first; find_nearest_pair: as FoundPair.
 ESPALIER_IN_EACH_SET(bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer,
+                                        const WalkAccuracy& accuracy);
+                     bool find_overlaps(const BlobData& blob, const DistantShape& capsule, Each& answer,
                                         const WalkAccuracy& accuracy);
                      void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer,
                                        const WalkAccuracy& accuracy);

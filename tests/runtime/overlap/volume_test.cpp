@@ -161,24 +161,6 @@ void check_real_mesh(const Mesh& mesh, Profile profile) {
         if (count >= 20) CHECK(tally.overlapping > 0);  // fewer may all be beside it
 }
 
-TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
-    std::uint64_t near = 0;
-    ask_each<ShapeMaker>(
-        small_test_blobs(), 70, scaled_share(150), [&](const TestBlob& blob, ShapeMaker& maker, std::uint64_t) {
-            const Capsule capsule = maker.capsule(maker.random().coin());
-            CAPTURE(describe(capsule));
-            detail::Rounded<Capsule> rounded;
-            if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) return;
-            for (int k = 0; k < 40; ++k) {
-                const detail::LatticeTriangle triangle = lattice_triangle(some_triangle(blob.decoded, maker.random()));
-                const auto distance = detail::distance_to(rounded.segment, triangle);
-                const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
-                REQUIRE(meets(rounded, triangle) == expected);
-                near += expected ? 1u : 0u;
-            }
-        });
-    CHECK(near > 100);
-}
 TEST_CASE("overlap: volumes of every kind equal the loop in any and all and pages") {
     check_test_blobs(small_test_blobs(), scaled_share(1'500));
     check_test_blobs(medium_test_blobs(), scaled_share(200));

@@ -87,7 +87,6 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Volume& volume,
 }
 
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<Capsule>& capsule) const {
-    // Not by the capsule's own `meets`, which spares itself distances by the bounds that the walk culls with.
     const detail::RoundedSegment& segment = capsule.segment;
     Indices found;
     for (const std::uint32_t i :
