@@ -1,12 +1,10 @@
-// Inside or outside by counting crossings: the kernel, the walk and the queries. The proof is in docs/numerics.md.
+// Inside or outside by counting crossings: the kernel and the queries. The proof is in docs/numerics.md.
 #include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
-#include <runtime/blob/duplicate_references.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/lattice/round_point.hpp>
+#include <runtime/overlap/volume.hpp>
 #include <runtime/proximity/winding.hpp>
-#include <runtime/traversal/box_nodes.hpp>
-#include <runtime/traversal/find.hpp>
 
 namespace espalier::detail {
 namespace {
@@ -31,50 +29,54 @@ int side_of(const FromRay& a, const FromRay& b, std::int64_t area) {
     return side > 0 ? 1 : side < 0 ? -1 : 0;
 }
 
-/// What the crossings of all triangles add up to; a point on one of them ends it.
-struct SumOfCrossings : Answer {
-    Winding sum;
+/// What a triangle adds.
+Winding winding_of(const WindingRay& ray, const LatticeTriangle& triangle) {
+    bool is_around = true;
+    for (int k = 0; k < 3 && is_around; ++k) {
+        const auto [low, high] = span_of(triangle, k);
+        is_around = (std::int64_t{low} << ray.fraction_bits) <= ray.origin[k] &&
+                    (std::int64_t{high} << ray.fraction_bits) >= ray.origin[k];
+    }
+    if (is_around && distance_to(relative_to(ray, triangle), ray.fraction_bits).numerator.is_zero()) return {0, true};
+    return {crossing(ray, triangle), false};
+}
 
-    Visit take(const Winding& of_triangle) {
-        sum.number += of_triangle.number;
-        sum.on_surface = of_triangle.on_surface;
-        return sum.on_surface ? Visit::stop : Visit::next;
+/// The way from the point out of the asset, as a volume: it overlaps the triangles that add something.
+struct WayOut : Volume {
+    const WindingRay& ray;
+
+    explicit WayOut(const WindingRay& along)
+        : Volume([](const Volume& way, const LatticeTriangle& triangle) {
+              const Winding winding = winding_of(static_cast<const WayOut&>(way).ray, triangle);
+              return winding.on_surface || winding.number != 0;
+          }),
+          ray(along) {
+        for (int k = 0; k < 3; ++k) {  // what holds a point between two lattice planes reaches to both
+            bounds.low[k] = static_cast<std::int32_t>(-(-ray.origin[k] >> ray.fraction_bits));
+            bounds.high[k] = static_cast<std::int32_t>(ray.origin[k] >> ray.fraction_bits);
+        }
+        const int axis = ray.direction.axis;
+        if (ray.direction.up) bounds.high[axis] = bounds_limit;
+        else bounds.low[axis] = -bounds_limit;
     }
 };
 
-struct WindingShape {
-    const BlobData& blob;
+constexpr auto none = [](TriangleId) { return Visit::next; };
+constexpr TriangleVisitor visits_none(none);
+
+/// What the crossings of all triangles add up to; a point on one of them ends it.
+struct SumOfCrossings : Each {
     const WindingRay& ray;
-    const IntegerBounds& way;
+    Winding sum;
 
-    template <class Node>
-    unsigned cull(const Node& node, float, float*) const {
-        return children_within(node, blob.bits, way);
-    }
-    template <class Leaf>
-    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, SumOfCrossings& answer) const {
-        bool is_around = true;
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = span_of(triangle, k);
-            if (low > way.high[k] || high < way.low[k]) return Visit::next;
-            is_around = is_around && (std::int64_t{low} << ray.fraction_bits) <= ray.origin[k] &&
-                        (std::int64_t{high} << ray.fraction_bits) >= ray.origin[k];
-        }
-        if (is_around && distance_to(relative_to(ray, triangle), ray.fraction_bits).numerator.is_zero())
-            return answer.take({0, true});
-        const Winding winding = {crossing(ray, triangle), false};
-        if constexpr (Leaf::may_have_duplicates) {
-            const std::uint32_t index = scalar::storage_index(leaf, slot);
-            if (winding.number != 0 && is_duplicate_reference(blob, index) && !is_first(index)) return Visit::next;
-        }
-        return answer.take(winding);
-    }
-
-private:
-    [[nodiscard]] bool is_first(std::uint32_t index) const {
-        return is_first_reference(blob, index, [&](const PlainNode& node, unsigned children) {
-            return children_within(node, blob.bits, way) & children;
-        });
+    SumOfCrossings(const BlobData& of, const WindingRay& along) : Each(of, visits_none), ray(along) {
+        on_triangle = [](Each& self, std::uint32_t, const LatticeTriangle& triangle) {
+            auto& own = static_cast<SumOfCrossings&>(self);
+            const Winding winding = winding_of(own.ray, triangle);
+            own.sum.number += winding.number;
+            own.sum.on_surface = winding.on_surface;
+            return winding.on_surface ? Visit::stop : Visit::next;
+        };
     }
 };
 
@@ -113,18 +115,10 @@ bool shortest_way_out(const BlobData& blob, const RoundedPoint& point, WindingRa
 }
 
 Winding winding_number(const BlobData& blob, const WindingRay& ray) noexcept {
-    IntegerBounds way;
-    for (int k = 0; k < 3; ++k) {  // what holds a point between two lattice planes reaches to both
-        way.low[k] = static_cast<std::int32_t>(-(-ray.origin[k] >> ray.fraction_bits));
-        way.high[k] = static_cast<std::int32_t>(ray.origin[k] >> ray.fraction_bits);
-    }
-    const int axis = ray.direction.axis;
-    if (ray.direction.up) way.high[axis] = bounds_limit;
-    else way.low[axis] = -bounds_limit;
-    WindingShape shape = {blob, ray, way};
-    SumOfCrossings answer;
-    scalar::find_in_order(blob, shape, answer);
-    return answer.sum;
+    const WayOut way(ray);
+    SumOfCrossings crossings(blob, ray);
+    find_overlaps_of_volume(blob, way, crossings, exactly);
+    return crossings.sum;
 }
 
 Winding winding_around(const BlobData& blob, const Vec3& point) noexcept {
