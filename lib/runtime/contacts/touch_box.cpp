@@ -64,18 +64,60 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
     }
 }
 
-/// Returns the nearest points of the box, moved by that much, and the triangle; they share no inner point.
-NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen) {
-    const float scale = power_of_two(-box.fraction_bits);
-    NearestPair nearest;
-    for (unsigned i = 0; i < 3; ++i) try_corner(box, moved, seen, i, nearest);
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        Vec3 p = moved;
-        for (unsigned i = 0; i < 3; ++i) p = p + box.half[i] * ((corner >> i & 1u) != 0 ? 1.0f : -1.0f);
-        try_vertex(p, seen, nearest);
+/// Which parts of a box and a triangle may be nearest: bounds on their distances from a direction and from the box's
+/// size, beside how near a corner of the box is. Most pairs of an edge and a side are too far, and take longest.
+struct NearParts {
+    Vec3 vertex[8];  ///< of the moved box
+    bool has_near_vertex[8];
+    bool has_near_corner[3], has_near_side[3];
+
+    NearParts(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
+        NearestPair known;
+        float at[8], low = infinity;
+        for (unsigned i = 0; i < 8; ++i) {
+            vertex[i] = moved;
+            for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
+            try_vertex(vertex[i], seen, known);
+            at[i] = dot(way, vertex[i]);
+            low = minimum(at[i], low);
+        }
+        const float rounding = (box.size + largest(moved) + seen.reach()) * 0x1p-17f;
+        const float most = square_root(known.squared) + rounding;
+        float to_corner[3], high = -infinity;
         for (unsigned i = 0; i < 3; ++i) {
-            if ((corner >> i & 1u) != 0) continue;
+            to_corner[i] = dot(way, seen.corner[i]);
+            high = maximum(to_corner[i], high);
+        }
+        const auto reaches = [&](const Vec3& place) {
+            const Vec3 from_middle = place - moved;
+            const float far = box.size + most;
+            return dot(from_middle, from_middle) <= far * far * (1.0f + 0x1p-18f);
+        };
+        for (unsigned i = 0; i < 8; ++i) has_near_vertex[i] = at[i] - high <= most;
+        for (unsigned i = 0; i < 3; ++i) {
+            Feature feature = Feature::face;
+            has_near_corner[i] = low - to_corner[i] <= most && reaches(seen.corner[i]);
+            has_near_side[i] = reaches(nearest_on_side(seen, i, moved, feature));
+        }
+    }
+};
+
+/// Returns the nearest points of the box, moved by that much, and the triangle; they share no inner point. `way` is any
+/// unit vector from the triangle to the box: the better it separates them, the less is tried.
+NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
+    const float scale = power_of_two(-box.fraction_bits);
+    const NearParts near(box, moved, seen, way);
+    NearestPair nearest;
+    for (unsigned i = 0; i < 3; ++i)
+        if (near.has_near_corner[i]) try_corner(box, moved, seen, i, nearest);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const Vec3& p = near.vertex[corner];
+        if (near.has_near_vertex[corner]) try_vertex(p, seen, nearest);
+        for (unsigned i = 0; i < 3; ++i) {
+            if ((corner >> i & 1u) != 0 || !(near.has_near_vertex[corner] || near.has_near_vertex[corner | 1u << i]))
+                continue;
             for (unsigned side = 0; side < 3; ++side) {
+                if (!near.has_near_side[side]) continue;
                 const Vec3 across = to_vector(cross(box.units[i], seen.side[side])) * (2.0f * scale);
                 try_edge(p, box.half[i] * 2.0f, across, seen, side, nearest);
             }
@@ -135,7 +177,7 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     Separation separation;
     separate(box, seen, separation);
     if (separation.gap > reach) return;
-    const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(box, moved, seen); };
+    const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(box, moved, seen, separation.normal); };
     FirstPlace first(separation, box.size + seen.reach(), find_nearest);
     if (first.distance > reach) return;
     touches.nearest = first.distance;
