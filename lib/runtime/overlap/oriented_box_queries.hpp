@@ -24,23 +24,23 @@ inline unsigned children_meeting(const Node& node, const FloatBox& box, const Bl
     const auto boxes = boxes_of(node, blob);
     unsigned meeting = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
-        Floats middle[3], size[3];  // twice as large as they should be
+        Floats middle[3], size[3], reach = splat(box.size);  // twice as large as they should be
         for (int k = 0; k < 3; ++k) {
             const Floats low = boxes.low(k, first), high = boxes.high(k, first), center = splat(box.rounded.center_steps[k]);
             middle[k] = add(subtract(low, center), subtract(high, center));
             size[k] = subtract(high, low);
+            reach = add(add(magnitude(middle[k]), size[k]), reach);
         }
+        const Floats slack = multiply(reach, splat(box.size * box.size * 0x1p-19f));
         Floats beyond = splat(-infinity);
         for (const auto& normal : box.normal) {
-            Floats apart = splat(0.0f), covered = splat(0.0f), reach = splat(0.0f);
+            Floats apart = splat(0.0f), covered = splat(2.0f * box.face);
             for (int k = 0; k < 3; ++k) {
-                const Floats along = splat(normal[k]), length = magnitude(along);
+                const Floats along = splat(normal[k]);
                 apart = multiply_add(along, middle[k], apart);
-                covered = multiply_add(length, size[k], covered);
-                reach = multiply_add(length, magnitude(middle[k]), reach);
+                covered = multiply_add(magnitude(along), size[k], covered);
             }
-            const Floats slack = multiply(add(add(reach, covered), splat(box.size * box.size * box.size)), splat(0x1p-18f));
-            beyond = larger(subtract(subtract(magnitude(apart), add(covered, splat(2.0f * box.face))), slack), beyond);
+            beyond = larger(subtract(subtract(magnitude(apart), covered), slack), beyond);
         }
         meeting |= at_most(beyond, splat(0.0f)) << first;
     }
@@ -113,7 +113,8 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
         for (int k = 0; k < 3; ++k)
             beyond = larger(subtract(larger(around.low[k], negate(around.high[k])), splat(box.spread[k])), beyond);
         const Floats reach = around.reach();
-        if (at_most(beyond, multiply(add(reach, splat(box.size)), splat(0x1p-20f))) == 0) return;
+        beyond = subtract(beyond, multiply(add(reach, splat(box.size)), splat(0x1p-20f)));
+        if (at_most(beyond, splat(0.0f)) == 0) return;
         const AxisGaps gaps = gaps_of(box, t, reach);
         candidates.near |= Slots{at_most(larger(gaps.least, beyond), splat(0.0f))} << first;
         candidates.inside |= Slots{at_most(gaps.most, splat(0.0f))} << first;

@@ -186,21 +186,25 @@ public:
         return larger(along(normal, t), along(between, t));
     }
 
-    /// About the squared distance of a segment from the inside of the faces: where one crosses its plane or, if it does
-    /// not, is nearest to it. Infinite where that is not clearly over the face.
-    [[nodiscard]] Floats to_face(const CornersFromPoint& t) const {
-        const Floats3 ab = subtract(t.b, t.a), normal = cross(ab, subtract(t.c, t.a));
-        const Floats height = dot(normal, t.a), slope = dot(normal, way_);
-        const Floats share = smaller(larger(divide(height, slope), splat(0.0f)), splat(1.0f));
+    /// Returns the triangles whose face is surely within the radius of a segment: the point of the segment that is
+    /// nearest to the plane is over the face, and no farther (docs/numerics.md, *Capsules in lanes*).
+    [[nodiscard]] unsigned within_over_face(const CornersFromPoint& t, Floats reach, float radius) const {
+        const Floats3 ab = subtract(t.b, t.a), ac = subtract(t.c, t.a), normal = cross(ab, ac);
+        const Floats share = smaller(larger(divide(dot(normal, t.a), dot(normal, way_)), splat(0.0f)), splat(1.0f));
         const Floats3 place = {multiply(share, way_.x), multiply(share, way_.y), multiply(share, way_.z)};
         const Floats3 a = subtract(t.a, place), b = subtract(t.b, place), c = subtract(t.c, place);
-        const Floats squared_normal = dot(normal, normal);
-        const Floats least = smaller(dot(cross(a, b), normal), smaller(dot(cross(b, c), normal), dot(cross(c, a), normal)));
-        const Floats apart = dot(normal, a);
-        // A weight of the place, times the squared normal, is off by less than this share of what is multiplied.
-        const Floats slack = multiply(multiply(multiply(reach_, reach_), splat(0x1p-18f)), length_bound(normal));
-        return where_at_most(slack, least, divide(multiply(apart, apart), squared_normal), splat(infinity));
+        const Floats least =
+            smaller(dot(cross(a, b), normal), smaller(dot(cross(b, c), normal), dot(cross(c, a), normal)));
+        // What the normal may be off by, times 2^20; and its own size.
+        const Floats doubt = multiply(add(length_bound(ab), length_bound(ac)), reach), size = length_bound(normal);
+        const Floats weight = multiply(multiply(multiply(reach, reach), splat(0x1p-18f)), add(size, doubt));
+        const Floats rounding = add(multiply(reach, size), multiply(add(reach, splat(radius)), doubt));
+        const Floats apart = add(magnitude(dot(normal, a)), multiply(rounding, splat(0x1p-19f)));
+        const Floats most = multiply(dot(normal, normal), splat(radius * radius * (1.0f - 0x1p-20f)));
+        return at_most(weight, least) & at_most(multiply(apart, apart), most);
     }
+    /// At least the sum of the absolute coordinates of any point of the segment or the box.
+    [[nodiscard]] Floats length() const { return length_bound(way_); }
 
 private:
     static Floats share_of(Floats part, Floats whole, float least) {
@@ -299,14 +303,8 @@ struct CapsuleShape {
     const DistantShape& shape;
     const BlobData& blob;
     PairBounds bounds;
-    float inner_limit;  ///< what is no farther, squared, as floats see it is within the radius
 
-    CapsuleShape(const DistantShape& of, const BlobData& in, float reach)
-        : shape(of), blob(in), bounds(of, reach), inner_limit(-1.0f) {
-        // The two points that are compared are each off by less than 2^-20 of the reach.
-        const float inner = shape.radius - reach * 0x1p-19f;
-        if (inner > 0.0f) inner_limit = inner * inner * (1.0f - 0x1p-20f);
-    }
+    CapsuleShape(const DistantShape& of, const BlobData& in, float reach) : shape(of), blob(in), bounds(of, reach) {}
     template <class Node>
     unsigned cull(const Node& node, float limit, float* keys) const {
         return pair_test(node, shape, blob, limit, keys);
@@ -333,8 +331,11 @@ private:
             Floats to_sides;
             const Floats bound = larger(bounds.tight(t, boxes, to_sides), to_box);
             const unsigned near = at_most(bound, splat(limit));
-            unsigned inside = at_most(to_sides, splat(inner_limit));
-            if ((near & ~inside) != 0) inside |= at_most(bounds.to_face(t), splat(inner_limit));
+            // The two points that are compared are off by less than half of what is subtracted.
+            const Floats reach = add(boxes.reach(), bounds.length());
+            const Floats inner = larger(subtract(splat(shape.radius), multiply(reach, splat(0x1p-19f))), splat(0.0f));
+            unsigned inside = at_most(to_sides, subtract(multiply(multiply(inner, inner), splat(1.0f - 0x1p-20f)), splat(0x1p-60f)));
+            if ((near & ~inside) != 0) inside |= bounds.within_over_face(t, reach, shape.radius);
             candidates.near |= Slots{near} << first;
             candidates.inside |= Slots{inside} << first;
         });
