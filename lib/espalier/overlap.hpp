@@ -23,8 +23,8 @@ struct WalkAccuracy;
 using FindOverlaps = QueryStatus (*)(const BlobData& blob, const void* shape, Each& answer,
                                      const WalkAccuracy& accuracy);
 
-/// Rounds a shape and finds the triangles that overlap it. Each shape is defined in a file of its own in
-/// lib/runtime/overlap, so that a program links only those it uses.
+/// Rounds a shape and finds the triangles that overlap it. Shapes are defined in files of lib/runtime/overlap, so that
+/// a program links only those it uses.
 template <OverlapShape Shape>
 QueryStatus find_overlaps_of(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy);
 template <>

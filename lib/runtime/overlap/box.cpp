@@ -16,7 +16,7 @@ void set_sides(Rounded<Box>& box, int k, std::int64_t low, std::int64_t high) {
     box.half[k] = high - low;
     box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
     box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
-    box.depth_inside = 0;
+    box.is_enclosure = true;
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ QueryStatus round_volume(const BlobData& blob, const ConvexVolume& local, Rounde
         set.add_plane(rounded);
     }
     set.bounded = false;
-    set.depth_inside = 0;
+    set.is_enclosure = true;
     return is_empty ? QueryStatus::not_found : QueryStatus::ok;
 }
 

@@ -1,13 +1,14 @@
 // How most shapes find what they overlap: the file of each shape instantiates it.
 #pragma once
 
-#include <runtime/overlap/volume.hpp>
+#include <runtime/traversal/volume.hpp>
 
 namespace espalier::detail {
 
 /// Returns stopped if the answer stopped it.
 template <OverlapShape Shape>
-QueryStatus find_overlaps_in_volume(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy) {
+QueryStatus find_overlaps_in_volume(const BlobData& blob, const void* shape, Each& answer,
+                                    const WalkAccuracy& accuracy) {
     Rounded<Shape> volume;
     const QueryStatus status = round_volume(blob, *static_cast<const Shape*>(shape), volume);
     if (status == QueryStatus::not_found) return QueryStatus::ok;

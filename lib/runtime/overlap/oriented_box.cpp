@@ -43,14 +43,14 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded
     const QueryStatus status = round_half_axes(blob, local, box);
     if (status != QueryStatus::ok) return status;
     add_faces(box);
-    std::int64_t size = 0;
-    for (const Integer3& half : box.half) size += sum_of_magnitudes(half);
-    // Planes are off by up to 2 size + 1 units.
-    for (const WideVector& face : box.face)
-        for (const WideVector& normal : {face, -face})
-            box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
-    box.planes_cull = blob.copies == nullptr;  // as in oriented_box_queries.hpp
-    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
+    if constexpr (small_code) {
+        std::int64_t size = 0;
+        for (const Integer3& half : box.half) size += sum_of_magnitudes(half);
+        for (const WideVector& face : box.face)
+            for (const WideVector& normal : {face, -face})
+                box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
+        box.planes_cull = blob.copies == nullptr;  // as in oriented_box_queries.hpp
+    }
     return QueryStatus::ok;
 }
 
@@ -146,7 +146,8 @@ QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shap
     const QueryStatus status = round_half_axes(blob, *static_cast<const OrientedBox*>(shape), box);
     if (status == QueryStatus::not_found) return QueryStatus::ok;
     if (status != QueryStatus::ok || blob.triangle_count == 0) return status;
-    return ESPALIER_DISPATCH(find_overlaps_of_box, blob, box, answer, accuracy) ? QueryStatus::stopped : QueryStatus::ok;
+    const bool is_stopped = ESPALIER_DISPATCH(find_overlaps_of_box, blob, box, answer, accuracy);
+    return is_stopped ? QueryStatus::stopped : QueryStatus::ok;
 #endif
 }
 

@@ -1,6 +1,6 @@
 // Oriented boxes against nodes and triangles in lanes: separating axes in float, with bounds on what they round
-// (docs/numerics.md, *Volumes in lanes*). What these leave open is decided by the exact kernel, whose products of 128
-// bits take a hundred times as long.
+// (docs/numerics.md, *Oriented boxes in lanes*). What these leave open is decided by the exact kernel, whose products
+// of 128 bits take a hundred times as long.
 #ifndef ESPALIER_OVERLAP_ORIENTED_BOX_QUERIES_HPP
 #define ESPALIER_OVERLAP_ORIENTED_BOX_QUERIES_HPP
 
@@ -26,7 +26,8 @@ inline unsigned children_meeting(const Node& node, const FloatBox& box, const Bl
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
         Floats middle[3], size[3], reach = splat(box.size);  // twice as large as they should be
         for (int k = 0; k < 3; ++k) {
-            const Floats low = boxes.low(k, first), high = boxes.high(k, first), center = splat(box.rounded.center_steps[k]);
+            const Floats low = boxes.low(k, first), high = boxes.high(k, first),
+                         center = splat(box.rounded.center_steps[k]);
             middle[k] = add(subtract(low, center), subtract(high, center));
             size[k] = subtract(high, low);
             reach = add(add(magnitude(middle[k]), size[k]), reach);
@@ -96,8 +97,8 @@ inline AxisGaps gaps_of(const FloatBox& box, const CornersFromPoint& t, Floats r
         for (int i = 0; i < 3; ++i) side[i] = magnitude(subtract(at[i][next], at[i][j]));
         for (int i = 0; i < 3; ++i) {
             const Floats end = dot(half[i], moment), third = add(end, along[i]);
-            gaps.add_axis(smaller(end, third), larger(end, third), add(side[i == 2 ? 0 : i + 1], side[i == 0 ? 2 : i - 1]),
-                          slack_across);
+            gaps.add_axis(smaller(end, third), larger(end, third),
+                          add(side[i == 2 ? 0 : i + 1], side[i == 0 ? 2 : i - 1]), slack_across);
         }
     }
     return gaps;

@@ -6,7 +6,7 @@
 
 #include <espalier/advanced/lattice.hpp>
 #include <espalier/shapes.hpp>
-#include <runtime/overlap/volume.hpp>
+#include <runtime/traversal/volume.hpp>
 #include <runtime/proximity/queries.hpp>
 
 namespace espalier::detail {
@@ -44,7 +44,7 @@ QueryStatus round_volume(const BlobData& blob, const ConvexVolume& local, Rounde
 /// with a, b, c in [-1, 1]. The kernel tries separating axes in integers (Gottschalk, Lin and Manocha 1996), completed
 /// for shapes without volume (docs/numerics.md).
 template <>
-struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
+struct Rounded<OrientedBox> : VolumeOf<OrientedBox, small_code ? 6 : 0> {
     int fraction_bits;  ///< 0..6; what follows is in units of 2^-fraction_bits steps
     Integer3 center;
     Integer3 half[3];
@@ -54,7 +54,7 @@ struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
     WideVector face[3];  ///< normals of the faces: products of two half axes
     Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
 };
-/// Rounds all but the faces, and add_faces() those; round_volume() does both, and adds planes.
+/// Rounds all but the faces, and add_faces() those; round_volume() does both and, in small code, adds planes.
 QueryStatus round_half_axes(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;
 void add_faces(Rounded<OrientedBox>& box) noexcept;
 QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;

@@ -27,35 +27,6 @@ Visit NearestFew::take_found(Answer& self, const Found& found) {
     return Visit::next;
 }
 
-namespace {
-
-void prepare(DistantShape& shape, bool is_box) {
-    const RoundedSegment& segment = shape.segment;
-    shape.is_box = is_box;
-    shape.distance_to = distance_to;
-    shape.is_within_radius = is_within_radius;
-    if (is_box) shape.distance_to = distance_to_box, shape.is_within_radius = is_within_radius_of_box;
-    float along[3];
-    for (int k = 0; k < 3; ++k) {
-        along[k] = is_box ? 0.0f : to_float(segment.to[k] - segment.from[k]);
-        shape.lowest[k] = minimum(segment.from_steps[k], segment.to_steps[k]);
-        shape.highest[k] = maximum(segment.from_steps[k], segment.to_steps[k]);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
-        const float squared = along[y] * along[y] + along[z] * along[z];
-        const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
-        shape.across[axis][axis] = 0.0f;
-        shape.across[axis][y] = along[z] * inverse;
-        shape.across[axis][z] = -along[y] * inverse;
-    }
-}
-
-}  // namespace
-
-void prepare(DistantSegment& segment) noexcept { prepare(segment, false); }
-void prepare(DistantBox& box) noexcept { prepare(box, true); }
-
 }  // namespace detail
 
 using namespace detail;

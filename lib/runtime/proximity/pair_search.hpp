@@ -1,6 +1,5 @@
-// Closest points to segments and boxes: bounds of nodes and triangles in lanes, and the query. Bounds only ever reject
-// (small cores have others); what they leave open is decided by segment_triangle.hpp and
-// triangle_distance.hpp.
+// Closest points to segments and boxes, and overlaps of capsules: bounds of nodes and triangles in lanes (small cores
+// have others), and the queries. What they leave open is decided by segment_triangle.hpp and triangle_distance.hpp.
 #ifndef ESPALIER_PROXIMITY_PAIR_SEARCH_HPP
 #define ESPALIER_PROXIMITY_PAIR_SEARCH_HPP
 
@@ -145,10 +144,14 @@ struct CapsuleShape {
         return pair.cull(node, limit, keys);
     }
     template <class Leaf>
-    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Each& answer) const {
         const float bound = pair.bound(triangle, answer.limit);
         if (bound > answer.limit || pair.tighten(triangle, bound, answer.limit) > answer.limit) return Visit::next;
-        return pair.decide(leaf, slot, triangle, bound, answer);
+        count_decision();
+        const DistantShape& shape = pair.shape;
+        if (!is_within_radius(shape.segment, triangle, distance_to(shape.segment, triangle), shape.radius))
+            return Visit::next;
+        return answer.take(found_at(leaf, storage_index(leaf, slot)), leaf, slot);
     }
 };
 
@@ -200,8 +203,10 @@ public:
         const Floats weight = multiply(multiply(multiply(reach, reach), splat(0x1p-18f)), add(size, doubt));
         const Floats rounding = add(multiply(reach, size), multiply(add(reach, splat(radius)), doubt));
         const Floats apart = add(magnitude(dot(normal, a)), multiply(rounding, splat(0x1p-19f)));
-        const Floats most = multiply(dot(normal, normal), splat(radius * radius * (1.0f - 0x1p-20f)));
-        return at_most(weight, least) & at_most(multiply(apart, apart), most);
+        // Finite, so that what overflows is not accepted; and a triangle that is a point has no face.
+        const Floats most =
+            smaller(multiply(dot(normal, normal), splat(radius * radius * (1.0f - 0x1p-20f))), splat(0x1.fffffep127f));
+        return at_most(larger(weight, splat(0x1p-60f)), least) & at_most(multiply(apart, apart), most);
     }
     /// At least the sum of the absolute coordinates of any point of the segment or the box.
     [[nodiscard]] Floats length() const { return length_bound(way_); }
@@ -314,6 +319,7 @@ struct CapsuleShape {
         const auto candidates = with_table_groups<Leaf::max_vertices>(
             leaf.vertex_count, [&](auto groups) { return candidates_of<groups>(leaf, answer.limit); });
         return take_candidates(leaf, candidates, answer, [&](unsigned slot) {
+            count_decision();
             const LatticeTriangle triangle = leaf.triangle(slot);
             return is_within_radius(shape.segment, triangle, distance_to(shape.segment, triangle), shape.radius);
         });
@@ -334,7 +340,8 @@ private:
             // The two points that are compared are off by less than half of what is subtracted.
             const Floats reach = add(boxes.reach(), bounds.length());
             const Floats inner = larger(subtract(splat(shape.radius), multiply(reach, splat(0x1p-19f))), splat(0.0f));
-            unsigned inside = at_most(to_sides, subtract(multiply(multiply(inner, inner), splat(1.0f - 0x1p-20f)), splat(0x1p-60f)));
+            const Floats inner_limit = multiply(multiply(inner, inner), splat(1.0f - 0x1p-20f));
+            unsigned inside = at_most(to_sides, subtract(inner_limit, splat(0x1p-60f)));
             if ((near & ~inside) != 0) inside |= bounds.within_over_face(t, reach, shape.radius);
             candidates.near |= Slots{near} << first;
             candidates.inside |= Slots{inside} << first;
@@ -346,7 +353,8 @@ private:
 
 #endif
 
-/// Returns at least the sum of the absolute coordinates of any point of the asset and of the shape, seen from its start.
+/// Returns at least the sum of the absolute coordinates of any point of the asset and of the shape, seen from its
+/// start.
 inline float reach_of(const BlobData& blob, const DistantShape& shape) {
     float reach = reach_from(blob, shape.segment.from_steps);
     if constexpr (!small_code)
@@ -369,7 +377,7 @@ ESPALIER_QUERY_OF_SET bool find_overlaps(const BlobData& blob, const DistantShap
     answer.limit = squared_limit_of(shape);
 #if ESPALIER_SMALL_CODE
     CapsuleShape capsule = {{shape, blob, reach_of(blob, shape)}};
-    return find_each<Answer>(blob, capsule, answer, accuracy);
+    return find_each<Each>(blob, capsule, answer, accuracy);
 #else
     CapsuleShape capsule(shape, blob, reach_of(blob, shape));
     return find_each<Each>(blob, capsule, answer, accuracy);

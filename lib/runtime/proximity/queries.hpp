@@ -49,18 +49,37 @@ struct DistantBox : DistantShape {};
 inline float squared_limit_of(const DistantShape& shape) { return shape.radius * shape.radius * distance_slack; }
 
 /// Sets what follows from the rounded segment or diagonal, and from the kind of shape.
-void prepare(DistantSegment& segment) noexcept;
-void prepare(DistantBox& box) noexcept;
+ESPALIER_SHARED_CODE inline void prepare(DistantShape& shape, bool is_box) {
+    const RoundedSegment& segment = shape.segment;
+    shape.is_box = is_box;
+    shape.distance_to = distance_to;
+    shape.is_within_radius = is_within_radius;
+    if (is_box) shape.distance_to = distance_to_box, shape.is_within_radius = is_within_radius_of_box;
+    float along[3];
+    for (int k = 0; k < 3; ++k) {
+        along[k] = is_box ? 0.0f : to_float(segment.to[k] - segment.from[k]);
+        shape.lowest[k] = minimum(segment.from_steps[k], segment.to_steps[k]);
+        shape.highest[k] = maximum(segment.from_steps[k], segment.to_steps[k]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
+        const float squared = along[y] * along[y] + along[z] * along[z];
+        const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
+        shape.across[axis][axis] = 0.0f;
+        shape.across[axis][y] = along[z] * inverse;
+        shape.across[axis][z] = -along[y] * inverse;
+    }
+}
+inline void prepare(DistantSegment& segment) { prepare(segment, false); }
+inline void prepare(DistantBox& box) { prepare(box, true); }
 
 // find_overlaps: triangles of which something is within the radius of a point or a segment, in storage order; true when
 // the answer stopped it.
 // find_nearest: triangles within the radius as FoundNearest, the nearest first; find_nearest_pair: as FoundPair.
-ESPALIER_IN_EACH_SET(bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer,
-                                        const WalkAccuracy& accuracy);
-                     bool find_overlaps(const BlobData& blob, const DistantShape& capsule, Each& answer,
-                                        const WalkAccuracy& accuracy);
-                     void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer,
-                                       const WalkAccuracy& accuracy);
-                     void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer);)
+ESPALIER_IN_EACH_SET(
+    bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy);
+    bool find_overlaps(const BlobData& blob, const DistantShape& capsule, Each& answer, const WalkAccuracy& accuracy);
+    void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy);
+    void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer);)
 
 }  // namespace espalier::detail

@@ -3,7 +3,7 @@
 #include <espalier/ray.hpp>
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/lattice/round_point.hpp>
-#include <runtime/overlap/volume.hpp>
+#include <runtime/traversal/volume.hpp>
 #include <runtime/proximity/winding.hpp>
 
 namespace espalier::detail {

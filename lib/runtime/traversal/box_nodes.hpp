@@ -181,17 +181,16 @@ inline unsigned children_behind(const PlainNode& node, unsigned bits, const Latt
     return behind;
 }
 
-/// Whether the whole box of a child is that deep in the half-space.
+/// Whether the whole box of a child is in the half-space.
 template <class Node>
-inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, const LatticePlane& plane,
-                             std::int64_t depth) {
+inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, const LatticePlane& plane) {
     std::int64_t reached = 0;
     for (int k = 0; k < 3; ++k) {
         const std::int64_t along = plane.normal[k];
         // mutant(< -> <=) equivalent: an axis along which the normal is 0 adds nothing from either plane
         reached += along * (along < 0 ? node.low(k, child, bits) : node.high(k, child, bits));
     }
-    return reached <= plane.offset - depth;
+    return reached <= plane.offset;
 }
 
 }  // namespace espalier::detail

@@ -56,17 +56,19 @@ TEST_CASE("kernel: a box that touches a half-space overlaps it and is inside up 
             CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
             plane.offset = low - 1;
             CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
-            plane.offset = high + 5;
-            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
-            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
+            plane.offset = high;
+            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane));
+            plane.offset = high - 1;
+            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane));
             plane.normal[k] = -1;
             plane.offset = -high;
             CHECK(detail::children_behind(child.node, bits, plane, 1) == 1);
             plane.offset = -high - 1;
             CHECK(detail::children_behind(child.node, bits, plane, 1) == 0);
-            plane.offset = -low + 5;
-            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane, 5));
-            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane, 6));
+            plane.offset = -low;
+            CHECK(detail::is_wholly_behind(child.node, bits, 0, plane));
+            plane.offset = -low - 1;
+            CHECK_FALSE(detail::is_wholly_behind(child.node, bits, 0, plane));
         }
     });
 }

@@ -1,10 +1,10 @@
-// The walk that the shapes of overlap/ share. Lanes reject the triangles beyond one side of the shape, and accept those
+// The walk that most shapes share. Lanes reject the triangles beyond one side of the shape, and accept those
 // with a corner inside of it; the kernel of the shape decides on the others.
-#ifndef ESPALIER_OVERLAP_VOLUME_QUERIES_HPP
-#define ESPALIER_OVERLAP_VOLUME_QUERIES_HPP
+#ifndef ESPALIER_TRAVERSAL_VOLUME_QUERIES_HPP
+#define ESPALIER_TRAVERSAL_VOLUME_QUERIES_HPP
 
 #include <runtime/lanes/set.hpp>
-#include <runtime/overlap/volume.hpp>
+#include <runtime/traversal/volume.hpp>
 #include <runtime/traversal/find.hpp>
 
 ESPALIER_BEGIN_SET
@@ -19,16 +19,15 @@ struct Sides {
     static constexpr unsigned above(unsigned k) { return below(k) + 1; }
 };
 
-/// Returns the sides that do not have all vertices of a leaf deep inside of them: all sides, where vertices may lie
+/// Returns the sides that do not have all vertices of a leaf inside of them: all sides, where vertices may lie
 /// outside of the leaf's box.
 template <class Leaf>
 inline std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
     const unsigned bits = leaf.blob->bits;
-    const std::int64_t depth = volume.depth_inside == Volume::unknown ? 0 : volume.depth_inside;
     const bool in_box = !Leaf::may_have_duplicates || leaf.blob->copies == nullptr;
     std::uint32_t sides = 0;
     for (unsigned i = 0; i < volume.plane_count; ++i)
-        if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i], depth)) sides |= 1u << i;
+        if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i])) sides |= 1u << i;
     if (!volume.bounded) return sides;
     for (unsigned i = 0; i < 3; ++i) {
         const auto k = static_cast<int>(i);
@@ -42,9 +41,9 @@ inline std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
 struct PlaneInLanes {
     Floats normal[3];
     Floats beyond;  ///< a vertex that reaches farther is beyond the plane
-    Floats inside;  ///< a vertex that reaches no farther is deep enough behind it
+    Floats inside;  ///< a vertex that reaches no farther is behind it
 
-    PlaneInLanes(const LatticePlane& plane, std::int64_t depth, unsigned bits) {
+    PlaneInLanes(const LatticePlane& plane, unsigned bits) {
         float length = 0.0f;
         for (int k = 0; k < 3; ++k) {
             const auto along = static_cast<float>(plane.normal[k]);
@@ -52,9 +51,10 @@ struct PlaneInLanes {
             length += absolute(along);
         }
         const float most = length * power_of_two(static_cast<int>(bits));
-        const auto outer = static_cast<float>(plane.offset), inner = static_cast<float>(plane.offset - depth);
-        beyond = splat(outer + (most + absolute(outer)) * 0x1p-21f);
-        inside = splat(inner - (most + absolute(inner)) * 0x1p-21f);
+        const auto offset = static_cast<float>(plane.offset);
+        const float rounding = (most + absolute(offset)) * 0x1p-21f;
+        beyond = splat(offset + rounding);
+        inside = splat(offset - rounding);
     }
     [[nodiscard]] Floats reach_of(const Floats* at) const {
         return multiply_add(at[0], normal[0], multiply_add(at[1], normal[1], multiply(at[2], normal[2])));
@@ -74,7 +74,7 @@ template <unsigned groups, class Leaf>
 ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(const Leaf& leaf, const Volume& volume,
                                                                                std::uint32_t matter) {
     using Slots = typename Leaf::Slots;
-    const bool has_inside = volume.depth_inside != Volume::unknown;
+    const bool has_inside = volume.is_enclosure;
     const std::uint32_t planes = volume.bounded ? matter & Sides::planes : matter;
     PairTable<groups> beyond, outside;
     for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
@@ -93,7 +93,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
             const Floats places[3] = {to_floats(at[0]), to_floats(at[1]), to_floats(at[2])};
             for (std::uint32_t left = planes; left != 0; left &= left - 1) {
                 const auto i = static_cast<unsigned>(std::countr_zero(left));
-                const PlaneInLanes plane(volume.planes[i], has_inside ? volume.depth_inside : 0, leaf.blob->bits);
+                const PlaneInLanes plane(volume.planes[i], leaf.blob->bits);
                 const Floats reach = plane.reach_of(places);
                 sides = sides | is_less(plane.beyond, reach) << i;
                 shallow = shallow | is_less(plane.inside, reach) << i;
@@ -159,7 +159,7 @@ struct VolumeShape {
         using Slots = typename Leaf::Slots;
         const std::uint32_t matter = sides_that_matter(leaf, volume);
         OverlapCandidates<Slots> candidates = {leaf.used_slots(), ~Slots{0}};
-        if (matter != 0 || volume.depth_inside == Volume::unknown)
+        if (matter != 0 || !volume.is_enclosure)
             candidates = with_table_groups<Leaf::max_vertices>(
                 leaf.vertex_count, [&](auto groups) { return candidates_of<groups>(leaf, volume, matter); });
         return take_candidates(leaf, candidates, answer, [&](unsigned slot) {

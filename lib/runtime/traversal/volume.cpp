@@ -1,7 +1,7 @@
 // The walk that most volumes share: the variant that suits the machine.
-#include <runtime/overlap/volume.hpp>
+#include <runtime/traversal/volume.hpp>
 
-#define ESPALIER_FRAGMENT <runtime/overlap/volume_queries.hpp>
+#define ESPALIER_FRAGMENT <runtime/traversal/volume_queries.hpp>
 #include <runtime/lanes/for_each_set.hpp>
 
 namespace espalier::detail {

@@ -23,12 +23,9 @@ struct Volume {
     Kernel kernel;                   ///< whether shape and triangle share a point, exactly
     LatticePlane* planes = nullptr;  ///< the shape lies behind each of them
     unsigned plane_count = 0;
-    bool planes_cull = true;  ///< whether they are compared with nodes, too
-    bool bounded = true;  ///< the shape lies within the bounds; only then are these set
-    /// A vertex within the bounds and this deep behind each plane is inside the shape: 0 when bounds and planes are the
-    /// shape itself, unknown when what encloses it does not bound its inside.
-    std::int64_t depth_inside = unknown;
-    static constexpr std::int64_t unknown = -1;
+    bool planes_cull = true;    ///< whether they are compared with nodes, too
+    bool bounded = true;        ///< the shape lies within the bounds; only then are these set
+    bool is_enclosure = false;  ///< bounds and planes are the shape itself: a vertex within them is inside of it
     IntegerBounds bounds;
 
     void add_plane(const LatticePlane& plane) { planes[plane_count++] = plane; }
