@@ -16,7 +16,7 @@ static_assert(lanes * sizeof(float) == sizeof(Floats) && sizeof(Ints) == sizeof(
               sizeof(SignedInts) == sizeof(Floats) && sizeof(Compared) == sizeof(Floats));
 
 // Numbers. `at_most` returns a bit for each lane, smaller(a, b) and larger(a, b) return b where either is NaN, and
-// multiply_add may be fused, because what it computes is only used to reject.
+// multiply_add may be fused: what it computes decides only with a bound that allows for both ways of rounding.
 static_assert(requires(Floats a, Ints i, SignedInts s, Compared c, const std::byte* bytes, const std::uint32_t* words,
                        float* floats) {
     { load_bytes(bytes) } -> std::same_as<Ints>;
