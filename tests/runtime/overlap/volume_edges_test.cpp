@@ -4,8 +4,10 @@
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/node_kinds.hpp"
 #include "support/loops/triangle_loop.hpp"
+#include "support/machine/chosen_instruction_set.hpp"
 #include "support/queries/shape_maker.hpp"
 
 namespace espalier::tests::volume_edges_test {
@@ -50,6 +52,27 @@ TEST_CASE("overlap: touching counts and a step of the grid beside does not") {
                                            Plane{{0.0f, 1.0f, 0.0f}, 0.25f}, Plane{{0.0f, -1.0f, 0.0f}, -0.25f}};
         CHECK(overlaps(cube.blob, ConvexVolume{needle}).yes() == touches);
     }
+}
+
+TEST_CASE("overlap: a capsule a hair too thin overlaps nothing, where the squares of floats overflow") {
+    const float end = 0x1p24f - 1.0f;
+    const OpenedBlob slope({.positions = {{0.0f, 0.0f, 0.0f}, {end, 0.0f, 0.0f}, {0.0f, end, end}}, .triangles = {{0, 1, 2}}},
+                           {.resolution = Resolution::bits(24)});
+    REQUIRE(slope.blob.lattice().step_exponent == 0);
+    const Vec3 above = {0x1p22f, 0x1p22f, 0x1p22f + 0x1p17f};  // by 92,681.9 steps
+    on_each_instruction_set([&] {
+        CHECK(overlaps(slope.blob, Capsule{above, above, 92'681.0f}).no());
+        CHECK(overlaps(slope.blob, Capsule{above, above, 92'682.0f}).yes());
+    });
+}
+
+TEST_CASE("overlap: a triangle that a pose made a point overlaps a capsule by its corners alone") {
+    DeformedMesh mesh(make_cube(0.0f, 200.0f));
+    mesh.move_to(std::vector<Vec3>(8, Vec3{100.0f, 0.0f, 0.0f}));
+    on_each_instruction_set([&] {
+        CHECK(overlaps(mesh.deformable.blob(), Capsule{{}, {}, 99.9999f}).no());
+        CHECK(overlaps(mesh.deformable.blob(), Capsule{{}, {1.0f, 0.0f, 0.0f}, 99.0001f}).yes());
+    });
 }
 
 TEST_CASE("overlap: no shape inside a closed mesh overlaps the surface") {
