@@ -1,6 +1,7 @@
 // Where the second blob's vertices land on the common grid: in integers, so that every machine places them alike.
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/pairs/frame.hpp>
+#include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
 
@@ -101,7 +102,56 @@ ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rota
     in_b.slack = scale < 0x1p-60f ? infinity : in_a.slack * inverse;
 }
 
+/// The bounds of an asset in its own space: the middle, and half of each side.
+struct HalfBounds {
+    float middle[3], half[3];
+    float size = 0.0f;  ///< at least the sum of the absolute coordinates of any corner
+
+    explicit HalfBounds(const BlobData& blob) {
+        for (int k = 0; k < 3; ++k) {
+            half[k] = scale_by_power_of_two(static_cast<float>(blob.extent[k]), blob.step_exponent - 1);
+            middle[k] = blob.origin[k] + half[k];
+            size += absolute(blob.origin[k]) + 2.0f * half[k];
+        }
+    }
+};
+
 }  // namespace
+
+bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, float distance) noexcept {
+    const HalfBounds of_a(a), of_b(b);
+    const PreparedTransform place(b_in_a);
+    const float scale = b_in_a.scale;
+    const Vec3 turned[3] = {place.rotated({1.0f, 0.0f, 0.0f}), place.rotated({0.0f, 1.0f, 0.0f}),
+                            place.rotated({0.0f, 0.0f, 1.0f})};
+    const Vec3 middle = place.point_to_world({of_b.middle[0], of_b.middle[1], of_b.middle[2]});
+    const float way[3] = {middle.x - of_a.middle[0], middle.y - of_a.middle[1], middle.z - of_a.middle[2]};
+    const float axis[3][3] = {{turned[0].x, turned[0].y, turned[0].z},
+                              {turned[1].x, turned[1].y, turned[1].z},
+                              {turned[2].x, turned[2].y, turned[2].z}};
+    float gap = 0.0f, span = 0.0f;
+    float reach_in_a[3] = {of_a.half[0], of_a.half[1], of_a.half[2]};
+    for (int j = 0; j < 3; ++j) {  // along the axes of b
+        const float half = scale * of_b.half[j];
+        float along = 0.0f, reach = half;
+        for (int k = 0; k < 3; ++k) {
+            along += axis[j][k] * way[k];
+            reach += absolute(axis[j][k]) * of_a.half[k];
+            reach_in_a[k] += absolute(axis[j][k]) * half;
+        }
+        gap = maximum(absolute(along) - reach, gap);
+        span = maximum(maximum(of_a.half[j], half), span);
+    }
+    for (int k = 0; k < 3; ++k) gap = maximum(absolute(way[k]) - reach_in_a[k], gap);
+    // Both are rounded to the grid, whose step is a part of a's or a share of the farthest coordinate.
+    const float size = of_a.size + scale * of_b.size + absolute(b_in_a.translation.x) +
+                       absolute(b_in_a.translation.y) + absolute(b_in_a.translation.z);
+    const float steps = scale_by_power_of_two(size, -a.step_exponent);
+    const float slack = size * 0x1p-16f + scale_by_power_of_two(1.0f, a.step_exponent - 5);
+    if (!(size > 0x1p-80f && steps < 0x1p70f && gap > distance + slack)) return false;
+    // Distances over many times the size of the blobs are refused, unless they are far beyond the greatest one.
+    return gap < 512.0f * span || gap > 4.0f * distance;
+}
 
 TrianglePair owners(const PairFrame& frame, const TrianglePair& pair) {
     return {{owner_of(*frame.a, pair.a.index)}, {owner_of(*frame.b, pair.b.index)}};

@@ -16,20 +16,32 @@ namespace {
 /// Two blobs on their common grid.
 struct PlacedPair {
     PairFrame frame;
-    QueryStatus status;  ///< ok; not_found: a blob has no triangles; or why the query is refused
+    QueryStatus status;  ///< ok; not_found: a blob has no triangles, or is too far; or why the query is refused
 
-    PlacedPair(const PlacedBlob& a, const PlacedBlob& b) : status(place(a, b)) {}
+    /// Wherever they are.
+    PlacedPair(const PlacedBlob& a, const PlacedBlob& b) {
+        std::uint64_t none = 0;
+        status = place(a, b, 0.0f, none);
+    }
+    /// For what is within a distance of the world: two whose bounds are farther apart are left alone after one visit.
+    PlacedPair(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t& work)
+        : status(place(a, b, converted(distance, a.transform().scale, false), work)) {}
 
 private:
     /// Out of line: its stack is not needed beside the walk.
-    ESPALIER_NOINLINE QueryStatus place(const PlacedBlob& a, const PlacedBlob& b) {
+    ESPALIER_NOINLINE QueryStatus place(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t& work) {
         const BlobData& data_a = data_of(a.blob());
         const BlobData& data_b = data_of(b.blob());
         if (data_a.bytes == nullptr || data_b.bytes == nullptr) return QueryStatus::not_open;
         if (!is_valid(a.transform()) || !is_valid(b.transform())) return QueryStatus::invalid_argument;
         if (data_a.triangle_count == 0 || data_b.triangle_count == 0) return QueryStatus::not_found;
         const Transform b_in_a = to_local(a.transform(), b.transform());
-        return is_valid(b_in_a) ? place_pair(data_a, data_b, b_in_a, frame) : QueryStatus::out_of_range;
+        if (!is_valid(b_in_a)) return QueryStatus::out_of_range;
+        if (work != 0 && are_apart(data_a, data_b, b_in_a, distance)) {
+            --work;
+            return QueryStatus::not_found;
+        }
+        return place_pair(data_a, data_b, b_in_a, frame);
     }
 };
 
@@ -99,7 +111,7 @@ struct NearestSearch {
     QueryStatus status;
 
     NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, PairWork& work)
-        : placed(a, b), least{placed.frame, 0.0f, any}, status(placed.status) {
+        : placed(a, b, distance, work.left), least{placed.frame, 0.0f, any}, status(placed.status) {
         if (status != QueryStatus::not_open && !is_radius(distance)) status = QueryStatus::invalid_argument;
         if (status != QueryStatus::ok) return;
         PairFrame& frame = placed.frame;
@@ -172,7 +184,7 @@ bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
 ESPALIER_NOINLINE PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
                                                          PairWork& work) noexcept {
     PairContact contact;
-    PlacedPair placed(a, b);
+    PlacedPair placed(a, b, 0.0f, work.left);
     contact.status = placed.status;
     if (placed.status != QueryStatus::ok) return contact;
     TrianglePair pair;
@@ -222,16 +234,18 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
 
 QueryStatus detail::visit_contacts(const PlacedBlob& a, const PlacedBlob& b, OnContact visit,
                                    WorkLimit limit) noexcept {
-    PlacedPair placed(a, b);
+    std::uint64_t work = limit.visits();
+    PlacedPair placed(a, b, 0.0f, work);
     if (placed.status != QueryStatus::ok) return of_list(placed.status);
-    return ContactVisitor{placed.frame, nullptr, visit, limit.visits()}.walk();
+    return ContactVisitor{placed.frame, nullptr, visit, work}.walk();
 }
 
 Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::size_t capacity, WriteContact write,
                                 WorkLimit limit, const Cursor& from) noexcept {
     Filled filled;
     filled.next = from;
-    PlacedPair placed(a, b);
+    std::uint64_t work = limit.visits();
+    PlacedPair placed(a, b, 0.0f, work);
     filled.status = of_list(placed.status);
     if (placed.status != QueryStatus::ok) return filled;
     const bool begins = from == Cursor{};
@@ -247,7 +261,7 @@ Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::s
         filled.next = cursor_behind(references);
         return Visit::next;
     };
-    filled.status = ContactVisitor{placed.frame, begins ? nullptr : &before, keep, limit.visits()}.walk();
+    filled.status = ContactVisitor{placed.frame, begins ? nullptr : &before, keep, work}.walk();
     if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
     return filled;
 }

@@ -11,15 +11,19 @@ namespace {
 
 using Exact3 = std::array<Rational, 3>;
 
-/// The point of b in a's lattice steps, without any rounding.
-Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Transform& placement, const GridPoint& v) {
-    const Rational x = Rational::of(placement.rotation.x), y = Rational::of(placement.rotation.y),
-                   z = Rational::of(placement.rotation.z), w = Rational::of(placement.rotation.w);
+std::array<Exact3, 3> exact_rotation(const Quaternion& rotation) {
+    const Rational x = Rational::of(rotation.x), y = Rational::of(rotation.y), z = Rational::of(rotation.z),
+                   w = Rational::of(rotation.w);
     const Rational s = Rational(2) / (x * x + y * y + z * z + w * w);
     const Rational one = 1;
-    const std::array<Exact3, 3> rotation = {{{one - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
-                                             {s * (x * y + w * z), one - s * (x * x + z * z), s * (y * z - w * x)},
-                                             {s * (x * z - w * y), s * (y * z + w * x), one - s * (x * x + y * y)}}};
+    return {{{one - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
+             {s * (x * y + w * z), one - s * (x * x + z * z), s * (y * z - w * x)},
+             {s * (x * z - w * y), s * (y * z + w * x), one - s * (x * x + y * y)}}};
+}
+
+/// The point of b in a's lattice steps, without any rounding.
+Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Transform& placement, const GridPoint& v) {
+    const std::array<Exact3, 3> rotation = exact_rotation(placement.rotation);
     const std::array<float, 3> moved = {placement.translation.x, placement.translation.y, placement.translation.z};
     Exact3 point;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -30,6 +34,84 @@ Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Transfor
         point[k] = point[k] * Rational::of(1, -a.step_exponent);
     }
     return point;
+}
+
+/// How far apart two sets of points are along an axis; below zero where they overlap.
+Rational gap_along(const Exact3& axis, std::span<const Exact3> a, std::span<const Exact3> b) {
+    const auto range = [&](std::span<const Exact3> points) {
+        std::array<Rational, 2> ends;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Rational at = points[i][0] * axis[0] + points[i][1] * axis[1] + points[i][2] * axis[2];
+            if (i == 0 || at < ends[0]) ends[0] = at;
+            if (i == 0 || ends[1] < at) ends[1] = at;
+        }
+        return ends;
+    };
+    const auto of_a = range(a), of_b = range(b);
+    return std::max(of_b[0] - of_a[1], of_a[0] - of_b[1]);
+}
+
+/// Along the axes of both bounds, in a's lattice steps.
+Rational gap_of_bounds(const TestBlob& a, const TestBlob& b, const Transform& placement) {
+    std::array<Exact3, 8> of_a, of_b;
+    for (unsigned i = 0; i < 8; ++i) {
+        GridPoint corner;
+        for (unsigned k = 0; k < 3; ++k) {
+            corner[k] = (i >> k & 1u) != 0 ? detail::data_of(b.opened.blob).extent[k] : 0;
+            of_a[i][k] = std::int64_t{(i >> k & 1u) != 0 ? detail::data_of(a.opened.blob).extent[k] : 0};
+        }
+        of_b[i] = placed_exactly(a.decoded, b.decoded, placement, corner);
+    }
+    const std::array<Exact3, 3> rotation = exact_rotation(placement.rotation);
+    Rational gap = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Exact3 unit = {0, 0, 0};
+        unit[k] = 1;
+        gap = std::max(gap, gap_along(unit, of_a, of_b));
+        gap = std::max(gap, gap_along({rotation[0][k], rotation[1][k], rotation[2][k]}, of_a, of_b));
+    }
+    return gap;
+}
+
+/// The coordinates of both bounds and of the placement, added up, in a's lattice steps.
+Rational size_of_bounds(const TestBlob& a, const TestBlob& b, const Transform& placement) {
+    Rational size = 0;
+    const std::array<float, 3> moved = {placement.translation.x, placement.translation.y, placement.translation.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Rational own = Rational::of(std::int64_t{a.decoded.extent[k]}, a.decoded.step_exponent),
+                       other = Rational::of(std::int64_t{b.decoded.extent[k]}, b.decoded.step_exponent);
+        size += oracle::absolute(Rational::of(moved[k])) + oracle::absolute(Rational::of(a.decoded.origin[k])) + own +
+                Rational::of(placement.scale) * (oracle::absolute(Rational::of(b.decoded.origin[k])) + other);
+    }
+    return size * Rational::of(1, -a.decoded.step_exponent);
+}
+
+TEST_CASE("pair: bounds are called apart only where they are, and wherever they clearly are") {
+    const std::vector<TestBlob>& blobs = small_test_blobs();
+    std::uint64_t apart = 0, near = 0;
+    for (std::size_t i = 0; i < blobs.size(); ++i) {
+        const TestBlob& a = blobs[i];
+        const TestBlob& b = blobs[(i + 4) % blobs.size()];
+        const detail::BlobData &data_a = detail::data_of(a.opened.blob), &data_b = detail::data_of(b.opened.blob);
+        PlacementMaker maker(a.decoded, b.decoded, 70 + i);
+        for (std::uint64_t n = 0; n < scaled(20); ++n) {
+            const Transform placement = n % 3 == 0 ? maker.adversarial() : n % 3 == 1 ? maker.apart() : maker.random();
+            CAPTURE(describe(placement));
+            const float step = std::ldexp(1.0f, a.decoded.step_exponent);
+            const float longest = static_cast<float>(std::max(
+                {data_a.extent[0], data_a.extent[1], data_a.extent[2]}));
+            const float distance = n % 2 == 0 ? 0.0f : longest * maker.numbers().unit();  // in steps
+            const Rational gap = gap_of_bounds(a, b, placement) - Rational::of(distance);
+            const bool are_apart = detail::are_apart(data_a, data_b, placement, distance * step);
+            if (are_apart) REQUIRE(Rational(0) < gap);
+            const Rational size = size_of_bounds(a, b, placement);
+            const bool is_clear = Rational(1) + size * Rational::of(1, -12) < gap && size < Rational::of(1, 60);
+            if (distance == 0.0f && is_clear) REQUIRE(are_apart);
+            (are_apart ? apart : near) += 1;
+        }
+    }
+    CHECK(apart > 0);
+    CHECK(near > 0);
 }
 
 TEST_CASE("rounding: a vertex of a pair moves by half a step and the rounding of the rotation at most") {
