@@ -119,38 +119,38 @@ struct HalfBounds {
 }  // namespace
 
 bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, float distance) noexcept {
+    const float scale = b_in_a.scale;
+    if (!is_in_range(scale)) return false;
     const HalfBounds of_a(a), of_b(b);
     const PreparedTransform place(b_in_a);
-    const float scale = b_in_a.scale;
-    const Vec3 turned[3] = {place.rotated({1.0f, 0.0f, 0.0f}), place.rotated({0.0f, 1.0f, 0.0f}),
-                            place.rotated({0.0f, 0.0f, 1.0f})};
-    const Vec3 middle = place.point_to_world({of_b.middle[0], of_b.middle[1], of_b.middle[2]});
+    const auto product = [](float x, float y) { return without_tiny(x * y); };  // flush-to-zero changes no bit
+    const auto scaled = [&](float x) { return product(scale, x); };
+    const Vec3 middle =
+        sum(place.rotated({scaled(of_b.middle[0]), scaled(of_b.middle[1]), scaled(of_b.middle[2])}), place.translation());
     const float way[3] = {middle.x - of_a.middle[0], middle.y - of_a.middle[1], middle.z - of_a.middle[2]};
-    const float axis[3][3] = {{turned[0].x, turned[0].y, turned[0].z},
-                              {turned[1].x, turned[1].y, turned[1].z},
-                              {turned[2].x, turned[2].y, turned[2].z}};
     float gap = 0.0f, span = 0.0f;
     float reach_in_a[3] = {of_a.half[0], of_a.half[1], of_a.half[2]};
     for (int j = 0; j < 3; ++j) {  // along the axes of b
-        const float half = scale * of_b.half[j];
+        const Vec3 turned = place.rotated({j == 0 ? 1.0f : 0.0f, j == 1 ? 1.0f : 0.0f, j == 2 ? 1.0f : 0.0f});
+        const float axis[3] = {turned.x, turned.y, turned.z}, half = scaled(of_b.half[j]);
         float along = 0.0f, reach = half;
         for (int k = 0; k < 3; ++k) {
-            along += axis[j][k] * way[k];
-            reach += absolute(axis[j][k]) * of_a.half[k];
-            reach_in_a[k] += absolute(axis[j][k]) * half;
+            along += product(axis[k], way[k]);
+            reach += product(absolute(axis[k]), of_a.half[k]);
+            reach_in_a[k] += product(absolute(axis[k]), half);
         }
         gap = maximum(absolute(along) - reach, gap);
         span = maximum(maximum(of_a.half[j], half), span);
     }
     for (int k = 0; k < 3; ++k) gap = maximum(absolute(way[k]) - reach_in_a[k], gap);
     // Both are rounded to the grid, whose step is a part of a's or a share of the farthest coordinate.
-    const float size = of_a.size + scale * of_b.size + absolute(b_in_a.translation.x) +
-                       absolute(b_in_a.translation.y) + absolute(b_in_a.translation.z);
+    const Vec3 moved = place.translation();
+    const float size = of_a.size + scaled(of_b.size) + absolute(moved.x) + absolute(moved.y) + absolute(moved.z);
     const float steps = scale_by_power_of_two(size, -a.step_exponent);
     const float slack = size * 0x1p-16f + scale_by_power_of_two(1.0f, a.step_exponent - 5);
-    if (!(size > 0x1p-80f && steps < 0x1p70f && gap > distance + slack)) return false;
-    // Distances over many times the size of the blobs are refused, unless they are far beyond the greatest one.
-    return gap < 512.0f * span || gap > 4.0f * distance;
+    if (!(size > 0x1p-72f && steps < 0x1p70f && gap > distance + slack)) return false;
+    // Over many times the size of the blobs distances are refused, unless the greatest one is far exceeded.
+    return gap < 512.0f * span || (gap > 4.0f * distance && span > 0.0f);
 }
 
 TrianglePair owners(const PairFrame& frame, const TrianglePair& pair) {

@@ -91,8 +91,8 @@ struct PairFrame {
 /// The triangles that a pair stands for, where it is one of copies.
 TrianglePair owners(const PairFrame& frame, const TrianglePair& pair);
 
-/// Whether the bounds of two blobs are surely farther apart than that, b being placed by a valid transform, as a distance
-/// in a's space is given. Costs a fraction of placing b, and is false for what place_pair() refuses.
+/// Whether the bounds of two blobs are surely farther apart than a distance in a's space, b being placed by a valid
+/// transform (docs/numerics.md). Costs a fraction of placing b, and is false for what place_pair() refuses.
 bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, float distance) noexcept;
 
 /// Places b in the local space of a by a valid transform. Returns ok or out_of_range. Neither blob is empty.

@@ -25,7 +25,7 @@ struct PlacedPair {
     }
     /// For what is within a distance of the world: two whose bounds are farther apart are left alone after one visit.
     PlacedPair(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t& work)
-        : status(place(a, b, converted(distance, a.transform().scale, false), work)) {}
+        : status(place(a, b, distance, work)) {}
 
 private:
     /// Out of line: its stack is not needed beside the walk.
@@ -37,7 +37,8 @@ private:
         if (data_a.triangle_count == 0 || data_b.triangle_count == 0) return QueryStatus::not_found;
         const Transform b_in_a = to_local(a.transform(), b.transform());
         if (!is_valid(b_in_a)) return QueryStatus::out_of_range;
-        if (work != 0 && are_apart(data_a, data_b, b_in_a, distance)) {
+        if (work != 0 && is_radius(distance) &&
+            are_apart(data_a, data_b, b_in_a, converted(distance, a.transform().scale, false))) {
             --work;
             return QueryStatus::not_found;
         }
@@ -244,11 +245,11 @@ Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::s
                                 WorkLimit limit, const Cursor& from) noexcept {
     Filled filled;
     filled.next = from;
-    std::uint64_t work = limit.visits();
-    PlacedPair placed(a, b, 0.0f, work);
+    const bool begins = from == Cursor{};
+    std::uint64_t work = limit.visits(), none = 0;
+    PlacedPair placed(a, b, 0.0f, begins ? work : none);  // a cursor of other placements is refused by the walk
     filled.status = of_list(placed.status);
     if (placed.status != QueryStatus::ok) return filled;
-    const bool begins = from == Cursor{};
     if (!begins && !is_valid_cursor(from, placed.frame)) {
         filled.status = QueryStatus::invalid_argument;
         return filled;

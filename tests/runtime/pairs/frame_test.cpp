@@ -98,13 +98,13 @@ TEST_CASE("pair: bounds are called apart only where they are, and wherever they 
             const Transform placement = n % 3 == 0 ? maker.adversarial() : n % 3 == 1 ? maker.apart() : maker.random();
             CAPTURE(describe(placement));
             const float step = std::ldexp(1.0f, a.decoded.step_exponent);
-            const float longest = static_cast<float>(std::max(
-                {data_a.extent[0], data_a.extent[1], data_a.extent[2]}));
+            const auto longest = static_cast<float>(std::max({data_a.extent[0], data_a.extent[1], data_a.extent[2]}));
             const float distance = n % 2 == 0 ? 0.0f : longest * maker.numbers().unit();  // in steps
             const Rational gap = gap_of_bounds(a, b, placement) - Rational::of(distance);
             const bool are_apart = detail::are_apart(data_a, data_b, placement, distance * step);
-            if (are_apart) REQUIRE(Rational(0) < gap);
+            // By more than the two meshes move on their common grid.
             const Rational size = size_of_bounds(a, b, placement);
+            if (are_apart) REQUIRE(Rational::of(1, -6) + size * Rational::of(1, -17) < gap);
             const bool is_clear = Rational(1) + size * Rational::of(1, -12) < gap && size < Rational::of(1, 60);
             if (distance == 0.0f && is_clear) REQUIRE(are_apart);
             (are_apart ? apart : near) += 1;
@@ -112,6 +112,17 @@ TEST_CASE("pair: bounds are called apart only where they are, and wherever they 
     }
     CHECK(apart > 0);
     CHECK(near > 0);
+}
+
+TEST_CASE("pair: bounds of the smallest steps are not called apart where they overlap") {
+    const OpenedBlob cube(make_cube(0.75f, 1.75f), {.resolution = Resolution::step(-2)});
+    const OpenedBlob tiny(make_cube(0.0f, 0x1p-100f), {.resolution = Resolution::step(-100)});
+    const auto are_apart = [&](const Transform& placement) {
+        return detail::are_apart(detail::data_of(cube.blob), detail::data_of(tiny.blob), placement, 0.0f);
+    };
+    CHECK_FALSE(are_apart({{}, {}, 0x1p100f}));  // the unit cube
+    CHECK(are_apart({{}, {3.0f, 0.0f, 0.0f}, 0x1p100f}));
+    CHECK_FALSE(are_apart({{}, {3.0f, 0.0f, 0.0f}, 0x1p101f}));  // out of range
 }
 
 TEST_CASE("rounding: a vertex of a pair moves by half a step and the rounding of the rotation at most") {

@@ -101,6 +101,13 @@ TEST_CASE("pair: a cursor of no page is refused or gives contacts of the whole")
         refused += filled.status == QueryStatus::invalid_argument ? 1u : 0u;
     }
     CHECK(refused > 0);
+    const PlacedBlob far_away(sphere.blob, {{}, {9.0f, 0.0f, 0.0f}, 1.0f});
+    Contacts page(1);
+    CHECK(collect_contacts(sphere.blob, far_away, page, unlimited, {{~0u, ~0u, ~0u}}).status ==
+          QueryStatus::invalid_argument);
+    CHECK(collect_contacts(sphere.blob, far_away, page, unlimited, {{0, 0, 1}}).status ==
+          QueryStatus::invalid_argument);
+    CHECK(collect_contacts(sphere.blob, far_away, page, unlimited).status == QueryStatus::ok);
 }
 
 TEST_CASE("pair: a cursor whose triangles are in boxes that are apart is refused on the way to them") {

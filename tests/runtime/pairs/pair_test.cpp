@@ -135,6 +135,7 @@ TEST_CASE("pair: invalid calls are refused and a refusal is not a no") {
     CHECK(distance_status({}, not_a_number) == QueryStatus::invalid_argument);
     CHECK(distance_status({}, -1.0f) == QueryStatus::invalid_argument);
     CHECK(distance_status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}, infinity) == QueryStatus::out_of_range);
+    CHECK(distance_status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}, 6e9f) == QueryStatus::out_of_range);
     CHECK(distance_status({{}, {1e10f, 0.0f, 0.0f}, 1.0f}, 1.0f) == QueryStatus::not_found);
     // Subnormal components turn as well as any.
     const float tiny = std::numeric_limits<float>::denorm_min();
