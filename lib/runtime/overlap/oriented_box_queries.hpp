@@ -20,7 +20,7 @@ using avx2::children_meeting;  // a packed node has eight children
 
 /// The children, of those in the mask, that no plane of the box's faces separates from it.
 template <class Node>
-inline unsigned children_meeting(const Node& node, const FloatBox& box, const BlobData& blob, unsigned mask) {
+inline unsigned children_meeting(const Node& node, const FloatOrientedBox& box, const BlobData& blob, unsigned mask) {
     const auto boxes = boxes_of(node, blob);
     unsigned meeting = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
@@ -67,7 +67,7 @@ struct AxisGaps {
 };
 
 /// The thirteen axes of a box and triangles, seen from its center (Gottschalk, Lin and Manocha 1996).
-inline AxisGaps gaps_of(const FloatBox& box, const CornersFromPoint& t, Floats reach) {
+inline AxisGaps gaps_of(const FloatOrientedBox& box, const CornersFromPoint& t, Floats reach) {
     AxisGaps gaps;
     const Floats3* const corner[3] = {&t.a, &t.b, &t.c};
     const Floats far = add(reach, splat(box.size));
@@ -105,7 +105,8 @@ inline AxisGaps gaps_of(const FloatBox& box, const CornersFromPoint& t, Floats r
 }
 
 template <unsigned groups, class Leaf>
-ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(const Leaf& leaf, const FloatBox& box) {
+ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(const Leaf& leaf,
+                                                                               const FloatOrientedBox& box) {
     using Slots = typename Leaf::Slots;
     OverlapCandidates<Slots> candidates;
     for_each_group_of<groups>(leaf, box.rounded.center_steps, [&](unsigned first, const CornersFromPoint& t) {
@@ -127,7 +128,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
 struct OrientedBoxShape {
     const BlobData& blob;
     Rounded<OrientedBox>& rounded;
-    FloatBox box;
+    FloatOrientedBox box;
     bool has_faces = false;
 
     OrientedBoxShape(const BlobData& of, Rounded<OrientedBox>& from) : blob(of), rounded(from), box(from) {}

@@ -33,7 +33,8 @@ QueryStatus find_overlaps_of<Capsule>(const BlobData& blob, const void* shape, E
     const QueryStatus status = round_volume(blob, *static_cast<const Capsule*>(shape), capsule);
     if (status != QueryStatus::ok || blob.triangle_count == 0) return status;
     const DistantShape& distant = capsule;
-    return ESPALIER_DISPATCH(find_overlaps, blob, distant, answer, accuracy) ? QueryStatus::stopped : QueryStatus::ok;
+    return ESPALIER_DISPATCH(find_overlaps_of_capsule, blob, distant, answer, accuracy) ? QueryStatus::stopped
+                                                                                        : QueryStatus::ok;
 }
 
 }  // namespace espalier::detail

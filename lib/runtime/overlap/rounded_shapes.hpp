@@ -61,14 +61,14 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded
 [[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
 
 /// A box in float, in lattice steps.
-struct FloatBox {
+struct FloatOrientedBox {
     const Rounded<OrientedBox>& rounded;
     float normal[3][3];  ///< across two of the half axes each
     float face = 0.0f;   ///< how far each face is along its normal
     float size = 0.0f;   ///< at least the sum of the lengths of the half axes
     float spread[3];     ///< how far it reaches along each axis of space
 
-    explicit FloatBox(const Rounded<OrientedBox>& box) : rounded(box) {
+    explicit FloatOrientedBox(const Rounded<OrientedBox>& box) : rounded(box) {
         const auto& half = box.half_steps;
         for (int i = 0; i < 3; ++i) {
             const float* const a = half[i == 2 ? 0 : i + 1];

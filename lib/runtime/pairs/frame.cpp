@@ -125,8 +125,8 @@ bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, fl
     const PreparedTransform place(b_in_a);
     const auto product = [](float x, float y) { return without_tiny(x * y); };  // flush-to-zero changes no bit
     const auto scaled = [&](float x) { return product(scale, x); };
-    const Vec3 middle =
-        sum(place.rotated({scaled(of_b.middle[0]), scaled(of_b.middle[1]), scaled(of_b.middle[2])}), place.translation());
+    const Vec3 middle = sum(place.rotated({scaled(of_b.middle[0]), scaled(of_b.middle[1]), scaled(of_b.middle[2])}),
+                            place.translation());
     const float way[3] = {middle.x - of_a.middle[0], middle.y - of_a.middle[1], middle.z - of_a.middle[2]};
     float gap = 0.0f, span = 0.0f;
     float reach_in_a[3] = {of_a.half[0], of_a.half[1], of_a.half[2]};

@@ -372,8 +372,8 @@ ESPALIER_QUERY_OF_SET void find_nearest_pair(const BlobData& blob, const Distant
     find_nearest_first(blob, pair, answer);
 }
 
-ESPALIER_QUERY_OF_SET bool find_overlaps(const BlobData& blob, const DistantShape& shape, Each& answer,
-                                         const WalkAccuracy& accuracy) {
+ESPALIER_QUERY_OF_SET bool find_overlaps_of_capsule(const BlobData& blob, const DistantShape& shape, Each& answer,
+                                                    const WalkAccuracy& accuracy) {
     answer.limit = squared_limit_of(shape);
 #if ESPALIER_SMALL_CODE
     CapsuleShape capsule = {{shape, blob, reach_of(blob, shape)}};

@@ -76,10 +76,12 @@ inline void prepare(DistantBox& box) { prepare(box, true); }
 // find_overlaps: triangles of which something is within the radius of a point or a segment, in storage order; true when
 // the answer stopped it.
 // find_nearest: triangles within the radius as FoundNearest, the nearest first; find_nearest_pair: as FoundPair.
-ESPALIER_IN_EACH_SET(
-    bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy);
-    bool find_overlaps(const BlobData& blob, const DistantShape& capsule, Each& answer, const WalkAccuracy& accuracy);
-    void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy);
-    void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer);)
+ESPALIER_IN_EACH_SET(bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer,
+                                        const WalkAccuracy& accuracy);
+                     bool find_overlaps_of_capsule(const BlobData& blob, const DistantShape& capsule, Each& answer,
+                                                   const WalkAccuracy& accuracy);
+                     void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer,
+                                       const WalkAccuracy& accuracy);
+                     void find_nearest_pair(const BlobData& blob, const DistantShape& shape, Answer& answer);)
 
 }  // namespace espalier::detail

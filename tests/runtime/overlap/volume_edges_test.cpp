@@ -56,8 +56,9 @@ TEST_CASE("overlap: touching counts and a step of the grid beside does not") {
 
 TEST_CASE("overlap: a capsule a hair too thin overlaps nothing, where the squares of floats overflow") {
     const float end = 0x1p24f - 1.0f;
-    const OpenedBlob slope({.positions = {{0.0f, 0.0f, 0.0f}, {end, 0.0f, 0.0f}, {0.0f, end, end}}, .triangles = {{0, 1, 2}}},
-                           {.resolution = Resolution::bits(24)});
+    const OpenedBlob slope(
+        {.positions = {{0.0f, 0.0f, 0.0f}, {end, 0.0f, 0.0f}, {0.0f, end, end}}, .triangles = {{0, 1, 2}}},
+        {.resolution = Resolution::bits(24)});
     REQUIRE(slope.blob.lattice().step_exponent == 0);
     const Vec3 above = {0x1p22f, 0x1p22f, 0x1p22f + 0x1p17f};  // by 92,681.9 steps
     on_each_instruction_set([&] {
