@@ -28,6 +28,7 @@ struct Body {
     Vec3 shape_middle;
     float least_reach;  ///< how far it reaches, at least, from what of it nearest() measures
     float most_reach;   ///< and at most
+    bool is_exact;      ///< exact kernels decide what is near it, and where: a sphere's or a capsule's
 
     struct Functions {
         void (*touch)(Body& self, const LatticeTriangle& triangle, const FacingSide& side, float reach,
@@ -73,6 +74,7 @@ protected:
         shape_middle = own_middle;
         least_reach = least;
         most_reach = most;
+        is_exact = std::is_same_v<decltype(OwnBody::grown(own, 0.0f)), Shape>;
     }
 };
 

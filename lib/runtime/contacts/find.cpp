@@ -16,6 +16,8 @@ namespace espalier {
 using namespace detail;
 using detail::contacts::Body;
 using detail::contacts::FacingSide;
+using detail::contacts::NearTriangle;
+using detail::contacts::NearTriangles;
 using detail::contacts::SurfaceAround;
 using detail::contacts::Touch;
 using detail::contacts::Touches;
@@ -71,23 +73,46 @@ struct ContactsOf : Each {
     float flat_cosine;
     float deepest = infinity;  ///< the least distance of the body and a triangle, before any correction
 
-    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, SortedContacts& into)
+    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, NearTriangles& waiting,
+               SortedContacts& into)
         : Each(data_of(of_blob), by_id),
           body(of_body),
           owner(of_blob),
           margin(within),
           margin_steps(radius_in_steps(data_of(of_blob), within)),
           sorted(into),
-          flat_cosine(square_root(1.0f - contacts::flat_limit_of(blob))) {
+          flat_cosine(square_root(1.0f - contacts::flat_limit_of(blob))),
+          waiting_(waiting),
+          // Only then does it matter, and with duplicate references walks may meet triangles in different orders.
+          are_all_waiting_(takes_shortcut(body.is_exact && blob.edge_flags != nullptr && blob.copies == nullptr)) {
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
-            return static_cast<ContactsOf&>(self).add(index, triangle);
+            return static_cast<ContactsOf&>(self).take(index, triangle);
         };
     }
 
-    Visit add(std::uint32_t index, const LatticeTriangle& triangle) {
+    Visit take(std::uint32_t index, const LatticeTriangle& triangle) {
+        if (takes_shortcut(are_all_waiting_) && waiting_.are_full()) {
+            are_all_waiting_ = false;
+            add_waiting();
+        }
+        NearTriangle near = {index, triangle};
+        if (takes_shortcut(are_all_waiting_)) waiting_.add(near);
+        else add(near, {});
+        return Visit::next;
+    }
+    /// Adds the contacts of the triangles that were put aside.
+    void add_waiting() {
+        const std::span<NearTriangle> known = are_all_waiting_ ? waiting_.all() : std::span<NearTriangle>();
+        for (NearTriangle& near : waiting_.all()) add(near, known);
+        waiting_.clear();
+    }
+
+private:
+    void add(NearTriangle& near, std::span<NearTriangle> known) {
+        const LatticeTriangle& triangle = near.triangle;
         const bool is_behind = is_origin_behind(body.seen(triangle));
-        FacingSide side = {is_behind, internal_features(owner, TriangleId{index}), {}, {}, flat_cosine};
-        const SurfaceAround around(owner, body, index, triangle, side);
+        FacingSide side = {is_behind, internal_features(owner, TriangleId{near.index}), {}, {}, flat_cosine};
+        const SurfaceAround around(owner, body, near.index, triangle, side, known);
         const auto faces = [&around](Feature feature) { return around.faces(feature); };
         side.faces = faces;
         const auto find_nearest_side = [this](const Vec3& face, bool& is_behind_it) {
@@ -96,9 +121,10 @@ struct ContactsOf : Each {
         side.find_nearest_side = find_nearest_side;
         Touches touches;
         body.touch(triangle, side, body.radius + margin_steps, touches);
-        if (touches.count == 0) return Visit::next;
+        if (touches.count == 0) return;
+        near.nearest = touches.nearest;
         deepest = minimum(deepest, to_local_distance(touches.nearest));
-        if (touches.is_beside && around.has_nearer(touches)) return Visit::next;
+        if (touches.is_beside && around.has_nearer(touches)) return;
         const float steepness = dot(face_normal_of(triangle), touches.touch[0].normal);
         for (unsigned i = 0; i < touches.count; ++i) {
             const Touch& touch = touches.touch[i];
@@ -106,15 +132,13 @@ struct ContactsOf : Each {
             contact.point = to_local(blob, touch.point.x, touch.point.y, touch.point.z);
             contact.normal = touch.normal;
             contact.distance = to_local_distance(touch.distance);
-            contact.triangle = TriangleId{index};
+            contact.triangle = TriangleId{near.index};
             contact.feature = touch.feature;
             contact.side = (absolute(steepness) > steep ? steepness < 0.0f : is_behind) ? Side::back : Side::front;
             sorted.add(contact);
         }
-        return Visit::next;
     }
 
-private:
     /// FacingSide::find_nearest_side. Where only a joined edge or corner is nearest and the middle is far beside it,
     /// the surface goes on below the middle in another blob.
     bool find_side_of_nearest(const Vec3& face, bool& is_behind) {
@@ -134,6 +158,8 @@ private:
     /// The cosine from which on a normal clearly leaves a triangle on one side.
     static constexpr float steep = 0.5f;
     ClosestPoint nearest_;  ///< to the middle: looked for once, where that matters
+    NearTriangles& waiting_;
+    bool are_all_waiting_;  ///< all that were taken
 };
 
 /// With no more places than these the nearest contacts are looked for first.
@@ -186,12 +212,14 @@ Filled find_contacts_of_body(const Blob& blob, Body& body, float margin, std::sp
         // Where the leaf is not at hand, on small cores, the triangle is searched.
         ContactsOf* self = nullptr;
         const auto search = [&](TriangleId triangle) {
-            return self->add(triangle.index, find_triangle(data_of(blob), triangle.index));
+            return self->take(triangle.index, find_triangle(data_of(blob), triangle.index));
         };
-        ContactsOf answer(blob, body, margin, search, sorted);
+        NearTriangles waiting;
+        ContactsOf answer(blob, body, margin, search, waiting, sorted);
         self = &answer;
         const QueryStatus status = body.functions->find_near(data_of(blob), body.shape, within, answer);
         if (is_refused(status)) return {0, {}, status};
+        answer.add_waiting();
         // Any triangle that was not met is farther away than `within`, but for rounding.
         if (!(within < margin) || sorted.are_full_within(within - (within + body.most_reach) * 0x1p-16f)) {
             sorted.limit_depth(answer.deepest);

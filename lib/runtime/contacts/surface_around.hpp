@@ -2,6 +2,8 @@
 // has the body on its other side, or is nearer to it.
 #pragma once
 
+#include <span>
+
 #include <espalier/advanced/lattice.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
@@ -68,6 +70,29 @@ struct Part {
     }
 };
 
+/// A triangle near a body.
+struct NearTriangle {
+    std::uint32_t index;
+    LatticeTriangle triangle;
+    float nearest = -infinity;  ///< Touches::nearest, once it is known
+};
+
+/// The triangles near a body, in storage order, as far as there is room. A round body is no farther from what meets at
+/// its nearest place of a triangle than from that triangle: if all are here, no walk has to find them again.
+class NearTriangles {
+public:
+    static constexpr unsigned most = small_code ? 1 : 32;
+
+    void add(const NearTriangle& near) { near_[count_++] = near; }
+    [[nodiscard]] bool are_full() const { return count_ == most; }
+    void clear() { count_ = 0; }
+    [[nodiscard]] std::span<NearTriangle> all() { return {near_, count_}; }
+
+private:
+    NearTriangle near_[most];
+    unsigned count_ = 0;
+};
+
 /// The triangles of a blob at a corner: whether an internal edge there has no second one, because the surface goes on
 /// in another blob, and how far their faces lean from one of them.
 class Fan {
@@ -124,9 +149,10 @@ struct SeenFromMiddle {
 /// The surface around one triangle that a body touches, for places on its internal features.
 class SurfaceAround {
 public:
+    /// `near` are all triangles near the body, or none if that is not known.
     SurfaceAround(const Blob& blob, Body& body, std::uint32_t index, const LatticeTriangle& triangle,
-                  const FacingSide& side)
-        : owner_(blob), blob_(data_of(blob)), body_(body), index_(index), triangle_(triangle), side_(side) {}
+                  const FacingSide& side, std::span<NearTriangle> near)
+        : owner_(blob), blob_(data_of(blob)), body_(body), index_(index), triangle_(triangle), side_(side), near_(near) {}
 
     /// Whether the surface that goes on at an edge or corner has the body's middle on the same side as the triangle: of
     /// an edge the other triangle there, of a corner the one that the middle is over.
@@ -134,7 +160,8 @@ public:
         const Part part(feature);
         const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_known = false, is_same_side = true;
-        visit_triangles_at(blob_, less_crowded(part), [&](std::uint32_t, const LatticeTriangle& other) {
+        visit_around(part, [&](const NearTriangle& of_near) {
+            const LatticeTriangle& other = of_near.triangle;
             const unsigned at = corner_at(other, from);
             if (at == 3) return Visit::next;
             const unsigned before = corner_before(at);
@@ -157,20 +184,23 @@ public:
         const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_joined = false;  // the edge has another triangle
         Fan fan(face_normal_of(triangle_));
-        const auto is_nearer = [&](std::uint32_t index, const LatticeTriangle& other) {
-            const unsigned at = corner_at(other, from);
-            if (at == 3 || corner_at(other, to) == 3) return Visit::next;
-            if (!part.is_edge) fan.add(other, at, internal_features(owner_, TriangleId{index}), side_.is_back);
-            if (index == index_) return Visit::next;
+        const auto is_nearer = [&](NearTriangle& other) {
+            const unsigned at = corner_at(other.triangle, from);
+            if (at == 3 || corner_at(other.triangle, to) == 3) return Visit::next;
+            const InternalFeatures internal = internal_features(owner_, TriangleId{other.index});
+            if (!part.is_edge) fan.add(other.triangle, at, internal, side_.is_back);
+            if (other.index == index_) return Visit::next;
             is_joined = true;
-            Touches of_other;
-            body_.touch(other, FacingSide{}, touches.nearest, of_other);
-            if (of_other.count == 0) return Visit::next;
+            if (other.nearest == -infinity) {
+                Touches of_other;
+                body_.touch(other.triangle, FacingSide{}, touches.nearest, of_other);
+                other.nearest = of_other.count == 0 ? infinity : of_other.nearest;
+            }
             const bool comes_first =
-                of_other.nearest < touches.nearest || (of_other.nearest == touches.nearest && index < index_);
+                other.nearest < touches.nearest || (other.nearest == touches.nearest && other.index < index_);
             return comes_first ? Visit::stop : Visit::next;
         };
-        if (visit_triangles_at(blob_, less_crowded(part), is_nearer)) return true;
+        if (visit_around(part, is_nearer)) return true;
         if (part.is_edge ? is_joined : !fan.goes_on()) return false;
         // What lies beyond leans by at most the flat angle from a face of this blob.
         const Vec3 outward = side_.own_normal(face_normal_of(triangle_));
@@ -184,6 +214,20 @@ public:
     }
 
 private:
+    /// Calls `take(NearTriangle&)` for the triangles at the less crowded end of a part, and maybe for others, in storage
+    /// order. Returns whether it stopped.
+    template <class Take>
+    bool visit_around(const Part& part, Take take) const {
+        if (takes_shortcut(!near_.empty())) {
+            for (NearTriangle& other : near_)
+                if (take(other) == Visit::stop) return true;
+            return false;
+        }
+        return visit_triangles_at(blob_, less_crowded(part), [&](std::uint32_t index, const LatticeTriangle& triangle) {
+            NearTriangle other = {index, triangle};
+            return take(other);
+        });
+    }
     /// The end of an edge where probably fewer triangles meet, because this one has the larger angle there: at the tip
     /// of a cone of thousands each would else look at all others.
     [[nodiscard]] const std::int32_t* less_crowded(const Part& part) const {
@@ -205,6 +249,7 @@ private:
     std::uint32_t index_;
     const LatticeTriangle& triangle_;
     FacingSide side_;
+    std::span<NearTriangle> near_;
 };
 
 }  // namespace espalier::detail::contacts

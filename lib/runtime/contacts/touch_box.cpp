@@ -64,62 +64,98 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
     }
 }
 
-/// Which parts of a box and a triangle may be nearest: bounds on their distances from a direction and from the box's
-/// size, beside how near a corner of the box is. Most pairs of an edge and a side are too far, and take longest.
-struct NearParts {
-    Vec3 vertex[8];  ///< of the moved box
-    bool has_near_vertex[8];
-    bool has_near_corner[3], has_near_side[3];
+/// A box and a triangle along four directions: the normals of the faces, and one that separates them. What is farther
+/// apart along one of them than the nearest parts so far need not be tried: most pairs of an edge and a side, which take
+/// longest.
+class AlongDirections {
+public:
+    Vec3 vertex[8];         ///< of the moved box
+    float rounding;         ///< what gaps and distances may be off by
+    unsigned first_vertex;  ///< the one that reaches farthest toward the triangle
+    unsigned first_corner;  ///< and that toward the box
 
-    NearParts(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
-        NearestPair known;
-        float at[8], low = infinity;
+    AlongDirections(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way)
+        : rounding((box.size + largest(moved) + seen.reach()) * 0x1p-17f), first_vertex(0), first_corner(0) {
         for (unsigned i = 0; i < 8; ++i) {
             vertex[i] = moved;
             for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
-            try_vertex(vertex[i], seen, known);
-            at[i] = dot(way, vertex[i]);
-            low = minimum(at[i], low);
         }
-        const float rounding = (box.size + largest(moved) + seen.reach()) * 0x1p-17f;
-        const float most = square_root(known.squared) + rounding;
-        float to_corner[3], high = -infinity;
-        for (unsigned i = 0; i < 3; ++i) {
-            to_corner[i] = dot(way, seen.corner[i]);
-            high = maximum(to_corner[i], high);
+        for (unsigned d = 0; d < 4; ++d) {
+            const Vec3& unit = d < 3 ? box.face[d] : way;
+            for (unsigned i = 0; i < 8; ++i) of_box_[d].add(of_vertex_[d][i] = dot(unit, vertex[i]));
+            for (unsigned i = 0; i < 3; ++i) of_triangle_[d].add(of_corner_[d][i] = dot(unit, seen.corner[i]));
         }
-        const auto reaches = [&](const Vec3& place) {
-            const Vec3 from_middle = place - moved;
-            const float far = box.size + most;
-            return dot(from_middle, from_middle) <= far * far * (1.0f + 0x1p-18f);
-        };
-        for (unsigned i = 0; i < 8; ++i) has_near_vertex[i] = at[i] - high <= most;
-        for (unsigned i = 0; i < 3; ++i) {
-            Feature feature = Feature::face;
-            has_near_corner[i] = low - to_corner[i] <= most && reaches(seen.corner[i]);
-            has_near_side[i] = reaches(nearest_on_side(seen, i, moved, feature));
-        }
+        for (unsigned i = 1; i < 8; ++i)
+            if (of_vertex_[3][i] < of_vertex_[3][first_vertex]) first_vertex = i;
+        for (unsigned i = 1; i < 3; ++i)
+            if (of_corner_[3][i] > of_corner_[3][first_corner]) first_corner = i;
     }
+    [[nodiscard]] bool is_corner_within(float most, unsigned corner) const {
+        return are_within(most, [&](unsigned d) { return gap({of_corner_[d][corner]}, of_box_[d]); });
+    }
+    [[nodiscard]] bool is_vertex_within(float most, unsigned at) const {
+        return are_within(most, [&](unsigned d) { return gap({of_vertex_[d][at]}, of_triangle_[d]); });
+    }
+    [[nodiscard]] bool is_edge_within(float most, unsigned from, unsigned to) const {
+        return are_within(most, [&](unsigned d) { return gap({of_vertex_[d][from], of_vertex_[d][to]}, of_triangle_[d]); });
+    }
+    [[nodiscard]] bool are_within(float most, unsigned from, unsigned to, unsigned side) const {
+        const unsigned next = side == 2 ? 0 : side + 1;
+        return are_within(most, [&](unsigned d) {
+            return gap({of_vertex_[d][from], of_vertex_[d][to]}, {of_corner_[d][side], of_corner_[d][next]});
+        });
+    }
+
+private:
+    struct Range {
+        float low = infinity, high = -infinity;
+
+        Range() = default;
+        Range(float at) : low(at), high(at) {}
+        Range(float a, float b) : low(minimum(a, b)), high(maximum(a, b)) {}
+        void add(float at) {
+            low = minimum(low, at);
+            high = maximum(high, at);
+        }
+    };
+    static float gap(const Range& a, const Range& b) { return maximum(a.low - b.high, b.low - a.high); }
+    template <class GapAt>
+    static bool are_within(float most, GapAt gap_at) {
+        return gap_at(3u) <= most && gap_at(0u) <= most && gap_at(1u) <= most && gap_at(2u) <= most;
+    }
+
+    float of_vertex_[4][8], of_corner_[4][3];
+    Range of_box_[4], of_triangle_[4];
 };
 
 /// Returns the nearest points of the box, moved by that much, and the triangle; they share no inner point. `way` is any
 /// unit vector from the triangle to the box: the better it separates them, the less is tried.
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
     const float scale = power_of_two(-box.fraction_bits);
-    const NearParts near(box, moved, seen, way);
+    const AlongDirections along(box, moved, seen, way);
+    NearestPair known;  // tried again below, in the order that decides between equals
+    try_vertex(along.vertex[along.first_vertex], seen, known);
+    try_corner(box, moved, seen, along.first_corner, known);
     NearestPair nearest;
+    float most = square_root(known.squared) + along.rounding;
+    const auto tighten = [&] { most = minimum(square_root(nearest.squared) + along.rounding, most); };
     for (unsigned i = 0; i < 3; ++i)
-        if (near.has_near_corner[i]) try_corner(box, moved, seen, i, nearest);
+        if (along.is_corner_within(most, i)) try_corner(box, moved, seen, i, nearest);
+    tighten();
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3& p = near.vertex[corner];
-        if (near.has_near_vertex[corner]) try_vertex(p, seen, nearest);
+        const Vec3& p = along.vertex[corner];
+        if (along.is_vertex_within(most, corner)) {
+            try_vertex(p, seen, nearest);
+            tighten();
+        }
         for (unsigned i = 0; i < 3; ++i) {
-            if ((corner >> i & 1u) != 0 || !(near.has_near_vertex[corner] || near.has_near_vertex[corner | 1u << i]))
-                continue;
+            const unsigned end = corner | 1u << i;
+            if (end == corner || !along.is_edge_within(most, corner, end)) continue;
             for (unsigned side = 0; side < 3; ++side) {
-                if (!near.has_near_side[side]) continue;
+                if (!along.are_within(most, corner, end, side)) continue;
                 const Vec3 across = to_vector(cross(box.units[i], seen.side[side])) * (2.0f * scale);
                 try_edge(p, box.half[i] * 2.0f, across, seen, side, nearest);
+                tighten();
             }
         }
     }

@@ -2,7 +2,6 @@
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
-#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
@@ -95,8 +94,5 @@ bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept {
     }
     return true;
 }
-
-template QueryStatus find_overlaps_of<Box>(const BlobData&, const void*, Each&, const WalkAccuracy&);
-template QueryStatus find_overlaps_of<LatticeBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail
