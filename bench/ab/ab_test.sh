@@ -14,6 +14,7 @@ printf '%s\n' "$rows"
 for profile in fast balanced small tiny; do
     for questions in closest_hit_incoherent closest_hit_coherent any_hit_incoherent closest_hit_batch_incoherent \
         closest_hit_batch_coherent any_hit_batch_incoherent closest_point overlaps_sphere all_overlaps_sphere overlaps_box \
+        all_overlaps_box overlaps_{capsule,oriented_box}{,_touching} contacts_{sphere,capsule,oriented_box} \
         sweep_sphere sweep_capsule sweep_box \
         sweep_{sphere,capsule,box}_{short,long} collides all_contacts minimum_distance open; do
         row=$(grep "\"profile\":\"$profile\"" <<<"$rows" | grep "\"questions\":\"$questions\"") ||
@@ -25,7 +26,7 @@ for profile in fast balanced small tiny; do
         grep -q '"same_bytes":true' <<<"$row" || fail "two bakes of one mesh differ: $row"
     done
 done
-[[ $(wc -l <<<"$rows") -eq 92 ]] || fail "other rows than those expected"
+[[ $(wc -l <<<"$rows") -eq 124 ]] || fail "other rows than those expected"
 
 # The table, in another instruction set; and a file that is no side.
 table=$("$program" --base "$side" --other "$side" --profile fast --questions closest_point --seconds 0.02 --slice 0.01 --loads 1 \

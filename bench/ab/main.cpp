@@ -26,6 +26,8 @@ Mesh mesh_named(const std::string& word) {
     if (word == "torus") mesh = tests::make_torus(300, 100, 3.0, 1.0);
     else if (word == "terrain") mesh = tests::make_terrain(256, 1);
     else if (word == "level") mesh = tests::make_level(20'000, 1);
+    else if (word == "small_mesh") mesh = tests::make_level(200, 1);
+    else if (word == "tiny_mesh") mesh = tests::make_cube(-1.0f, 1.0f);
     else return tests::read_mesh(word);
     mesh.name = word;
     return mesh;
@@ -87,7 +89,7 @@ int main(int count, char** words) {
     Heading heading;
     Program program(
         "espalier_bench_ab",
-        "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level; JSON");
+        "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain, level, small_mesh or tiny_mesh; JSON");
     program.add_word("--base", options.base_file, "Shared object of the one side");
     program.add_word("--other", options.other_file, "Shared object of the other side");
     program.add_word("--base-name", heading.base, "What the report calls it");

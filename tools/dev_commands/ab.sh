@@ -6,7 +6,7 @@ ab() {
         [[ -n $other ]] || fail "ab --against COMMIT: the commit is missing"
         shift 2
     fi
-    [[ ${1-} == --help || $# -ge 2 ]] || fail "ab [--against COMMIT] COMMIT MESH...: a commit and a mesh are needed; a mesh is a file, or torus, terrain or level"
+    [[ ${1-} == --help || $# -ge 2 ]] || fail "ab [--against COMMIT] COMMIT MESH...: a commit and a mesh are needed; a mesh is a file, or torus, terrain, level, small_mesh or tiny_mesh"
     base=$1
     shift
     install_missing "${build_packages[@]}" libcli11-dev git python3 >&2

@@ -45,7 +45,7 @@ Before a release
 Research
   ab          Compares two commits: both answer the same queries in turns within one process. Without --against the other
               side is the working tree: ab [--against COMMIT] COMMIT MESH... [OPTION...]
-              A MESH is a file, or torus, terrain or level; ab --help lists the options (4 minutes).
+              A MESH is a file, or torus, terrain, level, small_mesh or tiny_mesh; ab --help lists the options (4 minutes).
   counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
               on generated meshes (10 minutes) and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels

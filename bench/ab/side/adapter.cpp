@@ -82,6 +82,14 @@ struct CapsuleQuestion {
     static Capsule make(const float* n) { return {vector_at(n), vector_at(n + 3), n[6]}; }
 };
 
+struct OrientedBoxQuestion {
+    using Question = OrientedBox;
+    static constexpr std::size_t floats = 12;
+    static OrientedBox make(const float* n) {
+        return {vector_at(n), {vector_at(n + 3), vector_at(n + 6), vector_at(n + 9)}};
+    }
+};
+
 struct BoxQuestion {
     using Question = Box;
     static constexpr std::size_t floats = 6;
@@ -145,13 +153,24 @@ constexpr auto overlap = [](const Blob& blob, const auto& shape) { return overla
 constexpr auto moved = [](const Blob& blob, const auto& question) {
     return sweep(blob, question.shape, question.displacement);
 };
-constexpr auto count_overlaps = [](const Blob& blob, const Sphere& sphere) {
+constexpr auto count_overlaps = [](const Blob& blob, const auto& shape) {
     std::uint32_t count = 0;
-    static_cast<void>(for_each_overlap(blob, sphere, [&count](TriangleId) { ++count; }));
+    static_cast<void>(for_each_overlap(blob, shape, [&count](TriangleId) { ++count; }));
     return count;
 };
 constexpr auto collision = [](const Blob& blob, const Transform& place) {
     return overlaps(blob, PlacedBlob(blob, place), WorkLimit::unlimited());
+};
+/// The contacts with a body that was found, and how deep the deepest is.
+struct BodyContacts {
+    std::uint32_t count = 0;
+    float deepest = 0.0f;
+};
+std::uint64_t digest(const BodyContacts& found) { return found.count > 0 ? digest_of(found.count, found.deepest) : 0; }
+constexpr auto body_contacts = [](const Blob& blob, const auto& body) {
+    Contact contacts[32];
+    const Filled filled = find_contacts(blob, body, 0.0f, contacts);
+    return BodyContacts{static_cast<std::uint32_t>(filled.count), contacts[0].distance};
 };
 constexpr auto count_contacts = [](const Blob& blob, const Transform& place) {
     std::uint32_t count = 0;
@@ -192,6 +211,12 @@ const EspalierSideKind kinds[] = {kind_named<OneByOne<RayQuestion, closest>>("cl
                                   kind_named<OneByOne<SphereQuestion, overlap>>("overlaps_sphere"),
                                   kind_named<OneByOne<SphereQuestion, count_overlaps>>("all_overlaps_sphere"),
                                   kind_named<OneByOne<BoxQuestion, overlap>>("overlaps_box"),
+                                  kind_named<OneByOne<BoxQuestion, count_overlaps>>("all_overlaps_box"),
+                                  kind_named<OneByOne<CapsuleQuestion, overlap>>("overlaps_capsule"),
+                                  kind_named<OneByOne<OrientedBoxQuestion, overlap>>("overlaps_oriented_box"),
+                                  kind_named<OneByOne<SphereQuestion, body_contacts>>("contacts_sphere"),
+                                  kind_named<OneByOne<CapsuleQuestion, body_contacts>>("contacts_capsule"),
+                                  kind_named<OneByOne<OrientedBoxQuestion, body_contacts>>("contacts_oriented_box"),
                                   kind_named<OneByOne<SweepQuestion<SphereQuestion>, moved>>("sweep_sphere"),
                                   kind_named<OneByOne<SweepQuestion<CapsuleQuestion>, moved>>("sweep_capsule"),
                                   kind_named<OneByOne<SweepQuestion<BoxQuestion>, moved>>("sweep_box"),
@@ -211,6 +236,7 @@ const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigne
     static std::string message;
     BakeOptions options;
     options.resolution = Resolution::bits(bits);
+    options.flat_angle = 5.0;  // edge flags, which contacts read
     const std::string_view word = profile;
     if (word == "fast") options.profile = Profile::fast;
     else if (word == "balanced") options.profile = Profile::balanced;
