@@ -36,11 +36,6 @@ QueryStatus find_overlaps_of<Capsule>(const BlobData& blob, const void* shape, E
 template <>
 QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
                                           const WalkAccuracy& accuracy);
-template <>
-QueryStatus find_overlaps_of<Box>(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy);
-template <>
-QueryStatus find_overlaps_of<LatticeBox>(const BlobData& blob, const void* shape, Each& answer,
-                                         const WalkAccuracy& accuracy);
 
 /// A shape of any type, with the function that handles it.
 struct AnyShape {

@@ -2,6 +2,7 @@
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
@@ -94,5 +95,8 @@ bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept {
     }
     return true;
 }
+
+template QueryStatus find_overlaps_of<Box>(const BlobData&, const void*, Each&, const WalkAccuracy&);
+template QueryStatus find_overlaps_of<LatticeBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

@@ -3,6 +3,12 @@
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
+#include <runtime/overlap/find.hpp>
+
+#if !ESPALIER_SMALL_CODE
+#define ESPALIER_FRAGMENT <runtime/overlap/oriented_box_queries.hpp>
+#include <runtime/lanes/for_each_set.hpp>
+#endif
 
 namespace espalier::detail {
 
@@ -43,7 +49,7 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded
         for (const WideVector& face : box.face)
             for (const WideVector& normal : {face, -face})
                 box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
-        box.planes_cull = blob.copies == nullptr;  // as in box_queries.hpp
+        box.planes_cull = blob.copies == nullptr;  // as in oriented_box_queries.hpp
     }
     return QueryStatus::ok;
 }
@@ -128,6 +134,21 @@ bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noe
     const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
     return !(takes_shortcut(box.is_near && is_short) ? is_separated<Integer3>(box, seen)
                                                      : is_separated<WideVector>(box, seen));
+}
+
+template <>
+QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
+                                          const WalkAccuracy& accuracy) {
+#if ESPALIER_SMALL_CODE
+    return find_overlaps_in_volume<OrientedBox>(blob, shape, answer, accuracy);
+#else
+    Rounded<OrientedBox> box;
+    const QueryStatus status = round_half_axes(blob, *static_cast<const OrientedBox*>(shape), box);
+    if (status == QueryStatus::not_found) return QueryStatus::ok;
+    if (status != QueryStatus::ok || blob.triangle_count == 0) return status;
+    const bool is_stopped = ESPALIER_DISPATCH(find_overlaps_of_box, blob, box, answer, accuracy);
+    return is_stopped ? QueryStatus::stopped : QueryStatus::ok;
+#endif
 }
 
 }  // namespace espalier::detail

@@ -60,16 +60,16 @@ void add_faces(Rounded<OrientedBox>& box) noexcept;
 QueryStatus round_volume(const BlobData& blob, const OrientedBox& local, Rounded<OrientedBox>& box) noexcept;
 [[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
 
-/// A box in float, in lattice steps, exactly; the fourth numbers of its center and half axes are zero.
+/// A box in float, in lattice steps.
 struct FloatOrientedBox {
-    const float* center;
-    const float (*half)[4];
+    const Rounded<OrientedBox>& rounded;
     float normal[3][3];  ///< across two of the half axes each
     float face = 0.0f;   ///< how far each face is along its normal
     float size = 0.0f;   ///< at least the sum of the lengths of the half axes
     float spread[3];     ///< how far it reaches along each axis of space
 
-    FloatOrientedBox(const float* at, const float (*half_axes)[4]) : center(at), half(half_axes) {
+    explicit FloatOrientedBox(const Rounded<OrientedBox>& box) : rounded(box) {
+        const auto& half = box.half_steps;
         for (int i = 0; i < 3; ++i) {
             const float* const a = half[i == 2 ? 0 : i + 1];
             const float* const b = half[i == 0 ? 2 : i - 1];

@@ -1,15 +1,14 @@
-// Boxes against nodes and triangles in lanes: separating axes in float, with bounds on what they round
+// Oriented boxes against nodes and triangles in lanes: separating axes in float, with bounds on what they round
 // (docs/numerics.md, *Oriented boxes in lanes*). What these leave open is decided by the exact kernel, whose products
 // of 128 bits take a hundred times as long.
-#ifndef ESPALIER_OVERLAP_BOX_QUERIES_HPP
-#define ESPALIER_OVERLAP_BOX_QUERIES_HPP
+#ifndef ESPALIER_OVERLAP_ORIENTED_BOX_QUERIES_HPP
+#define ESPALIER_OVERLAP_ORIENTED_BOX_QUERIES_HPP
 
 #include <runtime/lanes/set.hpp>
 #include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/proximity/point_bounds.hpp>
 #include <runtime/traversal/find.hpp>
 #include <runtime/traversal/node_boxes.hpp>
-#include <runtime/traversal/volume_shape.hpp>
 
 ESPALIER_BEGIN_SET
 
@@ -28,7 +27,7 @@ inline unsigned children_meeting(const Node& node, const FloatOrientedBox& box, 
         Floats middle[3], size[3], reach = splat(box.size);  // twice as large as they should be
         for (int k = 0; k < 3; ++k) {
             const Floats low = boxes.low(k, first), high = boxes.high(k, first),
-                         center = splat(box.center[k]);
+                         center = splat(box.rounded.center_steps[k]);
             middle[k] = add(subtract(low, center), subtract(high, center));
             size[k] = subtract(high, low);
             reach = add(add(magnitude(middle[k]), size[k]), reach);
@@ -83,7 +82,7 @@ inline AxisGaps gaps_of(const FloatOrientedBox& box, const CornersFromPoint& t, 
     Floats along[3], sum = splat(0.0f);  // half axes along the normal of the triangle
     Floats3 half[3];
     for (int i = 0; i < 3; ++i) {
-        half[i] = splat_each(box.half[i]);
+        half[i] = splat_each(box.rounded.half_steps[i]);
         along[i] = dot(half[i], normal);
         sum = add(magnitude(along[i]), sum);
     }
@@ -110,7 +109,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
                                                                                const FloatOrientedBox& box) {
     using Slots = typename Leaf::Slots;
     OverlapCandidates<Slots> candidates;
-    for_each_group_of<groups>(leaf, box.center, [&](unsigned first, const CornersFromPoint& t) {
+    for_each_group_of<groups>(leaf, box.rounded.center_steps, [&](unsigned first, const CornersFromPoint& t) {
         const BoxesFromPoint around(t);
         Floats beyond = splat(-infinity);
         for (int k = 0; k < 3; ++k)
@@ -132,7 +131,7 @@ struct OrientedBoxShape {
     FloatOrientedBox box;
     bool has_faces = false;
 
-    OrientedBoxShape(const BlobData& of, Rounded<OrientedBox>& from) : blob(of), rounded(from), box(from.center_steps, from.half_steps) {}
+    OrientedBoxShape(const BlobData& of, Rounded<OrientedBox>& from) : blob(of), rounded(from), box(from) {}
     template <class Node>
     [[nodiscard]] unsigned cull(const Node& node, float, float*) const {
         const unsigned mask = children_within(node, blob.bits, rounded.bounds);
@@ -153,54 +152,9 @@ struct OrientedBoxShape {
     }
 };
 
-ESPALIER_QUERY_OF_SET bool find_triangles_in_box(const BlobData& blob, Rounded<OrientedBox>& box, Each& answer,
+ESPALIER_QUERY_OF_SET bool find_overlaps_of_box(const BlobData& blob, Rounded<OrientedBox>& box, Each& answer,
                                                 const WalkAccuracy& accuracy) {
     OrientedBoxShape shape(blob, box);
-    return find_each<Each>(blob, shape, answer, accuracy);
-}
-
-/// A box along the axes in float, if that holds it exactly: a coordinate has up to 31 bits.
-struct FloatBox {
-    float center[4] = {}, half[3][4] = {};
-    bool is_exact = true;
-
-    explicit FloatBox(const Rounded<Box>& box) {
-        const auto set = [&](float& to, std::int64_t units) {
-            const auto rounded = static_cast<float>(units);
-            is_exact = is_exact && static_cast<std::int64_t>(rounded) == units;
-            to = rounded * power_of_two(-Rounded<Box>::fraction_bits);
-        };
-        for (int k = 0; k < 3; ++k) {
-            set(center[k], box.center[k]);
-            set(half[k][k], box.half[k]);
-        }
-    }
-};
-
-/// Sides are compared exactly, as those of other volumes; for the other axes the box is an oriented one.
-struct BoxShape : VolumeShape {
-    FloatBox in_float;
-    FloatOrientedBox box;
-
-    BoxShape(const BlobData& of, const Rounded<Box>& rounded)
-        : VolumeShape{of, rounded}, in_float(rounded), box(in_float.center, in_float.half) {}
-    template <class Leaf>
-    [[nodiscard]] Visit scan(const Leaf& leaf, Each& answer) const {
-        OverlapCandidates<typename Leaf::Slots> found = candidates(leaf);
-        const auto open = found.near & ~found.inside;
-        if (in_float.is_exact && (open & (open - 1)) != 0) {  // one is decided as soon by the kernel
-            const auto tried = with_table_groups<Leaf::max_vertices>(
-                leaf.vertex_count, [&](auto groups) { return (candidates_of<groups>)(leaf, box); });
-            found.near &= tried.near | found.inside;
-            found.inside |= tried.inside;
-        }
-        return take(leaf, found, answer);
-    }
-};
-
-ESPALIER_QUERY_OF_SET bool find_triangles_in_box(const BlobData& blob, const Rounded<Box>& box, Each& answer,
-                                                const WalkAccuracy& accuracy) {
-    BoxShape shape(blob, box);
     return find_each<Each>(blob, shape, answer, accuracy);
 }
 
