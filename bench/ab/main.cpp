@@ -26,7 +26,7 @@ Mesh mesh_named(const std::string& word) {
     if (word == "torus") mesh = tests::make_torus(300, 100, 3.0, 1.0);
     else if (word == "terrain") mesh = tests::make_terrain(256, 1);
     else if (word == "level") mesh = tests::make_level(20'000, 1);
-    else if (word == "small_mesh") mesh = tests::make_level(200, 1);
+    else if (word == "small_mesh") mesh = tests::make_terrain(10, 1);
     else if (word == "tiny_mesh") mesh = tests::make_cube(-1.0f, 1.0f);
     else return tests::read_mesh(word);
     mesh.name = word;

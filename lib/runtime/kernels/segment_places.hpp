@@ -2,7 +2,6 @@
 #pragma once
 
 #include <runtime/base/wide_difference.hpp>
-#include <runtime/kernels/near_places.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 
 namespace espalier::detail {
@@ -51,15 +50,12 @@ public:
         for (const Integer3& v : {d, w[0], w[1], w[2]}) large |= shifted(v.x) | shifted(v.y) | shifted(v.z);
 
         if (crosses_face(from_start, d, w)) return;
-        // Of a radius each place is decided.
-        const bool is_near = takes_shortcut(large < near_span);
-        const NearPlaces near = is_near && radius_ < 0.0f ? NearPlaces(from_start, d, w) : NearPlaces();
-        if (near.end[0]) try_end(from_start, 0.0f);
+        try_end(from_start, 0.0f);
         from_start.a = w[0] - d;
-        if (near.end[1]) try_end(from_start, 1.0f);
+        try_end(from_start, 1.0f);
         if constexpr (has_native_int128)  // without it, small code is preferred
-            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w, near);
-        try_sides<Int128, WideDifference>(from_start, d, w, near);
+            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
+        try_sides<Int128, WideDifference>(from_start, d, w);
     }
 
     /// Between an end of the segment, from which the triangle is seen, and the triangle.
@@ -117,13 +113,11 @@ private:
 
     /// `w`: the corners, seen from the segment's start.
     template <class Dot, class Difference>
-    ESPALIER_NOINLINE void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w,
-                                     const NearPlaces& near) {
+    ESPALIER_NOINLINE void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
         const Dot length = dot<Dot>(d, d);
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
-            if (near.side[i] && near.side[i == 0 ? 2 : i - 1]) try_corner<Dot, Difference>(w[i], along, length, i);
-            if (!near.side[i]) continue;
+            try_corner<Dot, Difference>(w[i], along, length, i);
             const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : -t.ac;
             try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }
