@@ -7,44 +7,96 @@ namespace espalier::detail::contacts {
 
 namespace {
 
-/// Offers both senses of an axis to a Separation or a GapAlong, unless it is zero.
+/// Offers both senses of a direction along which the triangle is ahead of the box by one gap, and behind it by another.
 template <class Best>
-void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Best& best) {
+void offer_both(const Vec3& unit, float ahead, float behind, Best& best) {
+    best.offer(unit * -1.0f, ahead);
+    best.offer(unit, behind);
+}
+
+/// Hands a direction and its gaps to `add`, unless it is zero.
+template <class Add>
+void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Add& add) {
     if (!(dot(unit, unit) > 0.0f)) return;
     float reach = 0.0f;
     for (const Vec3& half : box.half) reach += absolute(dot(unit, half));
     const float at[3] = {dot(unit, seen.corner[0]), dot(unit, seen.corner[1]), dot(unit, seen.corner[2])};
     const float low = minimum(minimum(at[0], at[1]), at[2]), high = maximum(maximum(at[0], at[1]), at[2]);
-    best.offer(unit * -1.0f, low - reach);  // the triangle is ahead of the box
-    best.offer(unit, -high - reach);        // or behind it
+    add(unit, low - reach, -high - reach);
 }
 
-template <class Best>
-ESPALIER_NOINLINE void separate(const BoxBody& box, const SeenTriangle& seen, Best& best) {
-    try_unit_axis(seen.front, box, seen, best);
+/// Hands the directions that may separate a box and a triangle to `add`, until it has enough.
+template <class Add>
+ESPALIER_NOINLINE void try_axes(const BoxBody& box, const SeenTriangle& seen, Add& add) {
+    try_unit_axis(seen.front, box, seen, add);
     bool is_flat = false;
     for (const Vec3& face : box.face) {
-        try_unit_axis(face, box, seen, best);
+        try_unit_axis(face, box, seen, add);
         is_flat = is_flat || !(dot(face, face) > 0.0f);
     }
     for (const Integer3& half : box.units) {
+        if (add.has_enough()) return;
         // From integers: of nearly parallel edges floats would leave only rounding.
-        for (const Integer3& side : seen.side) try_unit_axis(direction_of(cross(half, side)), box, seen, best);
+        for (const Integer3& side : seen.side) try_unit_axis(direction_of(cross(half, side)), box, seen, add);
     }
     if (!is_flat) return;
     // Without volume, also the normals of each direction within whichever plane all may lie in.
     constexpr Vec3 units[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
     for (const Vec3& unit : units) {
-        try_unit_axis(unit, box, seen, best);
+        try_unit_axis(unit, box, seen, add);
         for (unsigned i = 0; i < 3; ++i) {
-            try_unit_axis(direction_of(cross(unit, box.half[i])), box, seen, best);
-            try_unit_axis(direction_of(cross(unit, seen.along[i])), box, seen, best);
+            try_unit_axis(direction_of(cross(unit, box.half[i])), box, seen, add);
+            try_unit_axis(direction_of(cross(unit, seen.along[i])), box, seen, add);
         }
     }
 }
 
-/// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face.
-void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, unsigned corner,
+/// The directions that may separate a box and a triangle, with the gaps along each, found once for all that asks for
+/// them: the products, roots and quotients of thirteen directions take as long as the rest of a contact. Small cores
+/// have no stack for them.
+class Axes {
+public:
+    Separation separation;  ///< incomplete once its gap is above the reach
+
+    Axes(const BoxBody& box, const SeenTriangle& seen, float reach) : box_(box), seen_(seen), reach_(reach) {
+        try_axes(box, seen, *this);
+    }
+    void operator()(const Vec3& unit, float ahead, float behind) {
+        offer_both(unit, ahead, behind, separation);
+        if constexpr (!small_code) axis_[count_++] = {unit, ahead, behind};
+    }
+    [[nodiscard]] bool has_enough() const { return separation.gap > reach_; }
+
+    void offer_all(GapAlong& along) const {
+        if constexpr (small_code) {
+            struct Offer {
+                GapAlong& along;
+                void operator()(const Vec3& unit, float ahead, float behind) { offer_both(unit, ahead, behind, along); }
+                static constexpr bool has_enough() { return false; }
+            } offer{along};
+            try_axes(box_, seen_, offer);
+        } else {
+            for (unsigned i = 0; i < count_; ++i) offer_both(axis_[i].unit, axis_[i].ahead, axis_[i].behind, along);
+        }
+    }
+
+private:
+    struct Axis {
+        Vec3 unit;
+        float ahead, behind;
+    };
+    static constexpr unsigned most = small_code ? 1 : 4 + 9 + 21;
+
+    const BoxBody& box_;
+    const SeenTriangle& seen_;
+    float reach_;
+    Axis axis_[most];
+    unsigned count_ = 0;
+};
+
+/// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face and no farther
+/// from it than `most`.
+void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, unsigned corner, float most,
                 NearestPair& nearest) {
     for (unsigned i = 0; i < 3; ++i) {
         const Vec3& face = box.face[i];
@@ -54,108 +106,97 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
         const Vec3 diagonal = jk < 0.0f ? j - k : j + k;  // the longer one
         for (const float sense : {-1.0f, 1.0f}) {
             const Vec3 from_face = seen.corner[corner] - (moved + box.half[i] * sense);
+            const float height = dot(face, from_face);
+            if (absolute(height) > most) continue;
             if (absolute(dot(cross(from_face, k), face)) > whole || absolute(dot(cross(j, from_face), face)) > whole)
                 continue;
             // At a sharp corner of a sheared box the edges alone leave much room for rounding.
             if (absolute(dot(from_face, diagonal)) > dot(diagonal, diagonal)) continue;
-            nearest.offer(seen.corner[corner] - face * dot(face, from_face), seen.corner[corner],
+            nearest.offer(seen.corner[corner] - face * height, seen.corner[corner],
                           vertex_of(static_cast<int>(corner)));
         }
     }
 }
 
-/// A box and a triangle along four directions: the normals of the faces, and one that separates them. What is farther
-/// apart along one of them than the nearest parts so far need not be tried: most pairs of an edge and a side, which take
-/// longest.
-class AlongDirections {
-public:
-    Vec3 vertex[8];         ///< of the moved box
-    float rounding;         ///< what gaps and distances may be off by
-    unsigned first_vertex;  ///< the one that reaches farthest toward the triangle
-    unsigned first_corner;  ///< and that toward the box
+/// How far something reaches along four directions: one that separates box and triangle, and the normals of the faces.
+/// Small cores have the first only.
+struct Reach {
+    static constexpr unsigned directions = small_code ? 1 : 4;
+    float low[directions], high[directions];
 
-    AlongDirections(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way)
-        : rounding((box.size + largest(moved) + seen.reach()) * 0x1p-17f), first_vertex(0), first_corner(0) {
-        for (unsigned i = 0; i < 8; ++i) {
-            vertex[i] = moved;
-            for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
+    Reach() = default;
+    Reach(const Vec3* unit, const Vec3& point) {
+        for (unsigned d = 0; d < directions; ++d) low[d] = high[d] = dot(unit[d], point);
+    }
+    Reach(const Reach& a, const Reach& b) {
+        for (unsigned d = 0; d < directions; ++d) {
+            low[d] = minimum(a.low[d], b.low[d]);
+            high[d] = maximum(a.high[d], b.high[d]);
         }
-        for (unsigned d = 0; d < 4; ++d) {
-            const Vec3& unit = d < 3 ? box.face[d] : way;
-            for (unsigned i = 0; i < 8; ++i) of_box_[d].add(of_vertex_[d][i] = dot(unit, vertex[i]));
-            for (unsigned i = 0; i < 3; ++i) of_triangle_[d].add(of_corner_[d][i] = dot(unit, seen.corner[i]));
+    }
+    /// Whether the gap between both is at most that, whatever the direction. Without a branch, so that compilers take
+    /// all four at once.
+    [[nodiscard]] bool is_within(float most, const Reach& other) const {
+        std::uint32_t signs = 0;
+        for (unsigned d = 0; d < directions; ++d) {
+            const float gap = maximum(low[d] - other.high[d], other.low[d] - high[d]);
+            signs |= std::bit_cast<std::uint32_t>(most - gap);
         }
-        for (unsigned i = 1; i < 8; ++i)
-            if (of_vertex_[3][i] < of_vertex_[3][first_vertex]) first_vertex = i;
-        for (unsigned i = 1; i < 3; ++i)
-            if (of_corner_[3][i] > of_corner_[3][first_corner]) first_corner = i;
+        return signs >> 31 == 0;
     }
-    [[nodiscard]] bool is_corner_within(float most, unsigned corner) const {
-        return are_within(most, [&](unsigned d) { return gap({of_corner_[d][corner]}, of_box_[d]); });
-    }
-    [[nodiscard]] bool is_vertex_within(float most, unsigned at) const {
-        return are_within(most, [&](unsigned d) { return gap({of_vertex_[d][at]}, of_triangle_[d]); });
-    }
-    [[nodiscard]] bool is_edge_within(float most, unsigned from, unsigned to) const {
-        return are_within(most, [&](unsigned d) { return gap({of_vertex_[d][from], of_vertex_[d][to]}, of_triangle_[d]); });
-    }
-    [[nodiscard]] bool are_within(float most, unsigned from, unsigned to, unsigned side) const {
-        const unsigned next = side == 2 ? 0 : side + 1;
-        return are_within(most, [&](unsigned d) {
-            return gap({of_vertex_[d][from], of_vertex_[d][to]}, {of_corner_[d][side], of_corner_[d][next]});
-        });
-    }
-
-private:
-    struct Range {
-        float low = infinity, high = -infinity;
-
-        Range() = default;
-        Range(float at) : low(at), high(at) {}
-        Range(float a, float b) : low(minimum(a, b)), high(maximum(a, b)) {}
-        void add(float at) {
-            low = minimum(low, at);
-            high = maximum(high, at);
-        }
-    };
-    static float gap(const Range& a, const Range& b) { return maximum(a.low - b.high, b.low - a.high); }
-    template <class GapAt>
-    static bool are_within(float most, GapAt gap_at) {
-        return gap_at(3u) <= most && gap_at(0u) <= most && gap_at(1u) <= most && gap_at(2u) <= most;
-    }
-
-    float of_vertex_[4][8], of_corner_[4][3];
-    Range of_box_[4], of_triangle_[4];
 };
 
 /// Returns the nearest points of the box, moved by that much, and the triangle; they share no inner point. `way` is any
-/// unit vector from the triangle to the box: the better it separates them, the less is tried.
+/// unit vector from the triangle to the box. What is farther apart along a direction than the nearest parts so far need
+/// not be tried: the better `way` separates both, the fewer pairs of an edge and a side are left, which take longest.
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
-    const float scale = power_of_two(-box.fraction_bits);
-    const AlongDirections along(box, moved, seen, way);
+    const Vec3 unit[4] = {way, box.face[0], box.face[1], box.face[2]};
+    Vec3 vertex[8];
+    Reach corner[3], at_vertex[8];
+    for (unsigned i = 0; i < 3; ++i) corner[i] = Reach(unit, seen.corner[i]);
+    for (unsigned i = 0; i < 8; ++i) {
+        vertex[i] = moved;
+        for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
+        at_vertex[i] = Reach(unit, vertex[i]);
+    }
+    const Reach side[3] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}};
+    const Reach triangle(side[0], corner[2]);
+    Reach whole = at_vertex[0];
+    unsigned first_vertex = 0, first_corner = 0;  // those that reach farthest toward the other one
+    for (unsigned i = 1; i < 8; ++i) {
+        whole = Reach(whole, at_vertex[i]);
+        if (at_vertex[i].low[0] < at_vertex[first_vertex].low[0]) first_vertex = i;
+    }
+    for (unsigned i = 1; i < 3; ++i)
+        if (corner[i].high[0] > corner[first_corner].high[0]) first_corner = i;
+
+    // Distances and gaps may be off by more than they round, and nothing is lost by that.
+    const float rounding = (box.size + largest(moved) + seen.reach()) * 0x1p-17f;
+    const auto bound_of = [rounding](const NearestPair& pair) { return square_root(pair.squared) + rounding; };
     NearestPair known;  // tried again below, in the order that decides between equals
-    try_vertex(along.vertex[along.first_vertex], seen, known);
-    try_corner(box, moved, seen, along.first_corner, known);
+    try_vertex(vertex[first_vertex], seen, known);
+    try_corner(box, moved, seen, first_corner, bound_of(known), known);
+
     NearestPair nearest;
-    float most = square_root(known.squared) + along.rounding;
-    const auto tighten = [&] { most = minimum(square_root(nearest.squared) + along.rounding, most); };
+    float most = bound_of(known);
     for (unsigned i = 0; i < 3; ++i)
-        if (along.is_corner_within(most, i)) try_corner(box, moved, seen, i, nearest);
-    tighten();
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3& p = along.vertex[corner];
-        if (along.is_vertex_within(most, corner)) {
-            try_vertex(p, seen, nearest);
-            tighten();
+        if (corner[i].is_within(most, whole)) try_corner(box, moved, seen, i, most, nearest);
+    const float scale = power_of_two(-box.fraction_bits);
+    for (unsigned from = 0; from < 8 && nearest.squared != 0.0f; ++from) {
+        if (at_vertex[from].is_within(most, triangle)) {
+            try_vertex(vertex[from], seen, nearest);
+            most = minimum(bound_of(nearest), most);
         }
         for (unsigned i = 0; i < 3; ++i) {
-            const unsigned end = corner | 1u << i;
-            if (end == corner || !along.is_edge_within(most, corner, end)) continue;
-            for (unsigned side = 0; side < 3; ++side) {
-                if (!along.are_within(most, corner, end, side)) continue;
-                const Vec3 across = to_vector(cross(box.units[i], seen.side[side])) * (2.0f * scale);
-                try_edge(p, box.half[i] * 2.0f, across, seen, side, nearest);
-                tighten();
+            const unsigned to = from | 1u << i;
+            if (to == from) continue;
+            const Reach edge(at_vertex[from], at_vertex[to]);
+            if (!edge.is_within(most, triangle)) continue;
+            for (unsigned k = 0; k < 3; ++k) {
+                if (!edge.is_within(most, side[k])) continue;
+                const Vec3 across = to_vector(cross(box.units[i], seen.side[k])) * (2.0f * scale);
+                try_edge(vertex[from], box.half[i] * 2.0f, across, seen, k, nearest);
+                most = minimum(bound_of(nearest), most);
             }
         }
     }
@@ -170,13 +211,20 @@ struct Polygon {
 
     /// Keeps what lies on the side of the plane to which its normal points (Sutherland and Hodgman 1974).
     void cut(const Vec3& on_plane, const Vec3& normal) {
+        float at[most];
+        bool is_cut = false;
+        for (unsigned i = 0; i < count; ++i) {
+            at[i] = dot(vertex[i] - on_plane, normal);
+            is_cut = is_cut || !(at[i] >= 0.0f);
+        }
+        if (!is_cut) return;
         Polygon kept;
         for (unsigned i = 0; i < count; ++i) {
-            const Vec3 &here = vertex[i], &next = vertex[i + 1 == count ? 0 : i + 1];
-            const float at = dot(here - on_plane, normal), at_next = dot(next - on_plane, normal);
-            if (at >= 0.0f && kept.count != most) kept.vertex[kept.count++] = here;
-            if ((at > 0.0f && at_next < 0.0f) || (at < 0.0f && at_next > 0.0f)) {
-                if (kept.count != most) kept.vertex[kept.count++] = here + (next - here) * (at / (at - at_next));
+            const unsigned next = i + 1 == count ? 0 : i + 1;
+            if (at[i] >= 0.0f && kept.count != most) kept.vertex[kept.count++] = vertex[i];
+            if ((at[i] > 0.0f && at[next] < 0.0f) || (at[i] < 0.0f && at[next] > 0.0f)) {
+                const float share = at[i] / (at[i] - at[next]);
+                if (kept.count != most) kept.vertex[kept.count++] = vertex[i] + (vertex[next] - vertex[i]) * share;
             }
         }
         *this = kept;
@@ -210,15 +258,15 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
 void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const FacingSide& side, float reach,
                Touches& touches) {
     const SeenTriangle seen(triangle, box.center, box.fraction_bits);
-    Separation separation;
-    separate(box, seen, separation);
+    const Axes axes(box, seen, reach);
+    const Separation& separation = axes.separation;
     if (separation.gap > reach) return;
     const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(box, moved, seen, separation.normal); };
     FirstPlace first(separation, box.size + seen.reach(), find_nearest);
     if (first.distance > reach) return;
     touches.nearest = first.distance;
     touches.is_beside = !first.turn(
-        seen, side, [&](GapAlong& along) { separate(box, seen, along); }, find_nearest);
+        seen, side, [&](GapAlong& along) { axes.offer_all(along); }, find_nearest);
     const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits), normal = first.normal;
     touches.touch[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
     touches.count = 1;
