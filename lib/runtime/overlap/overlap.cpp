@@ -37,16 +37,19 @@ Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> 
     const BlobData& data = data_of(blob);
     Filled filled = {0, from, QueryStatus::not_open};
     if (data.bytes == nullptr) return filled;
-    TriangleId *next = out.data(), *const end = next + out.size();
-    const auto write = [&next, end](TriangleId triangle) {
-        if (next == end) return Visit::stop;
-        *next++ = triangle;
+    Each* self = nullptr;
+    const auto write = [&self](TriangleId triangle) {
+        if (self->next == self->end) return Visit::stop;
+        *self->next++ = triangle;
         return Visit::next;
     };
     Each each(data, write);
+    self = &each;
+    each.next = out.data();
+    each.end = each.next + out.size();
     each.first = from.place[0];
     filled.status = shape.find(data, shape.shape, each, exactly);
-    filled.count = static_cast<std::size_t>(next - out.data());
+    filled.count = static_cast<std::size_t>(each.next - out.data());
     if (filled.status == QueryStatus::stopped) {
         filled.status = QueryStatus::output_full;
         filled.next = {{each.first}};
