@@ -36,7 +36,7 @@ RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexce
 /// The work of queries on two blobs, accumulated over calls.
 struct PairCounters {
     /// Pairs of nodes or leaves that were visited. A single call completes with a WorkLimit of as many; two blobs whose
-    /// bounds are apart take one.
+    /// bounds are clearly apart take one.
     std::uint64_t box_pairs = 0;
     std::uint64_t leaf_pairs = 0;      ///< pairs of leaves whose triangles were compared
     std::uint64_t triangle_pairs = 0;  ///< sum of the products of the triangle counts of these pairs

@@ -74,7 +74,7 @@ protected:
         shape_middle = own_middle;
         least_reach = least;
         most_reach = most;
-        is_exact = std::is_same_v<decltype(OwnBody::grown(own, 0.0f)), Shape>;
+        is_exact = OwnBody::grows_to_itself;
     }
 };
 
@@ -84,6 +84,7 @@ struct BodyOf;
 
 template <>
 struct BodyOf<Sphere> : Body {
+    static constexpr bool grows_to_itself = true;
     RoundedPoint center;
     Integer3 origin;
 
@@ -105,6 +106,7 @@ struct BodyOf<Sphere> : Body {
 
 template <>
 struct BodyOf<Capsule> : Body {
+    static constexpr bool grows_to_itself = true;
     RoundedSegment segment;
     Integer3 doubled_middle;
 
@@ -136,6 +138,7 @@ struct BodyOf<Capsule> : Body {
 
 template <>
 struct BodyOf<OrientedBox> : Body {
+    static constexpr bool grows_to_itself = false;  ///< a box does
     BoxBody box;
 
     QueryStatus round(const BlobData& blob, const OrientedBox& local, float margin) {
@@ -186,6 +189,7 @@ struct BodyOf<OrientedBox> : Body {
 
 template <>
 struct BodyOf<ConvexHull> : Body {
+    static constexpr bool grows_to_itself = false;  ///< a box does
     HullBody hull;
     bool has_faces = false;  ///< found with the first triangle: a body in the open takes no time for them
 

@@ -54,11 +54,11 @@ ESPALIER_NOINLINE void try_axes(const BoxBody& box, const SeenTriangle& seen, Ad
 /// The directions that may separate a box and a triangle, with the gaps along each, found once for all that asks for
 /// them: the products, roots and quotients of thirteen directions take as long as the rest of a contact. Small cores
 /// have no stack for them.
-class Axes {
+class SeparatingAxes {
 public:
     Separation separation;  ///< incomplete once its gap is above the reach
 
-    Axes(const BoxBody& box, const SeenTriangle& seen, float reach) : box_(box), seen_(seen), reach_(reach) {
+    SeparatingAxes(const BoxBody& box, const SeenTriangle& seen, float reach) : box_(box), seen_(seen), reach_(reach) {
         try_axes(box, seen, *this);
     }
     void operator()(const Vec3& unit, float ahead, float behind) {
@@ -85,7 +85,7 @@ private:
         Vec3 unit;
         float ahead, behind;
     };
-    static constexpr unsigned most = small_code ? 1 : 4 + 9 + 21;
+    static constexpr unsigned most = small_code ? 1 : 4 + 9 + 21;  ///< as many as try_axes() has
 
     const BoxBody& box_;
     const SeenTriangle& seen_;
@@ -120,15 +120,15 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
 
 /// How far something reaches along four directions: one that separates box and triangle, and the normals of the faces.
 /// Small cores have the first only.
-struct Reach {
+struct Extents {
     static constexpr unsigned directions = small_code ? 1 : 4;
     float low[directions], high[directions];
 
-    Reach() = default;
-    Reach(const Vec3* unit, const Vec3& point) {
+    Extents() = default;
+    Extents(const Vec3* unit, const Vec3& point) {
         for (unsigned d = 0; d < directions; ++d) low[d] = high[d] = dot(unit[d], point);
     }
-    Reach(const Reach& a, const Reach& b) {
+    Extents(const Extents& a, const Extents& b) {
         for (unsigned d = 0; d < directions; ++d) {
             low[d] = minimum(a.low[d], b.low[d]);
             high[d] = maximum(a.high[d], b.high[d]);
@@ -136,7 +136,7 @@ struct Reach {
     }
     /// Whether the gap between both is at most that, whatever the direction. Without a branch, so that compilers take
     /// all four at once.
-    [[nodiscard]] bool is_within(float most, const Reach& other) const {
+    [[nodiscard]] bool is_within(float most, const Extents& other) const {
         std::uint32_t signs = 0;
         for (unsigned d = 0; d < directions; ++d) {
             const float gap = maximum(low[d] - other.high[d], other.low[d] - high[d]);
@@ -152,26 +152,27 @@ struct Reach {
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
     const Vec3 unit[4] = {way, box.face[0], box.face[1], box.face[2]};
     Vec3 vertex[8];
-    Reach corner[3], at_vertex[8];
-    for (unsigned i = 0; i < 3; ++i) corner[i] = Reach(unit, seen.corner[i]);
+    Extents corner[3], at_vertex[8];
+    for (unsigned i = 0; i < 3; ++i) corner[i] = Extents(unit, seen.corner[i]);
     for (unsigned i = 0; i < 8; ++i) {
         vertex[i] = moved;
         for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
-        at_vertex[i] = Reach(unit, vertex[i]);
+        at_vertex[i] = Extents(unit, vertex[i]);
     }
-    const Reach side[3] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}};
-    const Reach triangle(side[0], corner[2]);
-    Reach whole = at_vertex[0];
+    const Extents side[3] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}};
+    const Extents triangle(side[0], corner[2]);
+    Extents whole = at_vertex[0];
     unsigned first_vertex = 0, first_corner = 0;  // those that reach farthest toward the other one
     for (unsigned i = 1; i < 8; ++i) {
-        whole = Reach(whole, at_vertex[i]);
+        whole = Extents(whole, at_vertex[i]);
         if (at_vertex[i].low[0] < at_vertex[first_vertex].low[0]) first_vertex = i;
     }
     for (unsigned i = 1; i < 3; ++i)
         if (corner[i].high[0] > corner[first_corner].high[0]) first_corner = i;
 
-    // Distances and gaps may be off by more than they round, and nothing is lost by that.
-    const float rounding = (box.size + largest(moved) + seen.reach()) * 0x1p-17f;
+    // More than gaps and distances can round (docs/numerics.md, *Contacts of bodies*): what is skipped is strictly
+    // farther than a pair that is tried.
+    const float rounding = (box.size + largest(moved) + seen.reach()) * 0x1p-16f;
     const auto bound_of = [rounding](const NearestPair& pair) { return square_root(pair.squared) + rounding; };
     NearestPair known;  // tried again below, in the order that decides between equals
     try_vertex(vertex[first_vertex], seen, known);
@@ -190,7 +191,7 @@ NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriang
         for (unsigned i = 0; i < 3; ++i) {
             const unsigned to = from | 1u << i;
             if (to == from) continue;
-            const Reach edge(at_vertex[from], at_vertex[to]);
+            const Extents edge(at_vertex[from], at_vertex[to]);
             if (!edge.is_within(most, triangle)) continue;
             for (unsigned k = 0; k < 3; ++k) {
                 if (!edge.is_within(most, side[k])) continue;
@@ -258,7 +259,7 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
 void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const FacingSide& side, float reach,
                Touches& touches) {
     const SeenTriangle seen(triangle, box.center, box.fraction_bits);
-    const Axes axes(box, seen, reach);
+    const SeparatingAxes axes(box, seen, reach);
     const Separation& separation = axes.separation;
     if (separation.gap > reach) return;
     const auto find_nearest = [&](const Vec3& moved) { return nearest_pair(box, moved, seen, separation.normal); };

@@ -24,7 +24,7 @@ inline unsigned children_meeting(const Node& node, const FloatOrientedBox& box, 
     const auto boxes = boxes_of(node, blob);
     unsigned meeting = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
-        Floats middle[3], size[3], reach = splat(box.size);  // twice as large as they should be
+        Floats middle[3], size[3], reach = splat(box.size);  // middle and size are twice what they are
         for (int k = 0; k < 3; ++k) {
             const Floats low = boxes.low(k, first), high = boxes.high(k, first),
                          center = splat(box.rounded.center_steps[k]);
@@ -119,7 +119,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
         if (at_most(beyond, splat(0.0f)) == 0) return;
         const AxisGaps gaps = gaps_of(box, t, reach);
         candidates.near |= Slots{at_most(larger(gaps.least, beyond), splat(0.0f))} << first;
-        candidates.inside |= Slots{at_most(gaps.most, splat(0.0f))} << first;
+        candidates.sure |= Slots{at_most(gaps.most, splat(0.0f))} << first;
     });
     candidates.near &= leaf.used_slots();
     return candidates;

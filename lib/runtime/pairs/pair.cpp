@@ -18,18 +18,14 @@ struct PlacedPair {
     PairFrame frame;
     QueryStatus status;  ///< ok; not_found: a blob has no triangles, or is too far; or why the query is refused
 
-    /// Wherever they are.
-    PlacedPair(const PlacedBlob& a, const PlacedBlob& b) {
-        std::uint64_t none = 0;
-        status = place(a, b, 0.0f, none);
-    }
-    /// For what is within a distance of the world: two whose bounds are farther apart are left alone after one visit.
-    PlacedPair(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t& work)
+    /// Wherever they are; but with a work limit for what is within a distance of the world, two whose bounds are farther
+    /// apart are left alone after one visit.
+    PlacedPair(const PlacedBlob& a, const PlacedBlob& b, float distance = 0.0f, std::uint64_t* work = nullptr)
         : status(place(a, b, distance, work)) {}
 
 private:
     /// Out of line: its stack is not needed beside the walk.
-    ESPALIER_NOINLINE QueryStatus place(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t& work) {
+    ESPALIER_NOINLINE QueryStatus place(const PlacedBlob& a, const PlacedBlob& b, float distance, std::uint64_t* work) {
         const BlobData& data_a = data_of(a.blob());
         const BlobData& data_b = data_of(b.blob());
         if (data_a.bytes == nullptr || data_b.bytes == nullptr) return QueryStatus::not_open;
@@ -37,9 +33,9 @@ private:
         if (data_a.triangle_count == 0 || data_b.triangle_count == 0) return QueryStatus::not_found;
         const Transform b_in_a = to_local(a.transform(), b.transform());
         if (!is_valid(b_in_a)) return QueryStatus::out_of_range;
-        if (work != 0 && is_radius(distance) &&
+        if (work != nullptr && *work != 0 && is_radius(distance) &&
             are_apart(data_a, data_b, b_in_a, converted(distance, a.transform().scale, false))) {
-            --work;
+            --*work;
             return QueryStatus::not_found;
         }
         return place_pair(data_a, data_b, b_in_a, frame);
@@ -185,7 +181,7 @@ bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
 ESPALIER_NOINLINE PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
                                                          PairWork& work) noexcept {
     PairContact contact;
-    PlacedPair placed(a, b, 0.0f, work.left);
+    PlacedPair placed(a, b, 0.0f, &work.left);
     contact.status = placed.status;
     if (placed.status != QueryStatus::ok) return contact;
     TrianglePair pair;
@@ -236,7 +232,7 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
 QueryStatus detail::visit_contacts(const PlacedBlob& a, const PlacedBlob& b, OnContact visit,
                                    WorkLimit limit) noexcept {
     std::uint64_t work = limit.visits();
-    PlacedPair placed(a, b, 0.0f, work);
+    PlacedPair placed(a, b, 0.0f, &work);
     if (placed.status != QueryStatus::ok) return of_list(placed.status);
     return ContactVisitor{placed.frame, nullptr, visit, work}.walk();
 }
@@ -246,8 +242,8 @@ Filled detail::collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::s
     Filled filled;
     filled.next = from;
     const bool begins = from == Cursor{};
-    std::uint64_t work = limit.visits(), none = 0;
-    PlacedPair placed(a, b, 0.0f, begins ? work : none);  // a cursor of other placements is refused by the walk
+    std::uint64_t work = limit.visits();
+    PlacedPair placed(a, b, 0.0f, begins ? &work : nullptr);  // a cursor of other placements is refused by the walk
     filled.status = of_list(placed.status);
     if (placed.status != QueryStatus::ok) return filled;
     if (!begins && !is_valid_cursor(from, placed.frame)) {

@@ -344,7 +344,7 @@ private:
             unsigned inside = at_most(to_sides, subtract(inner_limit, splat(0x1p-60f)));
             if ((near & ~inside) != 0) inside |= bounds.within_over_face(t, reach, shape.radius);
             candidates.near |= Slots{near} << first;
-            candidates.inside |= Slots{inside} << first;
+            candidates.sure |= Slots{inside} << first;
         });
         candidates.near &= leaf.used_slots();
         return candidates;

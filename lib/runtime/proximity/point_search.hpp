@@ -20,7 +20,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> overlap_candida
         const BoxesFromPoint boxes(t);
         candidates.near |= Slots{at_most(squared_distance(boxes.low, boxes.high), splat(point.limit))} << first;
         const Floats nearest_corner = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));
-        candidates.inside |= Slots{at_most(nearest_corner, splat(point.inner_limit))} << first;
+        candidates.sure |= Slots{at_most(nearest_corner, splat(point.inner_limit))} << first;
     });
     candidates.near &= leaf.used_slots();
     return candidates;

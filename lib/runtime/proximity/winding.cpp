@@ -61,6 +61,7 @@ struct WayOut : Volume {
     }
 };
 
+// Volumes hand over triangles with their corners: it is never called.
 constexpr auto none = [](TriangleId) { return Visit::next; };
 constexpr TriangleVisitor visits_none(none);
 

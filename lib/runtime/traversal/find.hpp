@@ -110,12 +110,11 @@ inline void find_nearest_first(const BlobData& blob, Shape& shape, SomeAnswer& a
     with_leaves_of(blob, [&]<class Leaf>() { find_nearest_first_in<Leaf>(blob, shape, answer, accuracy...); });
 }
 
-/// The triangles of a leaf that a shape may overlap as far as lanes tell, and those with a corner that is clearly
-/// inside of it.
+/// The triangles of a leaf that a shape may overlap as far as lanes tell, and those that it surely overlaps.
 template <class Slots>
 struct OverlapCandidates {
     Slots near = 0;
-    Slots inside = 0;
+    Slots sure = 0;
 };
 /// Hands the answer those that overlap; `overlaps(slot)` decides on one.
 template <class Leaf, class SomeAnswer, class Overlaps>
@@ -126,7 +125,7 @@ ESPALIER_ALWAYS_INLINE inline Visit take_candidates(const Leaf& leaf,
         const auto slot = static_cast<unsigned>(std::countr_zero(candidates.near));
         const std::uint32_t reference = storage_index(leaf, slot);
         if (reference < answer.first) continue;
-        if ((candidates.inside >> slot & 1u) == 0 && !overlaps(slot)) continue;
+        if ((candidates.sure >> slot & 1u) == 0 && !overlaps(slot)) continue;
         if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
     }
     return Visit::next;

@@ -110,7 +110,7 @@ ESPALIER_NOINLINE inline OverlapCandidates<typename Leaf::Slots> candidates_of(c
             Slots{without_bits(beyond.look_up(numbers.a) & beyond.look_up(numbers.b) & beyond.look_up(numbers.c))}
             << first;
         if (has_inside)
-            candidates.inside |=
+            candidates.sure |=
                 Slots{without_bits(outside.look_up(numbers.a)) | without_bits(outside.look_up(numbers.b)) |
                       without_bits(outside.look_up(numbers.c))}
                 << first;
