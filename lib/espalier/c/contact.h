@@ -41,6 +41,25 @@ espalier_filled espalier_find_contacts_convex_hull(const espalier_blob* blob, co
 /* Moves the contacts that support a body best to the front of the array and returns their number. */
 size_t espalier_reduce_contacts(espalier_contact* contacts, size_t count);
 
+/* A plane that holds a capsule back. */
+typedef struct ESPALIER_SHARED_ espalier_contact_plane {
+    espalier_vec3 normal;
+    float distance;
+    espalier_triangle_id triangle;
+} espalier_contact_plane;
+
+typedef struct ESPALIER_SHARED_ espalier_vec3_result {
+    espalier_vec3 value;
+    espalier_query_status status;
+} espalier_vec3_result;
+
+/* Writes the planes that hold back a capsule which moves by at most `margin`, the nearest first, up to `capacity`. */
+espalier_filled espalier_collect_planes(const espalier_blob* blob, const espalier_capsule* capsule, float margin,
+                                        espalier_contact_plane* planes, size_t capacity);
+/* Returns the way nearest to `wish` that comes no nearer to any plane than `skin`. */
+espalier_vec3_result espalier_solve_planes(const espalier_contact_plane* planes, size_t count, espalier_vec3 wish,
+                                           float skin);
+
 /* How the surface bends at an edge, as seen from the front of its triangles. */
 typedef uint8_t espalier_edge_kind;
 enum { ESPALIER_EDGE_FLAT = 0, ESPALIER_EDGE_CONVEX = 1, ESPALIER_EDGE_CONCAVE = 2, ESPALIER_EDGE_BOUNDARY = 3 };

@@ -24,6 +24,7 @@ from .errors import BakeError, MeshFileError, OpenError
 from .mesh_files import Mesh, MeshFile, MeshFileWarning, SourceNames, read_mesh
 from .moving_scenes import MovingScene, Pairs, open_moving_scene
 from .pictures import pinhole, png_of, write_png
+from .points import solve_planes
 from .results import (
     BAKED_PAIR,
     BLOB_DISTANCE,
@@ -31,6 +32,7 @@ from .results import (
     CANDIDATE,
     CLOSEST_POINT,
     CONTACT,
+    CONTACT_PLANE,
     DISTANCE_BOUNDS,
     EDGE_KINDS,
     HANDLE,
@@ -50,6 +52,7 @@ from .results import (
     SCENE_SWEEP_HIT,
     SCENE_TRIANGLE,
     SWEEP_HIT,
+    WAY,
     WINDING,
     EdgeKind,
     Feature,

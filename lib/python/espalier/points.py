@@ -135,3 +135,20 @@ class ShapeQueries:
         """
         kind, fields = split(shape, Body, "contacts()")
         return lists_in_source(Lists(*_core.contact_lists(self._core, kind, fields, margin, most, threads)), self._origin)
+
+    def planes(self, capsule: Capsule, margin: ArrayLike, *, most: int = 16, threads: int = 1) -> Lists:
+        """Returns the planes that hold each capsule back which moves by at most a margin: lists of CONTACT_PLANE.
+
+        The nearest come first: an even floor has one, a step's edge one that leans, without edge flags too. Of more planes
+        than `most` the nearest are kept, with the status OUTPUT_FULL. solve_planes() returns the way along them.
+        """
+        kind, fields = split(capsule, Capsule, "planes()")
+        return Lists(*_core.plane_lists(self._core, kind, fields, margin, most, threads))
+
+
+def solve_planes(planes: Lists, wish: ArrayLike, skin: ArrayLike = 0.0) -> NDArray[Any]:
+    """Returns, for each list of planes(), the way nearest to a wish that comes no nearer to any plane than a skin: WAY.
+
+    wish: (..., 3), in the shape of the lists. Where no way keeps off all planes the status is NOT_FOUND.
+    """
+    return _core.solved_ways(planes.offsets, planes.items, wish, skin)

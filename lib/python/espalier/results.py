@@ -183,6 +183,10 @@ REMAP = _record("remap")
 """file, mesh, triangle, first_corner of each baked triangle."""
 CONTACT = _record("contact")
 """point (3), normal (3), distance, triangle, feature, side."""
+CONTACT_PLANE = _record("contact_plane")
+"""normal (3), distance, triangle."""
+WAY = _record("way")
+"""value (3), status."""
 PAIR_CONTACT = _record("pair_contact")
 """a, b, status."""
 PAIR_TOUCH = _record("pair_touch")

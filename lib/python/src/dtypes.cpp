@@ -110,6 +110,10 @@ std::map<std::string, py::dtype> make_all() {
     all["contact"] = make({ESPALIER_FIELD(Contact, point, "3f4"), ESPALIER_FIELD(Contact, normal, "3f4"),
                            ESPALIER_FIELD(Contact, distance, "f4"), ESPALIER_FIELD(Contact, triangle, "u4"),
                            ESPALIER_FIELD(Contact, feature, "u1"), ESPALIER_FIELD(Contact, side, "u1")}, sizeof(Contact));
+    all["contact_plane"] = make({ESPALIER_FIELD(ContactPlane, normal, "3f4"), ESPALIER_FIELD(ContactPlane, distance, "f4"),
+                                 ESPALIER_FIELD(ContactPlane, triangle, "u4")}, sizeof(ContactPlane));
+    all["way"] = make({Field{"value", "3f4", offsetof(Result<Vec3>, value)},
+                       Field{"status", "u1", offsetof(Result<Vec3>, status)}}, sizeof(Result<Vec3>));
     all["scene_contact"] = make({ESPALIER_IN_HIT(Contact, point, "3f4"), ESPALIER_IN_HIT(Contact, normal, "3f4"),
                                  ESPALIER_IN_HIT(Contact, distance, "f4"), ESPALIER_IN_HIT(Contact, triangle, "u4"),
                                  ESPALIER_IN_HIT(Contact, feature, "u1"), ESPALIER_IN_HIT(Contact, side, "u1"),

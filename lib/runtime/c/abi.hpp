@@ -59,7 +59,8 @@ namespace espalier::detail {
     twin(strided_vec3, Strided<Vec3>) twin(strided_float, Strided<float>)                                     \
     twin(strided_triangle_id, Strided<TriangleId>) twin(filled_lists, FilledLists)                            \
     twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)                 \
-    other(scene_sweep_options, SceneSweepOptions) twin(vec3d, Vec3d)
+    other(scene_sweep_options, SceneSweepOptions) twin(vec3d, Vec3d)                                          \
+    twin(contact_plane, ContactPlane) twin(vec3_result, Result<Vec3>)
 // clang-format on
 
 /// Applies a macro to each shape that sweeps take, and to each body of contacts.

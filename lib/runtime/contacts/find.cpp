@@ -73,7 +73,7 @@ struct ContactsOf : Each {
     float flat_cosine;
     float deepest = infinity;  ///< the least distance of the body and a triangle, before any correction
 
-    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, NearTriangles& waiting,
+    ContactsOf(const Blob& of_blob, Body& of_body, float within, const TriangleVisitor& by_id, NearTriangles<>& waiting,
                SortedContacts& into)
         : Each(data_of(of_blob), by_id),
           body(of_body),
@@ -158,7 +158,7 @@ private:
     /// The cosine from which on a normal clearly leaves a triangle on one side.
     static constexpr float steep = 0.5f;
     ClosestPoint nearest_;  ///< to the middle: looked for once, where that matters
-    NearTriangles& waiting_;
+    NearTriangles<>& waiting_;
     bool are_all_waiting_;  ///< all that were taken
 };
 
@@ -214,7 +214,7 @@ Filled find_contacts_of_body(const Blob& blob, Body& body, float margin, std::sp
         const auto search = [&](TriangleId triangle) {
             return self->take(triangle.index, find_triangle(data_of(blob), triangle.index));
         };
-        NearTriangles waiting;
+        NearTriangles<> waiting;
         ContactsOf answer(blob, body, margin, search, waiting, sorted);
         self = &answer;
         const QueryStatus status = body.functions->find_near(data_of(blob), body.shape, within, answer);

@@ -79,19 +79,51 @@ struct NearTriangle {
 
 /// The triangles near a body, in storage order, as far as there is room. A round body is no farther from what meets at
 /// its nearest place of a triangle than from that triangle: if all are here, no walk has to find them again.
+template <class Near = NearTriangle>
 class NearTriangles {
 public:
     static constexpr unsigned most = small_code ? 1 : 32;
 
-    void add(const NearTriangle& near) { near_[count_++] = near; }
+    void add(const Near& near) { near_[count_++] = near; }
     [[nodiscard]] bool are_full() const { return count_ == most; }
     void clear() { count_ = 0; }
-    [[nodiscard]] std::span<NearTriangle> all() { return {near_, count_}; }
+    [[nodiscard]] std::span<Near> all() { return {near_, count_}; }
 
 private:
-    NearTriangle near_[most];
+    Near near_[most];
     unsigned count_ = 0;
 };
+
+/// Returns the end of an edge where probably fewer triangles meet, because this one has the larger angle there: at the
+/// tip of a cone of thousands each would else look at all others.
+inline const std::int32_t* less_crowded(const LatticeTriangle& triangle, const Part& part) {
+    const std::int32_t *const from = triangle.corner[part.from], *const to = triangle.corner[part.to];
+    const auto squared = [beyond = triangle.corner[corner_before(part.from)]](const std::int32_t* end) {
+        float sum = 0.0f;
+        for (int k = 0; k < 3; ++k) {
+            const auto side = static_cast<float>(beyond[k] - end[k]);
+            sum += side * side;
+        }
+        return sum;
+    };
+    return squared(to) < squared(from) ? to : from;
+}
+
+/// Calls `take(NearTriangle&)` for the triangles at one end of a part of a triangle, and maybe for others, in storage
+/// order: those that are known to be all, or the ones that a walk finds. Returns whether it stopped.
+template <class Near, class Take>
+bool visit_around(const BlobData& blob, std::span<Near> all, const LatticeTriangle& triangle, const Part& part,
+                  Take take) {
+    if (takes_shortcut(!all.empty())) {
+        for (Near& other : all)
+            if (take(other) == Visit::stop) return true;
+        return false;
+    }
+    return visit_triangles_at(blob, less_crowded(triangle, part), [&](std::uint32_t index, const LatticeTriangle& found) {
+        NearTriangle other = {index, found};
+        return take(other);
+    });
+}
 
 /// The triangles of a blob at a corner: whether an internal edge there has no second one, because the surface goes on
 /// in another blob, and how far their faces lean from one of them.
@@ -160,7 +192,7 @@ public:
         const Part part(feature);
         const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_known = false, is_same_side = true;
-        visit_around(part, [&](const NearTriangle& of_near) {
+        visit_around(blob_, near_, triangle_, part, [&](const NearTriangle& of_near) {
             const LatticeTriangle& other = of_near.triangle;
             const unsigned at = corner_at(other, from);
             if (at == 3) return Visit::next;
@@ -200,7 +232,7 @@ public:
                 other.nearest < touches.nearest || (other.nearest == touches.nearest && other.index < index_);
             return comes_first ? Visit::stop : Visit::next;
         };
-        if (visit_around(part, is_nearer)) return true;
+        if (visit_around(blob_, near_, triangle_, part, is_nearer)) return true;
         if (part.is_edge ? is_joined : !fan.goes_on()) return false;
         // What lies beyond leans by at most the flat angle from a face of this blob.
         const Vec3 outward = side_.own_normal(face_normal_of(triangle_));
@@ -214,35 +246,6 @@ public:
     }
 
 private:
-    /// Calls `take(NearTriangle&)` for the triangles at the less crowded end of a part, and maybe for others, in storage
-    /// order. Returns whether it stopped.
-    template <class Take>
-    bool visit_around(const Part& part, Take take) const {
-        if (takes_shortcut(!near_.empty())) {
-            for (NearTriangle& other : near_)
-                if (take(other) == Visit::stop) return true;
-            return false;
-        }
-        return visit_triangles_at(blob_, less_crowded(part), [&](std::uint32_t index, const LatticeTriangle& triangle) {
-            NearTriangle other = {index, triangle};
-            return take(other);
-        });
-    }
-    /// The end of an edge where probably fewer triangles meet, because this one has the larger angle there: at the tip
-    /// of a cone of thousands each would else look at all others.
-    [[nodiscard]] const std::int32_t* less_crowded(const Part& part) const {
-        const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
-        const auto squared = [beyond = triangle_.corner[corner_before(part.from)]](const std::int32_t* end) {
-            float sum = 0.0f;
-            for (int k = 0; k < 3; ++k) {
-                const auto side = static_cast<float>(beyond[k] - end[k]);
-                sum += side * side;
-            }
-            return sum;
-        };
-        return squared(to) < squared(from) ? to : from;
-    }
-
     const Blob& owner_;
     const BlobData& blob_;
     Body& body_;

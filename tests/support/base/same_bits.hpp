@@ -39,4 +39,8 @@ inline bool same_bits(const Contact& a, const Contact& b) {
            a.triangle == b.triangle && a.feature == b.feature && a.side == b.side;
 }
 
+inline bool same_bits(const ContactPlane& a, const ContactPlane& b) {
+    return same_bits(a.normal, b.normal) && same_bits(a.distance, b.distance) && a.triangle == b.triangle;
+}
+
 }  // namespace espalier::tests
