@@ -12,6 +12,7 @@ NAMES = {
     "for_each_crossing": "crossings", "collect_crossings": "crossings",
     "for_each_overlap": "overlapping_triangles", "collect_overlaps": "overlapping_triangles",
     "find_contacts": "contacts", "for_each_contact": "contacts", "collect_contacts": "contacts",
+    "collect_planes": "planes",
     "pair_touch": "touches", "for_each_touch": "touches", "collect_touches": "touches", "PairTouch::contact": "touch_contacts",
     "for_each_candidate": "candidates", "original_triangle": "original_triangles", "original_hit": "original_hits",
     "material": "materials", "triangle_at": "corners", "for_each_triangle": "triangles",
