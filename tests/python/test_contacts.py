@@ -56,6 +56,27 @@ def test_reduced_contacts_are_those_of_c(library, ground):
     raises(TypeError, "lists of CONTACT", espalier.reduce_contacts, ground.closest_triangles([0, 0, 0], 3))
 
 
+def test_planes_are_those_of_c(library, ground, random):
+    opened = library.opened(ground)
+    feet = random.uniform([2, 2, 0], [10, 10, 0.5], (200, 3)).astype(np.float32)
+    capsules = espalier.Capsule(feet, feet + np.float32([0, 0, 1]), 0.3)
+    lists = ground.planes(capsules, 0.5, most=8)
+    assert lists.counts().max() > 1
+    for i, planes in enumerate(lists.each()):
+        theirs = np.zeros(8, espalier.CONTACT_PLANE)
+        shape = (*feet[i], *(feet[i] + np.float32([0, 0, 1])), 0.3)
+        filled = library.collect_planes(opened, shape, 0.5, theirs, 8)
+        assert filled.count == len(planes)
+        same(planes, theirs[:filled.count])
+    wishes = random.uniform(-1, 1, (200, 3)).astype(np.float32)
+    ways = espalier.solve_planes(lists, wishes, 0.01)
+    for i, planes in enumerate(lists.each()):
+        theirs = library.solve_planes(planes.copy(), len(planes), tuple(wishes[i]), 0.01)
+        assert theirs.status == ways["status"][i]
+    assert (ways["status"] == espalier.Status.OK).all() and (ways["value"] != wishes).any()
+    raises(ValueError, "a list of planes for each wish", espalier.solve_planes, lists, wishes[:5])
+
+
 def test_contacts_of_touches(library, blob):
     touches = espalier.pairs.touches(blob, blob, espalier.transform(), espalier.transform(translation=[[0.5, 0, 0], [50, 0, 0]]))
     contacts = espalier.pairs.touch_contacts(touches)

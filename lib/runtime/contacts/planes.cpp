@@ -21,6 +21,35 @@ bool comes_first(const ContactPlane& a, const ContactPlane& b) {
     return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
 }
 
+/// The planes that were chosen so far, in the array of the caller.
+class ChosenPlanes {
+public:
+    ChosenPlanes(std::span<ContactPlane> room, float reach) : room_(room), reach_(reach) {}
+
+    /// Whether one of them, none of which is farther, says the same for every way that is no longer than the reach, but for
+    /// a 256th of that.
+    [[nodiscard]] bool imply(const ContactPlane& plane) const {
+        for (const ContactPlane& other : room_.first(count_)) {
+            const Vec3 turn = plane.normal - other.normal;
+            const float apart = plane.distance - other.distance;
+            if (square_root(dot(turn, turn)) * reach_ <= apart + reach_ * (1.0f / 256.0f)) return true;
+        }
+        return false;
+    }
+    /// Returns whether there was room.
+    bool add(const ContactPlane& plane) {
+        if (count_ == room_.size()) return false;
+        room_[count_++] = plane;
+        return true;
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+private:
+    std::span<ContactPlane> room_;
+    std::size_t count_ = 0;
+    float reach_;
+};
+
 /// Those planes of a walk that come first after a given one.
 class NextPlanes {
 public:
@@ -65,8 +94,9 @@ struct NearAxis : NearTriangle {
 /// Takes the triangles near a capsule from a walk, and adds the planes of those where the surface is locally nearest.
 class PlanesOf : public Each {
 public:
-    PlanesOf(const BlobData& from, BodyOf<Capsule>& body, float margin, const TriangleVisitor& by_id, NextPlanes& into)
-        : Each(from, by_id), body_(body), margin_(margin), planes_(into) {
+    PlanesOf(const BlobData& from, BodyOf<Capsule>& body, float margin, const TriangleVisitor& by_id,
+             const ChosenPlanes& chosen, NextPlanes& into)
+        : Each(from, by_id), body_(body), margin_(margin), chosen_(chosen), planes_(into) {
         on_triangle = [](Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
             return static_cast<PlanesOf&>(self).take(index, triangle);
         };
@@ -109,7 +139,9 @@ private:
         const contacts::FacingSide side = {.is_back = is_origin_behind(body_.seen(near.triangle))};
         Touches touches;
         touch_segment(body_.segment, near.triangle, side, body_.radius, touches);
-        planes_.add({touches.touch[0].normal, to_local_distance(touches.touch[0].distance), TriangleId{near.index}});
+        const contacts::Touch& nearest = touches.touch[0];
+        const ContactPlane plane = {nearest.normal, to_local_distance(nearest.distance), TriangleId{near.index}};
+        if (!chosen_.imply(plane)) planes_.add(plane);  // so that each walk adds one
     }
     [[nodiscard]] float to_local_distance(float of_axis) const {
         return minimum(scale_by_power_of_two(of_axis, blob.step_exponent) - body_.least_reach, margin_);
@@ -117,20 +149,11 @@ private:
 
     BodyOf<Capsule>& body_;
     float margin_;
+    const ChosenPlanes& chosen_;
     NextPlanes& planes_;
     NearTriangles<NearAxis> waiting_;
     bool are_all_waiting_ = true;  ///< all that were taken
 };
-
-/// Whether one of the planes, none of which is farther, says the same for every way that is no longer than `reach`,
-/// but for a 256th of that.
-bool is_implied(const ContactPlane& plane, std::span<const ContactPlane> nearer, float reach) {
-    for (const ContactPlane& other : nearer) {
-        const Vec3 turn = plane.normal - other.normal;
-        if (square_root(dot(turn, turn)) * reach <= plane.distance - other.distance + reach * (1.0f / 256.0f)) return true;
-    }
-    return false;
-}
 
 }  // namespace
 
@@ -142,23 +165,20 @@ Filled collect_planes(const Blob& blob, const Capsule& capsule, float margin, st
     BodyOf<Capsule> body;
     const QueryStatus rounded = body.round(data, capsule, margin);
     if (rounded != QueryStatus::ok) return {0, {}, rounded};
-    std::size_t count = 0;
+    ChosenPlanes chosen(planes, capsule.radius + margin);
     NextPlanes next;
     for (;;) {
         PlanesOf* self = nullptr;
         // Where the leaf is not at hand, on small cores, the triangle is searched.
         const auto search = [&](TriangleId id) { return self->take(id.index, find_triangle(data, id.index)); };
-        PlanesOf answer(data, body, margin, search, next);
+        PlanesOf answer(data, body, margin, search, chosen, next);
         self = &answer;
         const QueryStatus status = body.functions->find_near(data, body.shape, margin, answer);
         if (is_refused(status)) return {0, {}, status};
         answer.add_waiting(true);
-        for (const ContactPlane& plane : next.planes()) {
-            if (is_implied(plane, planes.first(count), capsule.radius + margin)) continue;
-            if (count == planes.size()) return {count, {}, QueryStatus::output_full};
-            planes[count++] = plane;
-        }
-        if (!next.is_any_left()) return {count, {}, QueryStatus::ok};
+        for (const ContactPlane& plane : next.planes())
+            if (!chosen.imply(plane) && !chosen.add(plane)) return {chosen.count(), {}, QueryStatus::output_full};
+        if (!next.is_any_left()) return {chosen.count(), {}, QueryStatus::ok};
         next.begin_after(next.planes().back());
     }
 }

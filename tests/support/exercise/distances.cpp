@@ -35,6 +35,23 @@ void check_contacts(Exercise& run, const Shape& shape, float margin) {
     for (std::size_t i = 0; i < kept; ++i) run.hash.add(contacts[i].triangle.index);
 }
 
+/// The planes of a capsule: sorted, of triangles that exist; and the way along them keeps off each.
+void check_planes(Exercise& run, const Capsule& capsule, float margin, const Vec3& wish) {
+    std::array<ContactPlane, 5> planes;
+    const Filled found = collect_planes(run.blob.for_contacts(), capsule, margin, planes);
+    run.hash.add(static_cast<std::uint32_t>(found.status));
+    run.verdict.require(found.count <= planes.size(), "there are more planes than places");
+    for (std::size_t i = 0; i < found.count; ++i) {
+        const ContactPlane& plane = planes[i];
+        run.verdict.require(plane.triangle.index < run.blob.triangle_count(), "a plane has no triangle");
+        run.verdict.require(plane.distance <= margin, "a plane is farther than the margin, or NaN");
+        run.verdict.require(i == 0 || planes[i - 1].distance <= plane.distance, "planes are not sorted");
+        run.hash.add(plane.triangle.index, plane.distance, plane.normal);
+    }
+    const Result<Vec3> way = solve_planes(found.in(planes), wish, margin);
+    run.hash.add(static_cast<std::uint32_t>(way.status), way.value);
+}
+
 void check_contacts_of_hull(Exercise& run, float margin) {
     std::array<Vec3, max_hull_vertices + 1> vertices;
     const std::size_t count = run.random.below(4) != 0 ? run.random.below(9) : run.random.below(vertices.size() + 1);
@@ -53,7 +70,10 @@ void exercise_contacts(Exercise& run) {
     // One body a round: the contacts of all four would take longer than most other queries together.
     const auto kind = run.random.below(4);
     if (kind == 0) return check_contacts(run, Sphere{from, radius}, margin);
-    if (kind == 1) return check_contacts(run, Capsule{from, to, radius}, margin);
+    if (kind == 1) {
+        check_planes(run, Capsule{from, to, radius}, margin, plain_difference(to, from));
+        return check_contacts(run, Capsule{from, to, radius}, margin);
+    }
     if (kind == 2)
         return check_contacts(
             run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, plain_difference(to, from)}}, margin);
