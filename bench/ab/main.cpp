@@ -87,9 +87,9 @@ int main(int count, char** words) {
     options.profiles = names_of(tools::profile_choices);
     options.questions = question_names();
     Heading heading;
-    Program program(
-        "espalier_bench_ab",
-        "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain, level, small_mesh or tiny_mesh; JSON");
+    Program program("espalier_bench_ab",
+                    "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain, level, "
+                    "small_mesh or tiny_mesh; JSON");
     program.add_word("--base", options.base_file, "Shared object of the one side");
     program.add_word("--other", options.other_file, "Shared object of the other side");
     program.add_word("--base-name", heading.base, "What the report calls it");

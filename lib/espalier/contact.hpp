@@ -85,30 +85,31 @@ std::size_t reduce_contacts(std::span<Contact> contacts) noexcept;
 
 /// A plane that holds a capsule back: it lies between the capsule and the surface at one of the surface's places.
 struct ContactPlane {
-    Vec3 normal;             ///< unit length, from the surface to the capsule
-    float distance = 0.0f;   ///< from the surface to the capsule along the normal; if negative, minus the depth
+    Vec3 normal;            ///< unit length, from the surface to the capsule
+    float distance = 0.0f;  ///< from the surface to the capsule along the normal; if negative, minus the depth
     TriangleId triangle;
 };
 
-/// Writes the planes that hold back a capsule which moves by at most `margin`, sorted by distance, on a tie by triangle.
+/// Writes the planes that hold back a capsule which moves by at most `margin`, sorted by distance, on a tie by
+/// triangle.
 ///
 /// A triangle that is at most `margin` away has a plane where its place nearest to the axis is on its face, or on an
-/// edge or corner at which no other triangle is nearer, or as near with a lower index. An even floor thus has one plane,
-/// whichever of its triangles lie around the capsule, and the edge of a step has one that leans: also without edge
-/// flags. Normal and distance are those of find_contacts() for the triangle as a sheet with two sides. A plane is left
-/// out if a nearer one says the same: if no way of at most margin + radius that keeps off the nearer one comes farther
-/// beyond it than a 256th of that.
+/// edge or corner at which no other triangle is nearer, or as near with a lower index. An even floor thus has one
+/// plane, whichever of its triangles lie around the capsule, and the edge of a step has one that leans: also without
+/// edge flags. Normal and distance are those of find_contacts() for the triangle as a sheet with two sides. A plane is
+/// left out if a nearer one says the same: if no way of at most margin + radius (+ its depth) that keeps off it comes
+/// farther beyond it than a 256th of that.
 ///
-/// They are the planes before the capsule moves. Beyond an edge it may meet a slope that none of them is about, so sweep
-/// the way that solve_planes() returns.
+/// They are the planes before the capsule moves. Beyond an edge it may meet a slope that none of them is about, so
+/// sweep the way that solve_planes() returns.
 ///
 /// Returns ok; output_full if there are more planes than places, and the nearest are kept; or a refusal as of
 /// find_contacts(). Expected cost: O(log n + k²) for k triangles that are near, up to 32; beyond, every one that is
 /// nearest at an edge or corner costs a way down to the triangles around it.
 Filled collect_planes(const Blob& blob, const Capsule& capsule, float margin, std::span<ContactPlane> planes) noexcept;
 
-/// Returns the way nearest to `wish` that comes no nearer to any plane than `skin`, and that leaves by as much where the
-/// body is nearer. The planes of a wall and a floor give the way along both; those of a corner may leave none.
+/// Returns the way nearest to `wish` that comes no nearer to any plane than `skin`, and that leaves by as much where
+/// the body is nearer. The planes of a wall and a floor give the way along both; those of a corner may leave none.
 ///
 /// The status is ok; not_found if no way keeps off all planes, as between a floor and a ceiling that are too near; or
 /// invalid_argument for numbers that are not finite or a skin below 0. The way is exact but for rounding, some 2^-19 of

@@ -182,7 +182,7 @@ Filled collect_touches(const PlacedBlob& a, const PlacedBlob& b, std::span<PairT
 // max_distance less than half of the gap yields not_found instead.
 //
 // Work. A distance first searches for a touching pair, and then for a near one, in up to 9 times the sum of both depths
-// plus 4 visits, before it searches for the nearest. All of this counts toward the limit. Blobs whose bounds are clearly
-// apart, or clearly farther than the distance, take one visit and a fraction of the time. The stack is bounded (docs/benchmarks.md).
-// OBB tests follow Gottschalk, Lin and Manocha (1996), triangle tests Devillers and Guigue
+// plus 4 visits, before it searches for the nearest. All of this counts toward the limit. Blobs whose bounds are
+// clearly apart, or clearly farther than the distance, take one visit and a fraction of the time. The stack is bounded
+// (docs/benchmarks.md). OBB tests follow Gottschalk, Lin and Manocha (1996), triangle tests Devillers and Guigue
 // (2002); docs/numerics.md has the proofs.

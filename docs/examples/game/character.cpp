@@ -60,14 +60,16 @@ void keep_distance(const Blob& level, Character& character) {
     }
 }
 
-/// Moves the body along a way up to what it meets there: quickly to the skin's distance from that surface alone, or
-/// carefully to that from all surfaces.
+/// Moves the body along a way up to what it meets there: carefully to the skin's distance from all surfaces, or quickly to
+/// that from this one alone, unless the way hardly leads toward it.
 SweepHit move(const Blob& level, Character& character, Vec3 way, Care care) {
     const SweepHit hit = sweep(level, character.body(), way);
     float t = hit.t;  // 1 for a miss and 0 for a refusal
-    if (hit && care == Care::quick) t = std::max(t - character.skin / std::max(-dot(way, hit.normal), 1e-6f), 0.0f);
+    const float toward = -dot(way, hit.normal);
+    const bool is_quick = care == Care::quick && (!hit || toward > 0.25f * length(way));
+    if (is_quick && hit) t = std::max(t - character.skin / toward, 0.0f);
     character.position = character.position + way * t;
-    if (care == Care::careful) keep_distance(level, character);
+    if (!is_quick) keep_distance(level, character);
     return hit;
 }
 
@@ -112,7 +114,7 @@ Planes near_surfaces(const Blob& level, const Character& character) {
 /// Moves up to the first contact, then what is left of the way along the surfaces that it has met.
 void slide(const Blob& level, Character& character, Vec3 way, Care care, Planes planes = {}) {
     while (planes.count < most_surfaces && dot(way, way) > 0) {
-        const SweepHit hit = move(level, character, way, care);
+        const SweepHit hit = move(level, character, way, planes.count < 2 ? care : Care::careful);
         if (!hit) return;
         planes.normal[planes.count++] = hit.normal;
         way = planes.clip(way * (1 - hit.t));
@@ -142,7 +144,7 @@ void walk_on_ground(const Blob& level, Character& character, Vec3 way, Care care
     const float wished = length(way), walked = length(level_part(character.position - before.position));
     if (walked > 0.99f * wished) return;
     Character stepping = before;
-    move(level, stepping, {0, 0, character.step_height}, care);
+    static_cast<void>(move(level, stepping, {0, 0, character.step_height}, care));
     slide(level, stepping, way, care);
     const float stepped = length(level_part(stepping.position - before.position));
     // The round end of the body would slide over an edge that is higher than a step.

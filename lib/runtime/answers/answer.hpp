@@ -59,9 +59,9 @@ struct Each : Answer {
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
     TriangleVisitor visit;
-    OnTriangle on_triangle;   ///< takes triangles in place of `visit`, if it is not null
-    TriangleId* next;         ///< triangles are written here, up to `end`, in place of a call, if it is not null
-    TriangleId* end;
+    OnTriangle on_triangle;  ///< takes triangles in place of `visit`, if it is not null
+    TriangleId* out;         ///< triangles are written here, up to `out_end`, in place of a call, if it is not null
+    TriangleId* out_end;
     ReachedChildren reached;  ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
@@ -71,12 +71,12 @@ struct Each : Answer {
           is_first(with_first),
           visit(with_each),
           on_triangle(nullptr),
-          next(nullptr),
-          end(nullptr) {}
+          out(nullptr),
+          out_end(nullptr) {}
     Visit take(const Found& found) {
         if (!comes_here(found)) return Visit::next;
-        if (takes_shortcut(next != end)) {
-            *next++ = TriangleId{found.index};
+        if (takes_shortcut(out != out_end)) {
+            *out++ = TriangleId{found.index};
             return Visit::next;
         }
         return keep_place(found, visit(TriangleId{found.index}, blob, found.reference));

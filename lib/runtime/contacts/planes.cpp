@@ -26,13 +26,13 @@ class ChosenPlanes {
 public:
     ChosenPlanes(std::span<ContactPlane> room, float reach) : room_(room), reach_(reach) {}
 
-    /// Whether one of them, none of which is farther, says the same for every way that is no longer than the reach, but for
-    /// a 256th of that.
+    /// Whether one of them, none of which is farther, says the same for every way that is no longer than the reach, but
+    /// for a 256th of that.
     [[nodiscard]] bool imply(const ContactPlane& plane) const {
         for (const ContactPlane& other : room_.first(count_)) {
             const Vec3 turn = plane.normal - other.normal;
-            const float apart = plane.distance - other.distance;
-            if (square_root(dot(turn, turn)) * reach_ <= apart + reach_ * (1.0f / 256.0f)) return true;
+            const float apart = plane.distance - other.distance, reach = reach_ + maximum(-other.distance, 0.0f);
+            if (square_root(dot(turn, turn)) * reach <= apart + reach * (1.0f / 256.0f)) return true;
         }
         return false;
     }
@@ -59,7 +59,9 @@ public:
         is_any_left_ = false;
     }
     /// Whether a plane with no smaller distance is not kept.
-    [[nodiscard]] bool rules_out(float distance) const { return count_ == most && distance > plane_[most - 1].distance; }
+    [[nodiscard]] bool rules_out(float distance) const {
+        return count_ == most && distance > plane_[most - 1].distance;
+    }
     void add(const ContactPlane& plane) {
         if (!comes_first(after_, plane)) return;
         unsigned place = count_;
@@ -136,7 +138,8 @@ private:
         });
     }
     void add(const NearAxis& near) {
-        const contacts::FacingSide side = {.is_back = is_origin_behind(body_.seen(near.triangle))};
+        contacts::FacingSide side;
+        side.is_back = is_origin_behind(body_.seen(near.triangle));
         Touches touches;
         touch_segment(body_.segment, near.triangle, side, body_.radius, touches);
         const contacts::Touch& nearest = touches.touch[0];
@@ -188,7 +191,8 @@ namespace {
 /// The ways that planes allow: the intersection of half-spaces.
 class AllowedWays {
 public:
-    AllowedWays(std::span<const ContactPlane> planes, const Vec3& wish, float skin) : planes_(planes), wish_(wish), skin_(skin) {
+    AllowedWays(std::span<const ContactPlane> planes, const Vec3& wish, float skin)
+        : planes_(planes), wish_(wish), skin_(skin) {
         float size = largest(wish) + skin;
         for (const ContactPlane& plane : planes) size = maximum(size, absolute(plane.distance));
         rounding_ = size * 0x1p-20f;

@@ -119,10 +119,11 @@ bool visit_around(const BlobData& blob, std::span<Near> all, const LatticeTriang
             if (take(other) == Visit::stop) return true;
         return false;
     }
-    return visit_triangles_at(blob, less_crowded(triangle, part), [&](std::uint32_t index, const LatticeTriangle& found) {
-        NearTriangle other = {index, found};
-        return take(other);
-    });
+    return visit_triangles_at(blob, less_crowded(triangle, part),
+                              [&](std::uint32_t index, const LatticeTriangle& found) {
+                                  NearTriangle other = {index, found};
+                                  return take(other);
+                              });
 }
 
 /// The triangles of a blob at a corner: whether an internal edge there has no second one, because the surface goes on
@@ -184,7 +185,13 @@ public:
     /// `near` are all triangles near the body, or none if that is not known.
     SurfaceAround(const Blob& blob, Body& body, std::uint32_t index, const LatticeTriangle& triangle,
                   const FacingSide& side, std::span<NearTriangle> near)
-        : owner_(blob), blob_(data_of(blob)), body_(body), index_(index), triangle_(triangle), side_(side), near_(near) {}
+        : owner_(blob),
+          blob_(data_of(blob)),
+          body_(body),
+          index_(index),
+          triangle_(triangle),
+          side_(side),
+          near_(near) {}
 
     /// Whether the surface that goes on at an edge or corner has the body's middle on the same side as the triangle: of
     /// an edge the other triangle there, of a corner the one that the middle is over.

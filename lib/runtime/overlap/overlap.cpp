@@ -39,17 +39,17 @@ Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> 
     if (data.bytes == nullptr) return filled;
     Each* self = nullptr;
     const auto write = [&self](TriangleId triangle) {
-        if (self->next == self->end) return Visit::stop;
-        *self->next++ = triangle;
+        if (self->out == self->out_end) return Visit::stop;
+        *self->out++ = triangle;
         return Visit::next;
     };
     Each each(data, write);
     self = &each;
-    each.next = out.data();
-    each.end = each.next + out.size();
+    each.out = out.data();
+    each.out_end = each.out + out.size();
     each.first = from.place[0];
     filled.status = shape.find(data, shape.shape, each, exactly);
-    filled.count = static_cast<std::size_t>(each.next - out.data());
+    filled.count = static_cast<std::size_t>(each.out - out.data());
     if (filled.status == QueryStatus::stopped) {
         filled.status = QueryStatus::output_full;
         filled.next = {{each.first}};

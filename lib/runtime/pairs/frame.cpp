@@ -149,8 +149,8 @@ bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, fl
     const float steps = scale_by_power_of_two(size, -a.step_exponent);
     const float slack = size * 0x1p-16f + scale_by_power_of_two(1.0f, a.step_exponent - 5);
     if (!(size > 0x1p-72f && steps < 0x1p70f && gap > distance + slack)) return false;
-    // Over many times the size of the blobs distances are refused, unless the gap clearly exceeds the greatest one that is
-    // asked for.
+    // Over many times the size of the blobs distances are refused, unless the gap clearly exceeds the greatest one that
+    // is asked for.
     return gap < 512.0f * span || (gap > 8.0f * distance && span > 0.0f);
 }
 

@@ -18,8 +18,8 @@ struct PlacedPair {
     PairFrame frame;
     QueryStatus status;  ///< ok; not_found: a blob has no triangles, or is too far; or why the query is refused
 
-    /// Wherever they are; but with a work limit for what is within a distance of the world, two whose bounds are farther
-    /// apart are left alone after one visit.
+    /// Wherever they are; but with a work limit for what is within a distance of the world, two whose bounds are
+    /// farther apart are left alone after one visit.
     PlacedPair(const PlacedBlob& a, const PlacedBlob& b, float distance = 0.0f, std::uint64_t* work = nullptr)
         : status(place(a, b, distance, work)) {}
 
@@ -108,7 +108,7 @@ struct NearestSearch {
     QueryStatus status;
 
     NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, PairWork& work)
-        : placed(a, b, distance, work.left), least{placed.frame, 0.0f, any}, status(placed.status) {
+        : placed(a, b, distance, &work.left), least{placed.frame, 0.0f, any}, status(placed.status) {
         if (status != QueryStatus::not_open && !is_radius(distance)) status = QueryStatus::invalid_argument;
         if (status != QueryStatus::ok) return;
         PairFrame& frame = placed.frame;

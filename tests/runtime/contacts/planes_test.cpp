@@ -55,7 +55,8 @@ TEST_CASE("planes: an even floor of many triangles has one, wherever the capsule
     Random random(3);
     for (int i = 0; i < 2'000; ++i) {
         // Every fourth stands on an edge of the floor, and some of these on a corner.
-        const float x = i % 4 == 0 ? 1.0f : 3.0f * random.signed_unit(), y = i % 8 == 0 ? -1.0f : -0.5f - 2.0f * random.unit();
+        const float x = i % 4 == 0 ? 1.0f : 3.0f * random.signed_unit(),
+                    y = i % 8 == 0 ? -1.0f : -0.5f - 2.0f * random.unit();
         CAPTURE(x);
         CAPTURE(y);
         const auto planes = planes_of(yard.blob, standing(x, y, 0.02f), 0.25f);
@@ -104,7 +105,8 @@ double distance_of(const Points& axis, const reference::PointTriangle& t, float 
     return reference::signed_separation(axis, {t[0], t[1], t[2]}) - static_cast<double>(radius);
 }
 
-TEST_CASE("planes: each is that of its triangle, and every triangle near the capsule is held off by one or is no nearest") {
+TEST_CASE(
+    "planes: each is that of its triangle, and every triangle near the capsule is held off by one or is no nearest") {
     for (const TestBlob& blob : small_test_blobs()) {
         CAPTURE(blob.name);
         const auto surface = reference::baked_surface(blob.opened.bytes);
@@ -129,7 +131,8 @@ TEST_CASE("planes: each is that of its triangle, and every triangle near the cap
             for (const ContactPlane& plane : planes) {
                 const auto& t = surface[plane.triangle.index];
                 const double expected = distance_of(axis, t, capsule.radius);
-                if (expected > -number(capsule.radius) + error) REQUIRE(std::abs(number(plane.distance) - expected) <= error);
+                if (expected > -number(capsule.radius) + error)
+                    REQUIRE(std::abs(number(plane.distance) - expected) <= error);
             }
             for (std::uint32_t t = 0; t < surface.size(); ++t) {
                 if (blob.decoded.owners.size() > t && blob.decoded.owners[t] != t) continue;
@@ -138,14 +141,16 @@ TEST_CASE("planes: each is that of its triangle, and every triangle near the cap
                 const Points corners = {surface[t][0], surface[t][1], surface[t][2]};
                 const auto holds_off = [&](const ContactPlane& plane) {
                     if (plane.triangle.index == t) return true;
-                    const double gap = reference::gap_along(to_point(plane.normal), axis, corners) - number(capsule.radius);
+                    const double gap =
+                        reference::gap_along(to_point(plane.normal), axis, corners) - number(capsule.radius);
                     return number(plane.distance) <= distance + error && gap >= distance - reach / 128.0 - error;
                 };
                 const auto is_nearer_neighbour = [&](std::size_t other) {
                     if (other == t) return false;
                     bool is_joined = false;
                     for (const Point& a : surface[other])
-                        for (const Point& b : surface[t]) is_joined = is_joined || (a.x == b.x && a.y == b.y && a.z == b.z);
+                        for (const Point& b : surface[t])
+                            is_joined = is_joined || (a.x == b.x && a.y == b.y && a.z == b.z);
                     return is_joined && distance_of(axis, surface[other], capsule.radius) <= distance + error;
                 };
                 bool is_explained = std::any_of(planes.begin(), planes.end(), holds_off);
@@ -187,7 +192,8 @@ TEST_CASE("planes: what is no capsule is refused") {
     CHECK(collect_planes(Blob(), standing(0, 0, 0), 0.1f, planes).status == QueryStatus::not_open);
     for (const float bad : {-1.0f, infinite, nan}) {
         CHECK(collect_planes(yard.blob, standing(0, 0, 0), bad, planes).status == QueryStatus::invalid_argument);
-        CHECK(collect_planes(yard.blob, {{0, 0, 0}, {0, 0, 1}, bad}, 0.1f, planes).status == QueryStatus::invalid_argument);
+        CHECK(collect_planes(yard.blob, {{0, 0, 0}, {0, 0, 1}, bad}, 0.1f, planes).status ==
+              QueryStatus::invalid_argument);
         CHECK(solve_planes({}, {0, 0, 0}, bad).status == QueryStatus::invalid_argument);
     }
     CHECK(solve_planes({}, {nan, 0, 0}, 0.0f).status == QueryStatus::invalid_argument);
