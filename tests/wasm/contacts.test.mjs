@@ -21,6 +21,22 @@ test('edges have kinds and correct normals', () => {
     throws(() => body.fixInternalEdgeNormals(0, 7, [0, 0, 1]), RangeError, /features/);
 });
 
+test('planes hold a capsule back, and their solution keeps off them', () => {
+    const capsule = { kind: 'capsule', from: near, to: near, radius: 0.5 }, planes = body.planes(capsule, 8, 1);
+    const ways = library.solvePlanes(planes, [0, 0, -1], 0.01);
+    assert.ok(planes.items.distance.length > 100 && ways.status.filter((status) => status === Status.OK).length > 100);
+    for (let i = 0; i < planes.length; ++i)
+        for (let k = planes.begin(i); k < planes.end(i) && ways.status[i] === Status.OK; ++k) {
+            const along = [0, 1, 2].reduce((sum, axis) => sum + planes.items.normal[3 * k + axis] * ways.value[3 * i + axis], 0);
+            assert.ok(planes.items.distance[k] + along > 0.01 - 1e-4);
+        }
+    assert.deepStrictEqual([...library.solvePlanes(body.planes({ ...capsule, from: [0, 0, 99], to: [0, 0, 99] }, 8, 1), [1, 2, 3], 0).value], [1, 2, 3]);
+    assert.deepStrictEqual([...body.planes(capsule, 1, 9).status].includes(Status.OUTPUT_FULL), true);
+    throws(() => library.solvePlanes(body.closestTriangles(near, 2), [0, 0, 1], 0), TypeError, /lists/);
+    throws(() => library.solvePlanes(planes, [0, 0, 1, 0, 0, 1], 0), RangeError, /200/);
+    throws(() => body.planes({ kind: 'sphere', center: near, radius: 1 }, 8, 1), RangeError, /capsule/);
+});
+
 test('reduced contacts are some of those that were given, the deepest first', () => {
     const contacts = body.contacts({ kind: 'sphere', center: near, radius: 1.5 }, 32), kept = library.reduceContacts(contacts);
     let most = 0;

@@ -114,7 +114,7 @@ Planes near_surfaces(const Blob& level, const Character& character) {
 /// Moves up to the first contact, then what is left of the way along the surfaces that it has met.
 void slide(const Blob& level, Character& character, Vec3 way, Care care, Planes planes = {}) {
     while (planes.count < most_surfaces && dot(way, way) > 0) {
-        const SweepHit hit = move(level, character, way, planes.count < 2 ? care : Care::careful);
+        const SweepHit hit = move(level, character, way, planes.count == 0 ? care : Care::careful);
         if (!hit) return;
         planes.normal[planes.count++] = hit.normal;
         way = planes.clip(way * (1 - hit.t));

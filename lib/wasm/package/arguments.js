@@ -59,6 +59,9 @@ export class Strided {
 /// Makes an argument of places, or of planes with four numbers, in the coordinates of the source.
 export const places = (given, name, components = 3) => Object.assign(new Strided(given, components, name), { isOfPlaces: true });
 
+/// An argument of one number for each query, in an array that was checked.
+export const column = (array, name) => ({ name, array, count: array.length, stride: 1 });
+
 const part = (array, offset, length) =>
     ArrayBuffer.isView(array) ? array.subarray(offset, offset + length) : array.slice(offset, offset + length);
 

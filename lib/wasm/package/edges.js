@@ -1,8 +1,6 @@
 // Edges of triangles, bounds that a bake stored, and how far queries are rounded.
-import { integers, places, Strided } from './arguments.js';
+import { column, integers, places, Strided } from './arguments.js';
 import { QueryError } from './errors.js';
-import { fieldsOf, PLACE } from './memory/batch.js';
-import { Lists } from './results.js';
 import { MOVING, shapesOf, ShapeQueries } from './shapes.js';
 import { inSource } from './source.js';
 
@@ -13,7 +11,6 @@ const DIRECTIONS = [
     [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1], [1, 1, 1],
     [1, 1, -1], [1, -1, 1], [1, -1, -1],
 ];
-const CONTACT = { point: PLACE, normal: 3, distance: 1, triangle: 1, feature: 1, side: 1 };
 
 export class EdgeQueries extends ShapeQueries {
     roundingError(shape, displacements) {
@@ -93,44 +90,6 @@ export class EdgeQueries extends ShapeQueries {
         });
     }
 }
-
-/// Returns of each list of contacts those that support its body best. batch has a place for each contact.
-export function reduced(batch, lists) {
-    const { offsets, items, status } = lists;
-    const contacts = batch.placeRecords('contact', { ...fieldsOf(items, CONTACT, 'contacts'), triangle: numbered(batch.count) });
-    const at = batch.allocate(4 * offsets.length);
-    batch.instance.array(Uint32Array, at, offsets.length).set(offsets);
-    batch.functions.wasm_reduce_contacts(contacts, at, offsets.length - 1);
-    const ends = batch.copy(Uint32Array, at, offsets.length);
-    const { triangle: kept } = batch.columns('contact', contacts, ends.at(-1));
-    return new Lists(ends, picked(items, kept, batch.count), status);
-}
-
-/// Where the points of contacts with a blob that has an origin count from in that batch: where the first one is.
-export const originOfContacts = ({ items: { point } }) => (point instanceof Float64Array && point.length > 0 ? [...point.subarray(0, 3)] : null);
-
-/// The arguments of a batch for reduced(). Throws TypeError for lists of other items.
-export function contactsOf(lists) {
-    if (!(lists instanceof Lists) || Object.keys(CONTACT).some((name) => lists.items[name] === undefined))
-        throw new TypeError('contacts must be lists that contacts() returned');
-    return [column(lists.items.distance, 'contacts')];
-}
-
-/// The contacts take their own numbers for those of triangles, which play no part.
-const numbered = (count) => column(Uint32Array.from({ length: count }, (_, i) => i), 'contacts');
-
-/// Returns the fields of some of `count` items, by number.
-function picked(items, numbers, count) {
-    const result = {};
-    for (const [name, array] of Object.entries(items)) {
-        const width = count === 0 ? 1 : array.length / count, kept = new array.constructor(width * numbers.length);
-        numbers.forEach((number, i) => kept.set(array.subarray(width * number, width * (number + 1)), width * i));
-        result[name] = kept;
-    }
-    return result;
-}
-
-const column = (array, name) => ({ name, array, count: array.length, stride: 1 });
 
 /// Returns an integer for each query, of one for each or one for all.
 function each(array, count, name) {

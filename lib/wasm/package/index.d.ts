@@ -6,8 +6,8 @@ import type {
 } from './arguments.js';
 import type { BakeOptions, BakeReport, Mesh, Profile } from './bake.js';
 import type {
-    ClosestPoints, Contacts, Corners, DistanceBounds, EdgeKinds, Lengths, Lists, OriginalHits, OriginalTriangles, PlaceArray, RayHits, Remap, Slabs, SweepHits, WindingNumbers,
-    YesNo,
+    ClosestPoints, ContactPlanes, Contacts, Corners, DistanceBounds, EdgeKinds, Lengths, Lists, OriginalHits, OriginalTriangles, PlaceArray, RayHits,
+    Remap, Slabs, SweepHits, Ways, WindingNumbers, YesNo,
 } from './results.js';
 import type { MovingScene, MovingSceneOptions } from './scenes/moving_scene.js';
 import type { InstancesToBake, Scene, SceneBakeOptions } from './scenes/scene.js';
@@ -122,6 +122,11 @@ export class Blob {
      * `most` the deepest are kept, and the status is OUTPUT_FULL.
      */
     contacts(shape: Body, most: number, margin?: Numbers): Lists<Contacts>;
+    /**
+     * Returns the planes that hold back each capsule which moves by at most a margin, the nearest first: one for an even
+     * floor, whichever of its triangles are near. Of more than `most` the nearest are kept, and the status is OUTPUT_FULL.
+     */
+    planes(capsule: Capsule, most: number, margin: Numbers): Lists<ContactPlanes>;
     /** Returns the first contact of each shape as it moves by a displacement. */
     sweep(shape: Moving, displacements: Vectors, options?: SweepOptions & FilterOptions): SweepHits;
 
@@ -162,6 +167,11 @@ export interface Espalier {
     describe(status: number): string;
     /** Returns of each list of contacts() the contacts, at most four, that support its body best, the deepest first. */
     reduceContacts<Items extends Contacts>(contacts: Lists<Items>): Lists<Items>;
+    /**
+     * Returns the way nearest to each wish that comes no nearer to the planes of a list of planes() than a skin. The status
+     * is NOT_FOUND where there is none, as between a floor and a ceiling that are too near.
+     */
+    solvePlanes(planes: Lists<ContactPlanes>, wishes: Vectors, skins: Numbers): Ways;
     /** Bakes a mesh, or several into one blob. The arrays must not change until the promise is settled. */
     bake(meshes: Mesh | readonly Mesh[], options?: BakeOptions): Promise<Blob>;
     /** Opens a baked mesh: copies the bytes into the module's memory and checks all of them. */

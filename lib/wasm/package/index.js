@@ -2,10 +2,9 @@
 import { Strided } from './arguments.js';
 import { preparedBake, preparedJoin, resultOf } from './bake.js';
 import { Blob } from './blob.js';
-import { contactsOf, originOfContacts, reduced } from './edges.js';
+import { reduced, solved } from './contacts.js';
 import { VerifyError } from './errors.js';
 import { compiled, hasSimd, moduleBeside } from './load.js';
-import { Batch } from './memory/batch.js';
 import { Instance } from './memory/instance.js';
 import { Opened } from './memory/opened.js';
 import { preparedScene } from './scenes/baking.js';
@@ -43,12 +42,11 @@ class Espalier {
     }
 
     reduceContacts(lists) {
-        const batch = new Batch(this.#instance, 0, contactsOf(lists), originOfContacts(lists));
-        try {
-            return reduced(batch, lists);
-        } finally {
-            batch.release();
-        }
+        return reduced(this.#instance, lists);
+    }
+
+    solvePlanes(lists, wishes, skins) {
+        return solved(this.#instance, lists, wishes, skins);
     }
 
     async bake(meshes, options) {

@@ -72,6 +72,19 @@ export interface Contacts {
     side: Uint8Array;
 }
 
+/** Planes that hold capsules back. normal has three numbers each, from the surface to the capsule. */
+export interface ContactPlanes {
+    normal: Float32Array;
+    distance: Float32Array;
+    triangle: Uint32Array;
+}
+
+/** The ways that planes leave, of three numbers each. A way counts where the status is OK. */
+export interface Ways {
+    value: Float32Array;
+    status: Uint8Array;
+}
+
 /** Lengths in the blob's units. A value counts where the status is OK. */
 export interface Lengths {
     value: Float32Array;

@@ -94,6 +94,16 @@ export class ShapeQueries extends PointQueries {
         });
     }
 
+    planes(capsule, most, margin) {
+        integer(most, 'most');
+        const margins = new Strided(margin, 1, 'margin');
+        return this.#ofShapes(capsule, ['capsule'], [margins], (batch, _, bodies) => {
+            const planes = batch.allocateRecords('contact_plane', batch.count * most), found = batch.allocateRecords('filled');
+            batch.functions.wasm_collect_planes(planes, most, found, batch.view, bodies, batch.placePacked(margins, 1), batch.count);
+            return batch.pack('contact_plane', planes, most, found);
+        });
+    }
+
     sweep(shape, displacements, { culling = 'none', ignoreLeaving = false, skin = 0, only } = {}) {
         const given = new Strided(displacements, 3, 'displacements'), flags = this.flags(only);
         const options = { culling: cullingNumber(culling), ignoreLeaving: Number(ignoreLeaving), skin };

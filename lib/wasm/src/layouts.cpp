@@ -140,6 +140,8 @@ RECORD(convex_volume, FIELD(planes), FIELD(plane_count))
 RECORD(triangle, FIELD(a), FIELD(b), FIELD(c))
 RECORD(segment, FIELD(from), FIELD(to))
 RECORD(contact, FIELD(point), FIELD(normal), FIELD(distance), FIELD(triangle), FIELD(feature), FIELD(side))
+RECORD(contact_plane, FIELD(normal), FIELD(distance), FIELD(triangle))
+RECORD(vec3_result, FIELD(value), FIELD(status))
 RECORD(transform, FIELD(rotation), FIELD(translation), FIELD(scale))
 RECORD(pair_contact, FIELD(a), FIELD(b), FIELD(status))
 RECORD(pair_touch, FIELD(points), FIELD(normal), FIELD(depth), FIELD(a), FIELD(b), FIELD(count), FIELD(status))
@@ -206,7 +208,7 @@ using AllRecords =
             sweep_hit_table, sweep_options_table, original_triangle_table, original_triangle_result_table,
             original_hit_table, triangle_result_table, sphere_table, capsule_table, box_table, oriented_box_table,
             cone_table, convex_hull_table, convex_volume_table, triangle_table, segment_table, contact_table,
-            transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table, instance_table,
+            contact_plane_table, vec3_result_table, transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table, instance_table,
             ray_table, scene_ray_hit_table, scene_closest_point_result_table, scene_sweep_hit_table,
             scene_sweep_options_table, scene_triangle_table, flags_table, scene_selection_table, moving_scene_table,
             instance_handle_table, instance_handle_result_table, instance_word_table, movement_table, pair_filter_table,

@@ -61,6 +61,8 @@ void answer_shapes(const Blob& blob, const Questions& questions, std::size_t i) 
     answer_contacts("contacts_capsule", questions.capsule(i));
     answer_contacts("contacts_oriented_box", questions.oriented_box(i));
     answer_contacts("contacts_convex_hull", questions.hull(i));
+    ContactPlane planes[5];
+    add_filled("planes", collect_planes(blob, questions.capsule(i), questions.limits[i], planes), planes);
     questions.for_each_body(i, [&](const std::string& name, const auto& body) {
         SweepOptions options = {.culling = FaceCulling::back, .ignore_leaving = true, .skin = 0.01f};
         words[name].add(sweep(blob, body, questions.directions[i], options));

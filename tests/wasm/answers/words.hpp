@@ -39,6 +39,7 @@ private:
     void add_field(const Contact& contact) {
         add(contact.point, contact.normal, contact.distance, contact.triangle, contact.feature, contact.side);
     }
+    void add_field(const ContactPlane& plane) { add(plane.normal, plane.distance, plane.triangle); }
     void add_field(const SweepHit& hit) {
         add(hit.t, hit.point, hit.normal, hit.face_normal, hit.triangle, hit.status, hit.feature,
             hit.starts_overlapping);

@@ -59,6 +59,7 @@ function answerShapes(blob, questions, words) {
             end: (to, i) => to.push(lists.status[i]),
         });
     }
+    words.planes = countedWords('plane', blob.planes(shapes.capsule, 5, limits));
     for (const name of BODIES) words[`contacts_${name}`] = countedWords('contact', blob.contacts(shapes[name], 5, limits));
     for (const name of MOVING) words[`sweep_${name}`] = wordsOf('sweep', blob.sweep(shapes[name], directions, { culling: 'back', ignoreLeaving: true, skin: 0.01 }));
 }

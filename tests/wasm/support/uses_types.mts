@@ -3,7 +3,7 @@ import {
     BakeError, Blob, EdgeKind, EspalierError, Feature, hasSimd, Lists, load, MemoryError, MovingScene, NO_TRIANGLE, OpenError, pairs, QueryError, Scene, Side, Status,
     VerifyError, YesNo, type BakedPairs, type BakeOptions, type BakeReport, type BlobInfo, type Box, type ClosestPoints, type CollectedPairs, type Contacts,
     type ConvexHull, type ConvexVolume, type Corners, type Espalier, type Flags, type FoundHandles, type InstancePairs, type Instances, type InstancesToBake,
-    type Mesh, type OriginalHits, type PlaceArray, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type WindingNumbers,
+    type Mesh, type OriginalHits, type PlaceArray, type RayHits, type SceneClosestPoints, type SceneRayHits, type SceneSweepHits, type SceneTriangles, type SweepHits, type Volume, type Ways, type WindingNumbers,
 } from 'espalier';
 
 const library: Espalier = await load();
@@ -106,6 +106,7 @@ const sources: OriginalHits = blob.originalHits(hits);
 const materials: Uint16Array = blob.materials([0, 1]);
 blob.originalTriangles(0);
 const kept = library.reduceContacts(blob.contacts({ kind: 'sphere', center: origins, radius: 1 }, 16));
+const ways: Ways = library.solvePlanes(blob.planes({ kind: 'capsule', from: origins, to: directions, radius: 1 }, 8, 0.5), [1, 0, 0], 0.01);
 const ofTouches = library.reduceContacts(pairs.touchContacts(pairs.touches(blob, other)));
 const bends: number[] = [...blob.edgeKinds([0, 1]).ab, ...blob.fixInternalEdgeNormals(0, Feature.EDGE_AB, origins), EdgeKind.FLAT];
 const rounded: Float32Array[] = [blob.roundingError(origins), blob.roundingError({ kind: 'ray', origin: origins, direction: origins }),

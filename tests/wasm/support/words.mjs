@@ -8,6 +8,7 @@ const ORDER = {
     original: { file: 1, mesh: 1, triangle: 1, u: 1, v: 1, status: 1 },
     winding: { value: 1, status: 1 },
     instance: { rotation: 4, translation: 3, scale: 1, mesh: 1, mask: 1, user: 1, source: 1 },
+    plane: { normal: 3, distance: 1, triangle: 1 },
     contact: { point: 3, normal: 3, distance: 1, triangle: 1, feature: 1, side: 1 },
     pair: { a: 1, b: 1, status: 1 },
     touch: { points: 18, normal: 3, depth: 1, a: 1, b: 1, count: 1, status: 1 },
