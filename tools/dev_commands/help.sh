@@ -58,7 +58,8 @@ Research
 Publishing
   bench [--checkouts FOLDER] --all MACHINE
                                        measures every figure of every page on a quiet machine, and writes bench/results and the
-                                       pages (90 minutes). FOLDER may have checkouts of embree (4), JoltPhysics, box3d, tinybvh.
+                                       pages (90 minutes once all is built). FOLDER may have checkouts of embree (4),
+                                       JoltPhysics, box3d, tinybvh.
   accuracy --publish NAME MESH...      writes bench/results and docs/accuracy.md.
   firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
 

@@ -1,0 +1,166 @@
+// Small bodies near the surface of a level, beside Box3D: whether they touch it, what of it they touch, and where they
+// stop. One thread; the systems take turns. JSON, an object for each mesh, size and question.
+
+#include "bodies.hpp"
+
+#include "../../tests/support/base/vectors.hpp"
+#include "../../tools/base/choices.hpp"
+#include "../program.hpp"
+
+namespace espalier::bench {
+namespace {
+
+using tests::cross, tests::difference, tests::dot, tests::sum, tests::times;
+
+struct Options {
+    unsigned repetitions = 7;
+    std::size_t bodies = 2'000;
+    std::vector<std::string> only;
+};
+
+constexpr std::array<const char*, static_cast<std::size_t>(Asked::count)> names = {
+    "overlaps sphere", "overlaps capsule", "overlaps oriented box", "triangles in box", "planes of capsule",
+    "contacts of sphere", "contacts of capsule", "contacts of oriented box",
+    "sweep of sphere", "sweep of capsule", "sweep of oriented box"};
+
+Vec3 unit(const Vec3& a) { return times(a, 1.0f / std::sqrt(dot(a, a))); }
+
+/// Bodies in front of the surface, so that most of them touch it. A triangle has as many as its area is large: games stand
+/// on floors.
+std::vector<Body> some_bodies(const Mesh& mesh, std::size_t count, float width) {
+    std::vector<double> area;
+    for (const TriangleVertices& t : mesh.triangles) {
+        const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+        const Vec3 normal = cross(difference(b, a), difference(c, a));
+        area.push_back((area.empty() ? 0.0 : area.back()) + std::sqrt(double(dot(normal, normal))));
+    }
+    tests::Random random(seed);
+    std::vector<Body> bodies(count);
+    for (Body& body : bodies) {
+        const auto at = std::upper_bound(area.begin(), area.end(), area.back() * double(random.unit()));
+        const auto& t = mesh.triangles[std::min<std::size_t>(std::size_t(at - area.begin()), area.size() - 1)];
+        float u = random.unit(), v = random.unit();
+        if (u + v > 1.0f) u = 1.0f - u, v = 1.0f - v;
+        const Vec3& a = mesh.positions[t[0]];
+        const Vec3 on = sum(a, sum(times(difference(mesh.positions[t[1]], a), u), times(difference(mesh.positions[t[2]], a), v)));
+        const Vec3 front = unit(cross(difference(mesh.positions[t[1]], a), difference(mesh.positions[t[2]], a)));
+        const float radius = 0.5f * width;
+        const Vec3 center = sum(on, times(front, radius * (0.5f + random.unit()))), up = {0.0f, 0.0f, radius};
+        body.sphere = {center, radius};
+        body.capsule = {difference(center, up), sum(center, up), radius};
+        const Vec3 x = unit(random.in_cube(1.0f)), y = unit(cross(x, random.in_cube(1.0f)));
+        const std::array<Vec3, 3> axes = {x, y, cross(x, y)};
+        body.box.center = center;
+        for (std::size_t i = 0; i < 3; ++i) body.box.half_axes[i] = times(axes[i], radius * (0.5f + random.unit()));
+        body.bounds = {difference(center, {radius, radius, radius}), sum(center, {radius, radius, radius})};
+        body.way = times(unit(random.in_cube(1.0f)), 3.0f * width);
+        body.margin = 0.02f;  // which Box3D's contacts have
+    }
+    return bodies;
+}
+
+float checked(QueryStatus status) {
+    if (is_refused(status)) throw std::runtime_error(std::string("a body is refused: ") + describe(status));
+    return status == QueryStatus::ok ? 1.0f : 0.0f;
+}
+
+BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
+    const auto made = std::make_shared<BakedBlob>(bake_blob(mesh, profile));
+    BodySystem system = {"espalier", tools::name_in(tools::profile_choices, profile), {}};
+    const auto whether = [made](auto shape) {
+        return [made, shape](const Body& body) { return checked(overlaps(made->blob, body.*shape).status()); };
+    };
+    const auto contacts = [made](auto shape) {
+        return [made, shape](const Body& body) {
+            Contact found[most_contacts];
+            const Filled filled = find_contacts(made->blob, body.*shape, body.margin, found);
+            checked(filled.status);
+            return float(filled.count);
+        };
+    };
+    const auto sweeps = [made](auto shape) {
+        return [made, shape](const Body& body) { return sweep(made->blob, body.*shape, body.way).t; };
+    };
+    system[Asked::overlaps_sphere] = whether(&Body::sphere);
+    system[Asked::overlaps_capsule] = whether(&Body::capsule);
+    system[Asked::overlaps_box] = whether(&Body::box);
+    system[Asked::triangles_in_box] = [made](const Body& body) {
+        float corners = 0.0f;
+        std::size_t count = 0;
+        const QueryStatus status = for_each_overlap(made->blob, body.bounds, [&](TriangleId, const Triangle& triangle) {
+            corners += triangle.a.x + triangle.b.y + triangle.c.z;
+            ++count;
+        });
+        checked(status);
+        return std::isnan(corners) ? -1.0f : float(count);
+    };
+    system[Asked::planes] = [made](const Body& body) {
+        ContactPlane planes[most_contacts];
+        const Filled filled = collect_planes(made->blob, body.capsule, 0.0f, planes);
+        checked(filled.status);
+        return float(filled.count);
+    };
+    system[Asked::contacts_sphere] = contacts(&Body::sphere);
+    system[Asked::contacts_capsule] = contacts(&Body::capsule);
+    system[Asked::contacts_box] = contacts(&Body::box);
+    system[Asked::sweep_sphere] = sweeps(&Body::sphere);
+    system[Asked::sweep_capsule] = sweeps(&Body::capsule);
+    system[Asked::sweep_box] = sweeps(&Body::box);
+    return system;
+}
+
+std::vector<BodySystem> systems_over(const Mesh& mesh) {
+    std::vector<BodySystem> systems;
+    for (const Profile profile : {Profile::fast, Profile::balanced}) systems.push_back(espalier_bodies(mesh, profile));
+#if defined(ESPALIER_BENCH_BOX3D)
+    systems.push_back(box3d_bodies(mesh));
+#endif
+    return systems;
+}
+
+void measure(const Mesh& mesh, const Options& options) {
+    const std::vector<BodySystem> systems = systems_over(mesh);
+    const Box around = box_around(mesh.positions);
+    const Vec3 sides = difference(around.max, around.min);
+    for (const float share : {0.01f, 0.03f}) {
+        const std::vector<Body> bodies =
+            some_bodies(mesh, options.bodies, share * std::max({sides.x, sides.y, sides.z}));
+        for (std::size_t asked = 0; asked < names.size(); ++asked) {
+            if (!options.only.empty() && std::ranges::find(options.only, names[asked]) == options.only.end()) continue;
+            Contest<Body, float> contest;
+            for (const BodySystem& system : systems)
+                if (system.answers[asked])
+                    contest.push_back({system.name, system.profile, one_by_one(std::cref(system.answers[asked]))});
+            take_turns(contest, std::span<const Body>(bodies), options.repetitions);
+            JsonObject row;
+            row.add("mesh", mesh.name);
+            row.add("triangles", mesh.triangles.size());
+            add_machine(row);
+            row.add("question", names[asked]);
+            row.add("size", double(share), 2);
+            for (const auto& contestant : contest) {
+                const std::string& name = contestant.profile.empty() ? contestant.system : contestant.profile;
+                row.add(name + "_us", 1e6 * contestant.least_seconds() / double(bodies.size()), 3);
+                row.add(name + "_answer", contestant.sum_of_answers() / double(bodies.size()), 3);
+                if (contestant.system == "espalier" && contest.back().system != "espalier")
+                    row.add(name + "_ratio", ratio(contest.back().seconds, contestant.seconds).median, 2);
+            }
+            row.print();
+            std::fflush(stdout);
+        }
+    }
+}
+
+}  // namespace
+
+const Subcommand subcommand("bodies", [](int count, char** words) {
+    Options options;
+    Program program("espalier_bench_peers bodies", "What a game asks of a level in every frame, beside Box3D; JSON");
+    program.add_count("--repetitions", options.repetitions, "How often all bodies are asked for");
+    program.add_count("--bodies", options.bodies, "Bodies of each size");
+    program.add_words("--only", options.only, "Only this question; may be repeated",
+                      std::vector<std::string>(names.begin(), names.end()));
+    return program.run_at_common_size(count, words, [&](const Mesh& mesh) { measure(mesh, options); });
+});
+
+}  // namespace espalier::bench
