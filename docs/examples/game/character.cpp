@@ -51,13 +51,13 @@ SweepHit advance(const Blob& level, Character& character, Vec3 way) {
 }
 
 /// Moves up to the first contact, then what is left of the way along all that the body has met and is near. Returns the
-/// share of the way to the first contact.
-float slide(const Blob& level, Character& character, Vec3 way) {
-    float first = 1.0f;
+/// first contact.
+SweepHit slide(const Blob& level, Character& character, Vec3 way) {
+    SweepHit first;
     std::array<ContactPlane, most_hits + most_planes> planes;
     for (std::size_t hits = 0; hits < most_hits; ++hits) {
         const SweepHit hit = advance(level, character, way);
-        if (hits == 0) first = hit.t;
+        if (hits == 0) first = hit;
         if (!hit) break;
         planes[hits] = {hit.normal, character.skin, hit.triangle};  // no nearer than now
         const std::span near = std::span(planes).subspan(hits + 1).first(most_planes);
@@ -84,21 +84,27 @@ bool drop_to_ground(const Blob& level, Character& character, float distance, flo
     return true;
 }
 
+/// Returns whether what stops the body is higher than a step: it also stops the lower half of the body above one.
+bool is_wall(const Blob& level, const Character& stopped, const SweepHit& hit) {
+    espalier::Capsule raised = stopped.body();
+    const Vec3 there = Vec3{0, 0, stopped.step_height} - level_part(hit.normal) * (2 * stopped.skin);
+    raised.from = raised.from + there;
+    raised.to = stopped.position + there;
+    return overlaps(level, raised).yes();
+}
+
 /// Walks along the ground, over a step if it leads farther.
 void walk_on_ground(const Blob& level, Character& character, Vec3 way) {
     const Character before = character;
-    const float first = slide(level, character, way);
+    const SweepHit hit = slide(level, character, way);
     const float walked = length(level_part(character.position - before.position));
     if (walked > 0.99f * length(way)) return;
     Character stepping = before;
+    stepping.position = before.position + way * hit.t;
+    if (is_wall(level, stepping, hit)) return;
+    stepping = before;
     static_cast<void>(advance(level, stepping, {0, 0, character.step_height}));
-    const Character raised = stepping;
-    const SweepHit above = advance(level, stepping, way);
-    if (above && above.t <= first) return;  // the wall goes on
-    if (above) {
-        stepping = raised;
-        static_cast<void>(slide(level, stepping, way));
-    }
+    static_cast<void>(slide(level, stepping, way));
     const float stepped = length(level_part(stepping.position - before.position));
     // The round end of the body would slide over an edge that is higher than a step.
     const float highest = before.position.z - 0.5f * before.height + before.step_height;
