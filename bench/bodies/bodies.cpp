@@ -25,8 +25,16 @@ constexpr std::array<const char*, static_cast<std::size_t>(Asked::count)> names 
 
 Vec3 unit(const Vec3& a) { return times(a, 1.0f / std::sqrt(dot(a, a))); }
 
-/// Bodies in front of the surface, so that most of them touch it. A triangle has as many as its area is large: games stand
-/// on floors.
+/// The shapes about a place; `axes` are those of the box.
+Shapes shapes_at(const Vec3& center, float radius, const std::array<Vec3, 3>& axes) {
+    const Vec3 up = {0.0f, 0.0f, radius}, corner = {radius, radius, radius};
+    return {{center, radius},
+            {difference(center, up), sum(center, up), radius},
+            {center, {axes[0], axes[1], axes[2]}},
+            {difference(center, corner), sum(center, corner)}};
+}
+
+/// Bodies in front of the surface. A triangle has as many as its area is large: games stand on floors.
 std::vector<Body> some_bodies(const Mesh& mesh, std::size_t count, float width) {
     std::vector<double> area;
     for (const TriangleVertices& t : mesh.triangles) {
@@ -34,6 +42,7 @@ std::vector<Body> some_bodies(const Mesh& mesh, std::size_t count, float width) 
         const Vec3 normal = cross(difference(b, a), difference(c, a));
         area.push_back((area.empty() ? 0.0 : area.back()) + std::sqrt(double(dot(normal, normal))));
     }
+    const float radius = 0.5f * width;
     tests::Random random(seed);
     std::vector<Body> bodies(count);
     for (Body& body : bodies) {
@@ -42,19 +51,17 @@ std::vector<Body> some_bodies(const Mesh& mesh, std::size_t count, float width) 
         float u = random.unit(), v = random.unit();
         if (u + v > 1.0f) u = 1.0f - u, v = 1.0f - v;
         const Vec3& a = mesh.positions[t[0]];
-        const Vec3 on = sum(a, sum(times(difference(mesh.positions[t[1]], a), u), times(difference(mesh.positions[t[2]], a), v)));
-        const Vec3 front = unit(cross(difference(mesh.positions[t[1]], a), difference(mesh.positions[t[2]], a)));
-        const float radius = 0.5f * width;
-        const Vec3 center = sum(on, times(front, radius * (0.5f + random.unit()))), up = {0.0f, 0.0f, radius};
-        body.sphere = {center, radius};
-        body.capsule = {difference(center, up), sum(center, up), radius};
+        const Vec3 ab = difference(mesh.positions[t[1]], a), ac = difference(mesh.positions[t[2]], a);
+        const Vec3 front = unit(cross(ab, ac)), on = sum(a, sum(times(ab, u), times(ac, v)));
+        const Vec3 center = sum(on, times(front, radius * (0.5f + random.unit())));
         const Vec3 x = unit(random.in_cube(1.0f)), y = unit(cross(x, random.in_cube(1.0f)));
-        const std::array<Vec3, 3> axes = {x, y, cross(x, y)};
-        body.box.center = center;
-        for (std::size_t i = 0; i < 3; ++i) body.box.half_axes[i] = times(axes[i], radius * (0.5f + random.unit()));
-        body.bounds = {difference(center, {radius, radius, radius}), sum(center, {radius, radius, radius})};
-        body.way = times(unit(random.in_cube(1.0f)), 3.0f * width);
+        std::array<Vec3, 3> axes = {x, y, cross(x, y)};
+        for (Vec3& axis : axes) axis = times(axis, radius * (0.5f + random.unit()));
+        body.near = shapes_at(center, radius, axes);
         body.margin = 0.02f;  // which Box3D's contacts have
+        body.before = shapes_at(sum(center, times(front, width)), radius, axes);
+        body.way = times(unit(random.in_cube(1.0f)), 3.0f * width);
+        if (dot(body.way, front) > 0.0f) body.way = times(body.way, -1.0f);
     }
     return bodies;
 }
@@ -68,26 +75,26 @@ BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
     const auto made = std::make_shared<BakedBlob>(bake_blob(mesh, profile));
     BodySystem system = {"espalier", tools::name_in(tools::profile_choices, profile), {}};
     const auto whether = [made](auto shape) {
-        return [made, shape](const Body& body) { return checked(overlaps(made->blob, body.*shape).status()); };
+        return [made, shape](const Body& body) { return checked(overlaps(made->blob, body.near.*shape).status()); };
     };
     const auto contacts = [made](auto shape) {
         return [made, shape](const Body& body) {
             Contact found[most_contacts];
-            const Filled filled = find_contacts(made->blob, body.*shape, body.margin, found);
+            const Filled filled = find_contacts(made->blob, body.near.*shape, body.margin, found);
             checked(filled.status);
             return float(filled.count);
         };
     };
     const auto sweeps = [made](auto shape) {
-        return [made, shape](const Body& body) { return sweep(made->blob, body.*shape, body.way).t; };
+        return [made, shape](const Body& body) { return sweep(made->blob, body.before.*shape, body.way).t; };
     };
-    system[Asked::overlaps_sphere] = whether(&Body::sphere);
-    system[Asked::overlaps_capsule] = whether(&Body::capsule);
-    system[Asked::overlaps_box] = whether(&Body::box);
+    system[Asked::overlaps_sphere] = whether(&Shapes::sphere);
+    system[Asked::overlaps_capsule] = whether(&Shapes::capsule);
+    system[Asked::overlaps_box] = whether(&Shapes::box);
     system[Asked::triangles_in_box] = [made](const Body& body) {
         float corners = 0.0f;
         std::size_t count = 0;
-        const QueryStatus status = for_each_overlap(made->blob, body.bounds, [&](TriangleId, const Triangle& triangle) {
+        const QueryStatus status = for_each_overlap(made->blob, body.near.bounds, [&](TriangleId, const Triangle& triangle) {
             corners += triangle.a.x + triangle.b.y + triangle.c.z;
             ++count;
         });
@@ -96,16 +103,16 @@ BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
     };
     system[Asked::planes] = [made](const Body& body) {
         ContactPlane planes[most_contacts];
-        const Filled filled = collect_planes(made->blob, body.capsule, 0.0f, planes);
+        const Filled filled = collect_planes(made->blob, body.near.capsule, 0.0f, planes);
         checked(filled.status);
         return float(filled.count);
     };
-    system[Asked::contacts_sphere] = contacts(&Body::sphere);
-    system[Asked::contacts_capsule] = contacts(&Body::capsule);
-    system[Asked::contacts_box] = contacts(&Body::box);
-    system[Asked::sweep_sphere] = sweeps(&Body::sphere);
-    system[Asked::sweep_capsule] = sweeps(&Body::capsule);
-    system[Asked::sweep_box] = sweeps(&Body::box);
+    system[Asked::contacts_sphere] = contacts(&Shapes::sphere);
+    system[Asked::contacts_capsule] = contacts(&Shapes::capsule);
+    system[Asked::contacts_box] = contacts(&Shapes::box);
+    system[Asked::sweep_sphere] = sweeps(&Shapes::sphere);
+    system[Asked::sweep_capsule] = sweeps(&Shapes::capsule);
+    system[Asked::sweep_box] = sweeps(&Shapes::box);
     return system;
 }
 

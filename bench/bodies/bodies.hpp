@@ -6,14 +6,20 @@
 
 namespace espalier::bench {
 
-/// A body near the surface in the shapes that it may have, all about as wide, and where it moves.
-struct Body {
+/// A body in the shapes that it may have, all about as wide.
+struct Shapes {
     Sphere sphere;
     Capsule capsule;  ///< upright, twice as high as wide
     OrientedBox box;  ///< its half axes are perpendicular
     Box bounds;       ///< axis-aligned, as wide
-    Vec3 way;         ///< as long as three widths
-    float margin;
+};
+
+/// A body near the surface, and where it moves.
+struct Body {
+    Shapes near;    ///< most of them touch it
+    float margin;   ///< of contacts
+    Shapes before;  ///< a width farther away
+    Vec3 way;       ///< from there, as long as three widths, not away from the surface
 };
 
 /// The questions, in the order of the columns.

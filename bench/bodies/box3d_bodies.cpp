@@ -68,41 +68,41 @@ BodySystem box3d_bodies(const Mesh& mesh) {
         return b3ShapeCastMesh(&shape, &query).fraction;
     };
     system[Asked::overlaps_sphere] = [overlaps](const Body& body) {
-        const b3Vec3 center = to_box3d(body.sphere.center);
-        return overlaps(&center, 1, body.sphere.radius);
+        const b3Vec3 center = to_box3d(body.near.sphere.center);
+        return overlaps(&center, 1, body.near.sphere.radius);
     };
     system[Asked::overlaps_capsule] = [overlaps](const Body& body) {
-        return overlaps(ends_of(body.capsule).data(), 2, body.capsule.radius);
+        return overlaps(ends_of(body.near.capsule).data(), 2, body.near.capsule.radius);
     };
     system[Asked::overlaps_box] = [overlaps](const Body& body) {
-        return overlaps(corners_of(body.box).data(), 8, 0.0f);
+        return overlaps(corners_of(body.near.box).data(), 8, 0.0f);
     };
     system[Asked::triangles_in_box] = [own](const Body& body) {
         float corners = 0.0f;
         std::size_t count = 0;
-        visit_triangles(own->get(), {to_box3d(body.bounds.min), to_box3d(body.bounds.max)}, [&](const b3Vec3* corner) {
+        visit_triangles(own->get(), {to_box3d(body.near.bounds.min), to_box3d(body.near.bounds.max)}, [&](const b3Vec3* corner) {
             corners += corner[0].x + corner[1].y + corner[2].z;
             ++count;
         });
         return std::isnan(corners) ? -1.0f : static_cast<float>(count);
     };
     system[Asked::planes] = [own](const Body& body) {
-        const auto [from, to] = ends_of(body.capsule);
-        const b3Capsule mover = {from, to, body.capsule.radius};
+        const auto [from, to] = ends_of(body.near.capsule);
+        const b3Capsule mover = {from, to, body.near.capsule.radius};
         const b3Mesh shape = own->get();
         b3PlaneResult planes[most_contacts];
         return static_cast<float>(b3CollideMoverAndMesh(planes, most_contacts, &shape, &mover));
     };
     system[Asked::contacts_sphere] = [own](const Body& body) {
-        const b3Sphere sphere = {to_box3d(body.sphere.center), body.sphere.radius};
+        const b3Sphere sphere = {to_box3d(body.near.sphere.center), body.near.sphere.radius};
         const b3AABB bounds = grown(&sphere.center, 1, sphere.radius + body.margin);
         return count_contacts(own->get(), bounds, [&](b3LocalManifold& manifold, const b3Vec3* corners) {
             b3CollideTriangleAndSphere(&manifold, 32, corners, &sphere);
         });
     };
     system[Asked::contacts_capsule] = [own](const Body& body) {
-        const auto ends = ends_of(body.capsule);
-        const b3Capsule capsule = {ends[0], ends[1], body.capsule.radius};
+        const auto ends = ends_of(body.near.capsule);
+        const b3Capsule capsule = {ends[0], ends[1], body.near.capsule.radius};
         const b3AABB bounds = grown(ends.data(), 2, capsule.radius + body.margin);
         return count_contacts(own->get(), bounds, [&](b3LocalManifold& manifold, const b3Vec3* corners) {
             b3SimplexCache cache = {};
@@ -113,14 +113,14 @@ BodySystem box3d_bodies(const Mesh& mesh) {
         std::array<float, 3> half;
         b3Vec3 axis[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            const b3Vec3 along = to_box3d(body.box.half_axes[i]);
+            const b3Vec3 along = to_box3d(body.near.box.half_axes[i]);
             half[i] = b3Length(along);
             axis[i] = b3MulSV(1.0f / half[i], along);
         }
         const b3Matrix3 turn = {axis[0], axis[1], axis[2]};
-        const b3Transform at = {to_box3d(body.box.center), b3MakeQuatFromMatrix(&turn)};
+        const b3Transform at = {to_box3d(body.near.box.center), b3MakeQuatFromMatrix(&turn)};
         const b3BoxHull hull = b3MakeBoxHull(half[0], half[1], half[2]);
-        const b3AABB bounds = grown(corners_of(body.box).data(), 8, body.margin);
+        const b3AABB bounds = grown(corners_of(body.near.box).data(), 8, body.margin);
         return count_contacts(own->get(), bounds, [&](b3LocalManifold& manifold, const b3Vec3* corners) {
             b3SATCache cache = {};
             b3CollideTriangleAndHull(&manifold, 32, b3InvTransformPoint(at, corners[0]),
@@ -129,14 +129,14 @@ BodySystem box3d_bodies(const Mesh& mesh) {
         });
     };
     system[Asked::sweep_sphere] = [sweep](const Body& body) {
-        const b3Vec3 center = to_box3d(body.sphere.center);
-        return sweep(&center, 1, body.sphere.radius, body.way);
+        const b3Vec3 center = to_box3d(body.before.sphere.center);
+        return sweep(&center, 1, body.before.sphere.radius, body.way);
     };
     system[Asked::sweep_capsule] = [sweep](const Body& body) {
-        return sweep(ends_of(body.capsule).data(), 2, body.capsule.radius, body.way);
+        return sweep(ends_of(body.before.capsule).data(), 2, body.before.capsule.radius, body.way);
     };
     system[Asked::sweep_box] = [sweep](const Body& body) {
-        return sweep(corners_of(body.box).data(), 8, 0.0f, body.way);
+        return sweep(corners_of(body.before.box).data(), 8, 0.0f, body.way);
     };
     return system;
 }

@@ -15,7 +15,6 @@
 namespace espalier::detail::contacts {
 
 /// No vector is longer than that.
-inline float sum_of_coordinates(const Vec3& a) { return absolute(a.x) + absolute(a.y) + absolute(a.z); }
 
 /// What the search needs of a body, rounded for a blob.
 struct Body {
@@ -143,7 +142,7 @@ struct BodyOf<OrientedBox> : Body {
 
     QueryStatus round(const BlobData& blob, const OrientedBox& local, float margin) {
         float sum = 0.0f;
-        for (const Vec3& half : local.half_axes) sum += sum_of_coordinates(half);
+        for (const Vec3& half : local.half_axes) sum += sum_of_magnitudes(half);
         refer_to<BodyOf>(local, local.center, 0.0f, sum);
         radius = 0.0f;
         Rounder rounder(blob);
@@ -158,7 +157,7 @@ struct BodyOf<OrientedBox> : Body {
         for (int i = 0; i < 3; ++i) {
             units[i] = to_grid(steps.half[i], box.fraction_bits);
             box.half[i] = to_vector(units[i]) * scale;
-            box.size += sum_of_coordinates(box.half[i]);
+            box.size += sum_of_magnitudes(box.half[i]);
         }
         for (int i = 0; i < 3; ++i)
             box.face[i] = direction_of(wide_cross(units[i == 2 ? 0 : i + 1], units[i == 0 ? 2 : i - 1]));
@@ -197,7 +196,7 @@ struct BodyOf<ConvexHull> : Body {
         if (local.vertices.empty()) return QueryStatus::not_found;
         const Vec3 own_middle = middle_of(local);
         float most = 0.0f;
-        for (const Vec3& vertex : local.vertices) most = maximum(most, sum_of_coordinates(vertex - own_middle));
+        for (const Vec3& vertex : local.vertices) most = maximum(most, sum_of_magnitudes(vertex - own_middle));
         refer_to<BodyOf>(local, own_middle, 0.0f, most);
         radius = 0.0f;
         float at[3], low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};

@@ -99,7 +99,7 @@ SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& tri
     const std::uint32_t tick = tick_before(first);
     const PrismCorners corners(capsule, triangle);
     unsigned number = 0;
-    while (number < 7 &&
+    while (number < 7 && !takes_shortcut(is_zero(capsule.axis)) &&
            !is_nearest_face(capsule.sphere, face_of_prism(capsule, triangle, number), corners.at, corners.count, tick))
         ++number;
     const SweepContact on_face = contact_at(capsule.sphere, face_of_prism(capsule, triangle, number), tick);

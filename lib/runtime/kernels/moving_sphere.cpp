@@ -38,11 +38,20 @@ public:
         }
         normal_ = cross(side_[0], side_[1]);
         is_narrow_ = takes_shortcut(large < std::int64_t{1} << 20);
-        if (!is_narrow_) return;
-        for (unsigned i = 0; i < 3; ++i) inward_[i] = cross(normal_, side_[i]);
+        for (unsigned i = 0; i < 3; ++i) {
+            if (is_narrow_) inward_[i] = cross(normal_, side_[i]);
+            else if (takes_shortcut()) rounded_inward_[i] = cross(to_vector(normal_), to_vector(side_[i]));
+        }
+        if (!is_narrow_) inward_error_ = sum_of_magnitudes(to_vector(normal_)) * to_float(large) * 0x1p-18f;
     }
 
     [[nodiscard]] SweepTick first_contact_tick(SweepTick least, SweepTick most) {
+        // A bound of lanes is a little early. Where nothing was met so far, the contact is most often soon after it.
+        high_.tick = most;
+        if (takes_shortcut(most == whole_way && least != 0) && touches_soon_after(least)) {
+            close_in();
+            return high_.tick;
+        }
         // What is still getting nearer in the end has not been nearer before.
         high_ = {most, probe(most)};
         if (!high_.probe.touches && high_.probe.closing) return no_contact;
@@ -51,7 +60,6 @@ public:
             low_ = {0, most == 0 ? high_.probe : probe(0)};
             if (low_.probe.touches) return 0;
         } else if (most - least > 512) {
-            // A bound of lanes is a little early: the contact is most often within the next steps.
             const Bound near = {least + 256, probe(least + 256)};
             (!near.probe.touches && near.probe.closing ? low_ : high_) = near;
         }
@@ -140,6 +148,11 @@ private:
     // the corner opposite. For long sides (s x p) . (a x b) = (s . a)(p . b) - (s . b)(p . a).
     [[nodiscard]] bool is_within_side(unsigned i) const {
         if (takes_shortcut(is_narrow_)) return Int128(0) < dot<Int128>(inward_[i], seen_[i]);
+        if (takes_shortcut()) {
+            const Vec3 seen = to_vector(seen_[i]) * 0x1p-24f;
+            const float inside = dot(rounded_inward_[i], seen);
+            if (absolute(inside) > inward_error_ * sum_of_magnitudes(seen)) return inside > 0.0f;
+        }
         return compare_products(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
                                 dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0])) > 0;
     }
@@ -255,6 +268,17 @@ private:
         return passes_within_radius();
     }
 
+    /// Whether the sphere does not touch at a tick and would touch soon after it, at the speed at which it closes there:
+    /// then low and high are these two.
+    [[nodiscard]] bool touches_soon_after(SweepTick least) {
+        low_ = {least, probe(least)};
+        if (low_.probe.touches || !low_.probe.closing) return false;
+        const std::uint32_t tick = tick_near(least + 1, (low_.probe.distance - radius_) / low_.probe.speed);
+        const Probe there = probe(tick);
+        if (there.touches) high_ = {tick, there};
+        return there.touches;
+    }
+
     /// High touches, low does not: until they are neighbours.
     void close_in() {
         std::uint32_t margin = 0;
@@ -332,6 +356,8 @@ private:
     std::int64_t length_[3];  ///< squared
     Integer3 normal_;
     Integer3 inward_[3];  ///< in the plane, perpendicular to each side; where it is narrow
+    Vec3 rounded_inward_[3];     ///< elsewhere
+    float inward_error_ = 0.0f;  ///< by how much a product with these is off at most, for coordinates that add up to 1
     bool is_narrow_;
     // What look_at found.
     Integer3 seen_[3];

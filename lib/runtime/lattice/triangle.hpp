@@ -95,6 +95,7 @@ constexpr float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline float sum_of_magnitudes(const Vec3& a) { return absolute(a.x) + absolute(a.y) + absolute(a.z); }
 inline float largest(const Vec3& a) { return maximum(maximum(absolute(a.x), absolute(a.y)), absolute(a.z)); }
 inline Vec3 to_vector(const Integer3& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }
 inline Vec3 to_vector(const WideVector& a) { return {to_float(a.x), to_float(a.y), to_float(a.z)}; }

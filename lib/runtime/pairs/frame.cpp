@@ -145,7 +145,7 @@ bool are_apart(const BlobData& a, const BlobData& b, const Transform& b_in_a, fl
     for (int k = 0; k < 3; ++k) gap = maximum(absolute(way[k]) - reach_in_a[k], gap);
     // Both are rounded to the grid, whose step is a part of a's or a share of the farthest coordinate.
     const Vec3 moved = place.translation();
-    const float size = of_a.size + scaled(of_b.size) + absolute(moved.x) + absolute(moved.y) + absolute(moved.z);
+    const float size = of_a.size + scaled(of_b.size) + sum_of_magnitudes(moved);
     const float steps = scale_by_power_of_two(size, -a.step_exponent);
     const float slack = size * 0x1p-16f + scale_by_power_of_two(1.0f, a.step_exponent - 5);
     if (!(size > 0x1p-72f && steps < 0x1p70f && gap > distance + slack)) return false;

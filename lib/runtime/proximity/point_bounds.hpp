@@ -76,9 +76,8 @@ inline Floats3 cross(const Floats3& a, const Floats3& b) {
     return {multiply_subtract(a.y, b.z, multiply(a.z, b.y)), multiply_subtract(a.z, b.x, multiply(a.x, b.z)),
             multiply_subtract(a.x, b.y, multiply(a.y, b.x))};
 }
-inline Floats absolute_of(Floats a) { return larger(a, negate(a)); }
 /// The sum of the absolute coordinates: at least the length.
-inline Floats length_bound(const Floats3& a) { return add(absolute_of(a.x), add(absolute_of(a.y), absolute_of(a.z))); }
+inline Floats length_bound(const Floats3& a) { return add(magnitude(a.x), add(magnitude(a.y), magnitude(a.z))); }
 inline Floats largest_of(Floats a, Floats b, Floats c) { return larger(larger(a, b), c); }
 
 /// Any direction bounds the squared distance of a convex body from below: nothing of it is nearer than its corner that

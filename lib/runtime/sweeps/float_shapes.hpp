@@ -113,7 +113,7 @@ inline void add_axis(FloatHull& lanes, const Vec3& along) {
         axis.low = minimum(at, axis.low);
         axis.high = maximum(at, axis.high);
     }
-    const float slack = (absolute(along.x) + absolute(along.y) + absolute(along.z)) * float_slack;
+    const float slack = sum_of_magnitudes(along) * float_slack;
     axis.low -= slack;
     axis.high += slack;
 }

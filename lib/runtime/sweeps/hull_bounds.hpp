@@ -41,7 +41,7 @@ private:
     /// The triangle lies between two of its corners along the axis.
     ESPALIER_ALWAYS_INLINE void narrow(time_bounds::CommonTime& common, const Floats3& axis, const Floats3& one,
                                        const Floats3& other, Floats error) const {
-        const Floats reach = dot({absolute_of(axis.x), absolute_of(axis.y), absolute_of(axis.z)}, half_);
+        const Floats reach = dot({magnitude(axis.x), magnitude(axis.y), magnitude(axis.z)}, half_);
         const Floats at_one = dot(axis, one), at_other = dot(axis, other);
         common.narrow({splat(0.0f), dot(axis, way_), subtract(smaller(at_one, at_other), reach),
                        add(larger(at_one, at_other), reach), error});
@@ -111,7 +111,7 @@ private:
         const Floats slack = multiply(length_bound(axis), splat(float_slack));
         if (hull_.edge_count != 0) {
             Floats reach = slack;
-            for (unsigned i = 0; i < 3; ++i) reach = add(reach, absolute_of(dot(axis, splat_each(hull_.half_edge[i]))));
+            for (unsigned i = 0; i < 3; ++i) reach = add(reach, magnitude(dot(axis, splat_each(hull_.half_edge[i]))));
             return {negate(reach), reach};
         }
         Floats low = dot(axis, splat_each(hull_.point[0])), high = low;

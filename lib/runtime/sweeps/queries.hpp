@@ -104,7 +104,7 @@ ESPALIER_SHARED_CODE inline std::uint32_t tick_at_skin(const LatticeSweep& sweep
     const float scale = power_of_two(-sweep.fraction_bits);
     const Vec3 way = to_vector(sweep.displacement) * scale;
     // The normal is within 4 ulp, so the shape is at least as fast as this.
-    const float error = (absolute(way.x) + absolute(way.y) + absolute(way.z)) * 0x1p-20f;
+    const float error = sum_of_magnitudes(way) * 0x1p-20f;
     const float speed = -dot(way, normal) - error;
     const float ticks = skin / speed * (0x1p24f * (1.0f + 0x1p-20f)) + 1.0f;
     if (!(speed > 0.0f) || !(ticks < static_cast<float>(tick))) return 0;

@@ -40,7 +40,7 @@ struct Interval {
     [[nodiscard]] Floats exit() const {
         const Floats down = subtract(from, low), up = subtract(high, from);
         const Floats room = add(where_at_most(splat(0.0f), change, up, down), multiply(error, splat(2.0f)));
-        const Floats speed = subtract(absolute_of(change), error);
+        const Floats speed = subtract(magnitude(change), error);
         const Floats when = multiply(divide(room, larger(speed, splat(0x1p-100f))), splat(1.0f + rounding));
         return where_positive(speed, where_positive(room, when, splat(0.0f)), splat(never));
     }
