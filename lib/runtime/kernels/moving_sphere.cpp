@@ -37,6 +37,7 @@ public:
             large |= size.x | size.y | size.z;
         }
         normal_ = cross(side_[0], side_[1]);
+        largest_side_ = large;
         is_narrow_ = takes_shortcut(large < std::int64_t{1} << 20);
         for (unsigned i = 0; i < 3; ++i) {
             if (is_narrow_) inward_[i] = cross(normal_, side_[i]);
@@ -181,6 +182,8 @@ private:
     }
     [[nodiscard]] float weight(unsigned i) const {
         if (takes_shortcut(is_narrow_)) return to_float(dot<Int128>(inward_[i], seen_[i])) * 0x1p-60f;
+        if (takes_shortcut() && largest_side_ < std::int64_t{1} << 23 && sum_of_magnitudes(seen_[i]) < std::int64_t{1} << 50)
+            return to_float(dot(wide_cross(normal_, side_[i]), seen_[i])) * 0x1p-60f;
         return product_difference(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
                                   dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0]))
             .to_float(-60);
@@ -358,6 +361,7 @@ private:
     Integer3 inward_[3];  ///< in the plane, perpendicular to each side; where it is narrow
     Vec3 rounded_inward_[3];     ///< elsewhere
     float inward_error_ = 0.0f;  ///< by how much a product with these is off at most, for coordinates that add up to 1
+    std::int64_t largest_side_;  ///< no coordinate of a side is larger
     bool is_narrow_;
     // What look_at found.
     Integer3 seen_[3];

@@ -14,6 +14,7 @@ ESPALIER_BEGIN_SET
 class CapsuleBounds {
 public:
     using Beside = BesideWay;
+    static int few(const FloatCapsule& capsule) { return capsule.is_sphere ? 1 : 2; }
 
     explicit CapsuleBounds(const FloatCapsule& capsule)
         : way_(splat_each(capsule.way)),

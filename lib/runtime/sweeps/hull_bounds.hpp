@@ -13,6 +13,7 @@ ESPALIER_BEGIN_SET
 class BoxBounds {
 public:
     using Beside = AnyPlace;
+    static int few(const FloatSweep&) { return 1; }
 
     explicit BoxBounds(const FloatBox& box)
         : way_(splat_each(box.way)), half_(splat_each(box.half)), size_(add(length_bound(way_), length_bound(half_))) {}
@@ -57,6 +58,7 @@ private:
 class HullBounds {
 public:
     using Beside = AnyPlace;
+    static int few(const FloatSweep&) { return 1; }
 
     explicit HullBounds(const FloatHull& hull) : hull_(hull), way_(splat_each(hull.way)) {
         size_ =

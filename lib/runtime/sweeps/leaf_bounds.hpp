@@ -180,7 +180,9 @@ private:
     ESPALIER_NOINLINE Slots fill_in(const Leaf& leaf, const Sweep& sweep, float limit) {
         const VerticesFromShape<Leaf, groups> vertices(leaf, sweep);
         const Slots met = meet<typename Bounds::Beside>(leaf, vertices, sweep, limit);
-        return met == 0 || sweep.is_far ? met : tighten<Bounds>(vertices, sweep, limit, met);
+        // Of so few triangles bounds take longer than the decisions that they may save.
+        const bool are_few = lanes > 1 && std::popcount(met) <= Bounds::few(sweep);
+        return are_few || sweep.is_far ? met : tighten<Bounds>(vertices, sweep, limit, met);
     }
     /// Returns the triangles that are not beside the way, and whose boxes the box of the shape meets.
     template <class Beside, class SomeVertices>
