@@ -78,8 +78,9 @@ BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
         return [made, shape](const Body& body) { return checked(overlaps(made->blob, body.near.*shape).status()); };
     };
     const auto contacts = [made](auto shape) {
-        return [made, shape](const Body& body) {
-            Contact found[most_contacts];
+        const auto room = std::make_shared<std::array<Contact, most_contacts>>();
+        return [made, shape, room](const Body& body) {
+            std::span<Contact> found = *room;
             const Filled filled = find_contacts(made->blob, body.near.*shape, body.margin, found);
             checked(filled.status);
             return float(filled.count);
@@ -101,8 +102,9 @@ BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
         checked(status);
         return std::isnan(corners) ? -1.0f : float(count);
     };
-    system[Asked::planes] = [made](const Body& body) {
-        ContactPlane planes[most_contacts];
+    const auto room = std::make_shared<std::array<ContactPlane, most_contacts>>();
+    system[Asked::planes] = [made, room](const Body& body) {
+        std::span<ContactPlane> planes = *room;
         const Filled filled = collect_planes(made->blob, body.near.capsule, 0.0f, planes);
         checked(filled.status);
         return float(filled.count);

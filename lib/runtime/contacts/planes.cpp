@@ -60,37 +60,37 @@ public:
     }
     /// Whether a plane with no smaller distance is not kept.
     [[nodiscard]] bool rules_out(float distance) const {
-        return count_ == most && distance > plane_[most - 1].distance;
+        return count_ == most && distance > plane_.at[most - 1].distance;
     }
     void add(const ContactPlane& plane) {
         if (!comes_first(after_, plane)) return;
         unsigned place = count_;
         if (count_ == most) {
             is_any_left_ = true;
-            if (!comes_first(plane, plane_[most - 1])) return;
+            if (!comes_first(plane, plane_.at[most - 1])) return;
             --place;
         } else {
             ++count_;
         }
-        for (; place > 0 && comes_first(plane, plane_[place - 1]); --place) plane_[place] = plane_[place - 1];
-        plane_[place] = plane;
+        for (; place > 0 && comes_first(plane, plane_.at[place - 1]); --place) plane_.at[place] = plane_.at[place - 1];
+        plane_.at[place] = plane;
     }
     void leave_out() { is_any_left_ = true; }
     [[nodiscard]] bool is_any_left() const { return is_any_left_; }
-    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_, count_}; }
+    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_.at, count_}; }
 
 private:
     static constexpr unsigned most = small_code ? 8 : 32;
 
     ContactPlane after_ = {{}, -infinity, TriangleId{0}};
-    ContactPlane plane_[most];
+    Uninitialised<ContactPlane, most> plane_;
     unsigned count_ = 0;
     bool is_any_left_ = false;
 };
 
 /// A triangle near the axis of a capsule; `nearest` is the squared distance, in lattice steps.
 struct NearAxis : NearTriangle {
-    Feature feature;
+    SegmentDistance distance;
 };
 
 /// Takes the triangles near a capsule from a walk, and adds the planes of those where the surface is locally nearest.
@@ -110,7 +110,7 @@ public:
             return Visit::next;
         }
         if (waiting_.are_full()) add_waiting(false);
-        waiting_.add({{index, triangle, distance.squared}, distance.feature});
+        waiting_.add({{index, triangle, distance.squared}, distance});
         return Visit::next;
     }
     void add_waiting(bool is_last) {
@@ -124,8 +124,8 @@ public:
 private:
     /// Whether another triangle at the same edge or corner is nearer, or as near with a lower index.
     [[nodiscard]] bool is_ghost(const NearAxis& near, std::span<NearAxis> all) const {
-        if (near.feature == Feature::face || near.nearest == 0.0f) return false;
-        const Part part(near.feature);
+        if (near.distance.feature == Feature::face || near.nearest == 0.0f) return false;
+        const Part part(near.distance.feature);
         const std::int32_t *const from = near.triangle.corner[part.from], *const to = near.triangle.corner[part.to];
         return contacts::visit_around(blob, all, near.triangle, part, [&](NearTriangle& other) {
             if (other.index == near.index || contacts::corner_at(other.triangle, from) == 3 ||
@@ -141,8 +141,8 @@ private:
         contacts::FacingSide side;
         side.is_back = is_origin_behind(body_.seen(near.triangle));
         Touches touches;
-        touch_segment(body_.segment, near.triangle, side, body_.radius, touches);
-        const contacts::Touch& nearest = touches.touch[0];
+        touch_nearest(body_.segment, near.triangle, near.distance, side, touches);
+        const contacts::Touch& nearest = touches.touch.at[0];
         const ContactPlane plane = {nearest.normal, to_local_distance(nearest.distance), TriangleId{near.index}};
         if (!chosen_.imply(plane)) planes_.add(plane);  // so that each walk adds one
     }

@@ -7,6 +7,7 @@
 #include <espalier/advanced/lattice.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/answers/answer.hpp>
+#include <runtime/base/uninitialised.hpp>
 #include <runtime/contacts/bodies.hpp>
 #include <runtime/contacts/nearest_pair.hpp>
 #include <runtime/contacts/touch.hpp>
@@ -84,13 +85,13 @@ class NearTriangles {
 public:
     static constexpr unsigned most = small_code ? 1 : 32;
 
-    void add(const Near& near) { near_[count_++] = near; }
+    void add(const Near& near) { near_.at[count_++] = near; }
     [[nodiscard]] bool are_full() const { return count_ == most; }
     void clear() { count_ = 0; }
-    [[nodiscard]] std::span<Near> all() { return {near_, count_}; }
+    [[nodiscard]] std::span<Near> all() { return {near_.at, count_}; }
 
 private:
-    Near near_[most];
+    Uninitialised<Near, most> near_;
     unsigned count_ = 0;
 };
 
@@ -218,7 +219,7 @@ public:
     /// Whether another triangle has a place that is the same edge or corner: one that is nearer, or as near with a
     /// lower index. Where the surface goes on in another blob only the direction decides, and the face's replaces it.
     bool has_nearer(Touches& touches) const {
-        Touch& place = touches.touch[0];
+        Touch& place = touches.touch.at[0];
         const Part part(place.feature);
         const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_joined = false;  // the edge has another triangle

@@ -5,6 +5,8 @@
 #include <espalier/types.hpp>
 #include <runtime/asset/internal_edges.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/base/uninitialised.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_segment.hpp>
 #include <runtime/lattice/triangle.hpp>
@@ -116,7 +118,7 @@ inline Vec3 outward_from(const Vec3& face, bool is_back, const Vec3& to_middle, 
 /// through the triangle, its normal is that of the facing side.
 struct Touches {
     static constexpr unsigned most = 8;
-    Touch touch[most];
+    Uninitialised<Touch, most> touch;
     unsigned count = 0;
     float nearest = 0.0f;    ///< the distance of body and triangle, or minus the length of the shortest way out
     bool is_beside = false;  ///< the first place is on an internal feature, and the body is not over the triangle
@@ -125,10 +127,10 @@ struct Touches {
     void add(const Vec3& point, const Vec3& normal, float distance, float apart) {
         if (count == most) return;
         for (unsigned i = 0; i < count; ++i) {
-            const Vec3 between = point - touch[i].point;
+            const Vec3 between = point - touch.at[i].point;
             if (dot(between, between) <= apart * apart) return;
         }
-        touch[count++] = {point, normal, distance, Feature::face};
+        touch.at[count++] = {point, normal, distance, Feature::face};
     }
 };
 
@@ -145,6 +147,10 @@ struct Separation {
 
 /// Writes how a point touches the triangle, or is near it.
 void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, const FacingSide& side, Touches& touches);
+
+/// Writes the first of these places for a segment that is so far from the triangle.
+void touch_nearest(const RoundedSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+                   const FacingSide& side, Touches& touches);
 
 /// Writes how a segment touches the triangle, or is near it: also where its ends are no farther than `reach`.
 void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, const FacingSide& side, float reach,

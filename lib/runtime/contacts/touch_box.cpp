@@ -269,7 +269,7 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     touches.is_beside = !first.turn(
         seen, side, [&](GapAlong& along) { axes.offer_all(along); }, find_nearest);
     const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits), normal = first.normal;
-    touches.touch[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
+    touches.touch.at[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
     touches.count = 1;
 
     const float steepness = dot(seen.face, normal);

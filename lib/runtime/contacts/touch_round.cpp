@@ -79,17 +79,31 @@ void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, con
     const OriginRelative t = relative_to(point, triangle);
     Vec3 normal = direction_from(distance.feature, t, triangle, point.fraction_bits);
     if (distance.squared == 0.0f || dot(normal, normal) == 0.0f) normal = front_of(triangle);
-    touches.touch[0] = {point_of(triangle, distance.u, distance.v), normal,
+    touches.touch.at[0] = {point_of(triangle, distance.u, distance.v), normal,
                         square_root(distance.squared) + point.distance_offset, distance.feature};
     touches.count = 1;
-    touches.nearest = touches.touch[0].distance;
+    touches.nearest = touches.touch.at[0].distance;
     touches.is_beside = side.is_internal(distance.feature);
 }
 
-void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, const FacingSide& side, float reach,
-                   Touches& touches) {
-    const SegmentDistance distance = distance_to(segment, triangle);
-    Touch& first = touches.touch[0];
+namespace {
+
+/// A triangle and a segment in lattice steps, seen from the segment's start.
+struct SeenFromStart {
+    Vec3 start, along, corner[3];
+
+    SeenFromStart(const RoundedSegment& segment, const LatticeTriangle& triangle)
+        : start{segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]},
+          along(Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start) {
+        for (unsigned i = 0; i < 3; ++i) corner[i] = to_vector(triangle.corner[i]) - start;
+    }
+};
+
+}  // namespace
+
+void touch_nearest(const RoundedSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+                   const FacingSide& side, Touches& touches) {
+    Touch& first = touches.touch.at[0];
     first.point = point_of(triangle, distance.u, distance.v);
     first.feature = distance.feature;
     if (distance.squared == 0.0f) {
@@ -108,12 +122,10 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     }
     touches.count = 1;
     touches.nearest = first.distance;
+    if (distance.squared > 0.0f && !side.is_internal(first.feature)) return;
 
     const Vec3 face = face_normal_of(triangle);
-    const Vec3 start = {segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]};
-    const Vec3 corner[3] = {to_vector(triangle.corner[0]) - start, to_vector(triangle.corner[1]) - start,
-                            to_vector(triangle.corner[2]) - start};
-    const Vec3 along = Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start;
+    const auto [start, along, corner] = SeenFromStart(segment, triangle);
     const bool is_deep = distance.squared == 0.0f;
     const Vec3 middle = along * 0.5f;
     bool leads_through = false;  // the middle, after the way out
@@ -146,9 +158,17 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
             if (!is_turned) first.point = start + along * (at_low < at_high ? low : high) - outward * first.distance;
         }
     }
+}
+
+void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, const FacingSide& side, float reach,
+                   Touches& touches) {
+    touch_nearest(segment, triangle, distance_to(segment, triangle), side, touches);
+    const Vec3 face = face_normal_of(triangle);
+    const auto [start, along, corner] = SeenFromStart(segment, triangle);
+    const Vec3 middle = along * 0.5f;
 
     // Where the segment lies over the face, both ends of that part touch it too.
-    const Vec3 way = first.normal;
+    const Vec3 way = touches.touch.at[0].normal;
     const float steepness = dot(face, way);
     float low = 0.0f, high = 1.0f;
     if (absolute(steepness) < 0.25f || !Prism(corner, way).clip({}, along, low, high)) return;

@@ -32,6 +32,52 @@ ESPALIER_SHARED_CODE bool is_share(const Dot& a, const Dot& b, const Dot& c, con
 /// Lines of huge segments may pass a side by less than 2^-63 steps: returned as 2^-63, neither subnormal nor 0.
 inline constexpr float least_squared = 0x1p-126f;
 
+/// What floats rule out of the places where a segment and a triangle may be nearest: most of them, in a fraction of the
+/// time that each takes (docs/numerics.md, *Segment against triangle*). Coordinates stay below 2^31.
+class PlacesInFloats {
+public:
+    PlacesInFloats(const OriginRelative& t, const Integer3& d, const Integer3* w, float scale)
+        : way_(scaled(d)), edge_{scaled(t.ab), scaled(t.ac - t.ab), scaled(-t.ac)} {
+        for (unsigned i = 0; i < 3; ++i) corner_[i] = scaled(w[i]);
+        const Vec3 direction = cross(edge_[0], edge_[2]);
+        const float at[3] = {dot(direction, corner_[0]), dot(direction, corner_[1]), dot(direction, corner_[2])};
+        low_ = minimum(at[0], minimum(at[1], at[2]));
+        high_ = maximum(at[0], maximum(at[1], at[2]));
+        end_ = dot(direction, way_);
+        const float size = maximum(largest(corner_[0]), maximum(largest(corner_[1]), largest(corner_[2]))) + largest(way_);
+        rounding_ = sum_of_magnitudes(direction) * size * 0x1p-18f;
+        to_squared_ = scale * 0x1p32f / (dot(direction, direction) * (1.0f + 0x1p-18f) + 0x1p-100f);
+    }
+    /// Whether both ends of the segment are on one side of the plane.
+    [[nodiscard]] bool is_on_one_side() const {
+        return (low_ > rounding_ && low_ - end_ > rounding_) || (high_ < -rounding_ && high_ - end_ < -rounding_);
+    }
+    /// Returns a lower bound of the squared distance of an end of the segment.
+    [[nodiscard]] float bound_of_end(bool is_second) const {
+        const float from = is_second ? end_ : 0.0f;
+        const float gap = maximum(maximum(low_ - from, from - high_) - rounding_, 0.0f);
+        return gap * gap * to_squared_;
+    }
+    /// Whether the line of the segment and that of a side are surely not nearest within both.
+    [[nodiscard]] bool rules_out_side(unsigned i, int fraction_bits) const {
+        const Vec3 &w = corner_[i], &e = edge_[i];
+        const float length = dot(way_, way_), ee = dot(e, e), de = dot(way_, e), wd = dot(w, way_), we = dot(w, e);
+        const float whole = length * ee - de * de, size = dot(w, w), error = length * ee * 0x1p-18f;
+        const float along = wd * ee - we * de, of_along = (size + length) * ee * 0x1p-18f;
+        if (along < -of_along || along > whole + error + of_along) return true;
+        const float share = wd * de - we * length, of_share = (size + ee) * length * 0x1p-18f;
+        return share < -of_share || share > (whole + error) * power_of_two(fraction_bits) + of_share;
+    }
+
+private:
+    static Vec3 scaled(const Integer3& a) { return to_vector(a) * 0x1p-16f; }
+
+    Vec3 way_, corner_[3], edge_[3];
+    float low_, high_, end_;  ///< how far the corners and the end of the segment are along the normal
+    float rounding_;
+    float to_squared_;  ///< from squares along it to squared lattice steps
+};
+
 /// Tries the places where the distance may be reached, and keeps the nearest. Given a radius, it also decides
 /// for each that is not clearly nearer or farther, exactly, whether it is within.
 class SegmentPlaces {
@@ -49,20 +95,21 @@ public:
         std::uint64_t large = 0;
         for (const Integer3& v : {d, w[0], w[1], w[2]}) large |= shifted(v.x) | shifted(v.y) | shifted(v.z);
 
+        if constexpr (has_native_int128)  // without it, small code is preferred
+            if (large < near_span) return try_likely(from_start, d, w);
         if (crosses_face(from_start, d, w)) return;
         try_end(from_start, 0.0f);
         from_start.a = w[0] - d;
         try_end(from_start, 1.0f);
-        if constexpr (has_native_int128)  // without it, small code is preferred
-            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
         try_sides<Int128, WideDifference>(from_start, d, w);
     }
 
-    /// Between an end of the segment, from which the triangle is seen, and the triangle.
+    /// Between an end of the segment, from which the triangle is seen, and the triangle. Of ends that are as near, the
+    /// first counts.
     ESPALIER_NOINLINE void try_end(const OriginRelative& triangle, float along) {
         const PointDistance distance = distance_to(triangle, fraction_bits_);
         if (radius_ >= 0.0f && is_within_radius(distance, fraction_bits_, radius_)) within_ = true;
-        if (distance.squared < nearest_.squared)
+        if (distance.squared < nearest_.squared || (along == 0.0f && distance.squared == nearest_.squared))
             nearest_ = {distance.squared, along, distance.u, distance.v, distance.feature};
     }
 
@@ -90,6 +137,19 @@ private:
     static constexpr std::uint64_t near_span = std::uint64_t{1} << 31;
     static std::uint64_t shifted(std::int64_t a) { return static_cast<std::uint64_t>(a) + near_span / 2; }
 
+    /// try_all(), but for what floats rule out: first the end that is nearer to the plane.
+    void try_likely(OriginRelative& from_start, const Integer3& d, const Integer3* w) {
+        const PlacesInFloats likely(from_start, d, w, scale_);
+        if (!likely.is_on_one_side() && crosses_face(from_start, d, w)) return;
+        const bool second_first = likely.bound_of_end(true) < likely.bound_of_end(false);
+        for (const bool is_second : {second_first, !second_first}) {
+            if (likely.bound_of_end(is_second) > nearest_.squared * distance_slack) continue;
+            from_start.a = is_second ? w[0] - d : w[0];
+            try_end(from_start, is_second ? 1.0f : 0.0f);
+        }
+        try_sides<std::int64_t, Int128>(from_start, d, w, &likely);
+    }
+
     /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
     /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
     ESPALIER_NOINLINE bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
@@ -113,11 +173,13 @@ private:
 
     /// `w`: the corners, seen from the segment's start.
     template <class Dot, class Difference>
-    ESPALIER_NOINLINE void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
+    ESPALIER_NOINLINE void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w,
+                                     [[maybe_unused]] const PlacesInFloats* likely = nullptr) {
         const Dot length = dot<Dot>(d, d);
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
             try_corner<Dot, Difference>(w[i], along, length, i);
+            if (takes_shortcut(likely != nullptr) && likely->rules_out_side(static_cast<unsigned>(i), fraction_bits_)) continue;
             const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : -t.ac;
             try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }

@@ -1,0 +1,13 @@
+// Room for objects that are written before they are read: to set each to zero first takes as long as a small query.
+#pragma once
+
+namespace espalier::detail {
+
+template <class Element, unsigned count>
+union Uninitialised {
+    Element at[count];
+
+    Uninitialised() {}  // NOLINT(modernize-use-equals-default): that would be deleted
+};
+
+}  // namespace espalier::detail
