@@ -1,5 +1,6 @@
 // Contacts of boxes, in floats that are counted from the box's center: separating axes (Gottschalk, Lin and Manocha
 // 1996) for the depth, pairs of features for the distance, and the part of a face over the triangle.
+#include <runtime/base/vector.hpp>
 #include <runtime/contacts/nearest_pair.hpp>
 #include <runtime/contacts/touch.hpp>
 
@@ -118,31 +119,47 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
     }
 }
 
-/// How far something reaches along four directions: one that separates box and triangle, and the normals of the faces.
-/// Small cores have the first only.
+/// A number for each of four directions: one that separates box and triangle, and the normals of the faces. Small cores
+/// have the first only.
+constexpr unsigned direction_count = small_code ? 1 : 4;
+using Along = Vector<float, direction_count>;
+
+inline Along lesser(Along a, Along b) { return a < b ? a : b; }
+inline Along greater(Along a, Along b) { return a > b ? a : b; }
+template <class Floats>
+bool any_is_positive(Floats a) {
+    if constexpr (sizeof a == sizeof(float)) return a[0] > 0.0f;
+    else {
+        const auto halves = std::bit_cast<Vector<std::int64_t, 2>>(a > 0.0f);
+        return (halves[0] | halves[1]) != 0;
+    }
+}
+
+struct Directions {
+    Along x, y, z;
+
+    Directions(const Vec3& way, const Vec3* face) {
+        for (unsigned d = 0; d < direction_count; ++d) {
+            const Vec3& direction = d == 0 ? way : face[d - 1];
+            x[d] = direction.x;
+            y[d] = direction.y;
+            z[d] = direction.z;
+        }
+    }
+    [[nodiscard]] Along of(const Vec3& point) const { return x * point.x + y * point.y + z * point.z; }
+};
+
+/// How far something reaches along them.
 struct Extents {
-    static constexpr unsigned directions = small_code ? 1 : 4;
-    float low[directions], high[directions];
+    Along low, high;
 
     Extents() = default;
-    Extents(const Vec3* unit, const Vec3& point) {
-        for (unsigned d = 0; d < directions; ++d) low[d] = high[d] = dot(unit[d], point);
-    }
-    Extents(const Extents& a, const Extents& b) {
-        for (unsigned d = 0; d < directions; ++d) {
-            low[d] = minimum(a.low[d], b.low[d]);
-            high[d] = maximum(a.high[d], b.high[d]);
-        }
-    }
-    /// Whether the gap between both is at most that, whatever the direction. Without a branch, so that compilers take
-    /// all four at once.
+    explicit Extents(Along at) : low(at), high(at) {}
+    Extents(const Extents& a, const Extents& b) : low(lesser(a.low, b.low)), high(greater(a.high, b.high)) {}
+
+    /// Whether the gap between both is at most that, whatever the direction.
     [[nodiscard]] bool is_within(float most, const Extents& other) const {
-        std::uint32_t signs = 0;
-        for (unsigned d = 0; d < directions; ++d) {
-            const float gap = maximum(low[d] - other.high[d], other.low[d] - high[d]);
-            signs |= std::bit_cast<std::uint32_t>(most - gap);
-        }
-        return signs >> 31 == 0;
+        return !any_is_positive(greater(low - other.high, other.low - high) - most);
     }
 };
 
@@ -150,14 +167,14 @@ struct Extents {
 /// unit vector from the triangle to the box. What is farther apart along a direction than the nearest parts so far need
 /// not be tried: the better `way` separates both, the fewer pairs of an edge and a side are left, which take longest.
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
-    const Vec3 unit[4] = {way, box.face[0], box.face[1], box.face[2]};
+    const Directions directions(way, box.face);
     Vec3 vertex[8];
     Extents corner[3], at_vertex[8];
-    for (unsigned i = 0; i < 3; ++i) corner[i] = Extents(unit, seen.corner[i]);
+    for (unsigned i = 0; i < 3; ++i) corner[i] = Extents(directions.of(seen.corner[i]));
     for (unsigned i = 0; i < 8; ++i) {
         vertex[i] = moved;
         for (unsigned k = 0; k < 3; ++k) vertex[i] = vertex[i] + box.half[k] * ((i >> k & 1u) != 0 ? 1.0f : -1.0f);
-        at_vertex[i] = Extents(unit, vertex[i]);
+        at_vertex[i] = Extents(directions.of(vertex[i]));
     }
     const Extents side[3] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}};
     const Extents triangle(side[0], corner[2]);
