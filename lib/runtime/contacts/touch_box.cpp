@@ -8,49 +8,77 @@ namespace espalier::detail::contacts {
 
 namespace {
 
-/// Offers both senses of a direction along which the triangle is ahead of the box by one gap, and behind it by another.
-template <class Best>
-void offer_both(const Vec3& unit, float ahead, float behind, Best& best) {
-    best.offer(unit * -1.0f, ahead);
-    best.offer(unit, behind);
+/// Four numbers, one for each of four directions. Small cores take one direction at a time.
+constexpr unsigned direction_count = small_code ? 1 : 4;
+using Along = Vector<float, direction_count>;
+
+inline Along lesser(Along a, Along b) { return a < b ? a : b; }
+inline Along greater(Along a, Along b) { return a > b ? a : b; }
+template <class Floats>
+bool any_is_positive(Floats a) {
+    if constexpr (sizeof a == sizeof(float)) return a[0] > 0.0f;
+    else {
+        const auto halves = std::bit_cast<Vector<std::int64_t, 2>>(a > 0.0f);
+        return (halves[0] | halves[1]) != 0;
+    }
 }
 
-/// Hands a direction and its gaps to `add`, unless it is zero.
-template <class Add>
-void try_unit_axis(const Vec3& unit, const BoxBody& box, const SeenTriangle& seen, Add& add) {
-    if (!(dot(unit, unit) > 0.0f)) return;
-    float reach = 0.0f;
-    for (const Vec3& half : box.half) reach += absolute(dot(unit, half));
-    const float at[3] = {dot(unit, seen.corner[0]), dot(unit, seen.corner[1]), dot(unit, seen.corner[2])};
-    const float low = minimum(minimum(at[0], at[1]), at[2]), high = maximum(maximum(at[0], at[1]), at[2]);
-    add(unit, low - reach, -high - reach);
-}
+struct Directions {
+    Along x, y, z;
 
-/// Hands the directions that may separate a box and a triangle to `add`, until it has enough.
-template <class Add>
-ESPALIER_NOINLINE void try_axes(const BoxBody& box, const SeenTriangle& seen, Add& add) {
-    try_unit_axis(seen.front, box, seen, add);
-    bool is_flat = false;
-    for (const Vec3& face : box.face) {
-        try_unit_axis(face, box, seen, add);
-        is_flat = is_flat || !(dot(face, face) > 0.0f);
+    Directions() = default;
+    Directions(const Vec3& first, [[maybe_unused]] const Vec3* others) {
+#if ESPALIER_SMALL_CODE
+        x[0] = first.x, y[0] = first.y, z[0] = first.z;
+#else
+        x = Along{first.x, others[0].x, others[1].x, others[2].x};
+        y = Along{first.y, others[0].y, others[1].y, others[2].y};
+        z = Along{first.z, others[0].z, others[1].z, others[2].z};
+#endif
     }
-    for (const Integer3& half : box.units) {
-        if (add.has_enough()) return;
-        // From integers: of nearly parallel edges floats would leave only rounding.
-        for (const Integer3& side : seen.side) try_unit_axis(direction_of(cross(half, side)), box, seen, add);
+    [[nodiscard]] Vec3 get(unsigned d) const { return {x[d], y[d], z[d]}; }
+    [[nodiscard]] Along of(const Vec3& point) const { return x * point.x + y * point.y + z * point.z; }
+#if !ESPALIER_SMALL_CODE
+    /// direction_of() each.
+    void normalise() {
+        const Along size = greater(greater(greater(x, -x), greater(y, -y)), greater(z, -z));
+        const Along divisor = size > 0.0f ? size : Along{} + 1.0f;
+        x = x / divisor, y = y / divisor, z = z / divisor;
+        const Along squared = x * x + y * y + z * z;
+        Along length = {square_root(squared[0]), square_root(squared[1]), square_root(squared[2]), square_root(squared[3])};
+        length = size > 0.0f ? length : divisor;
+        x = x / length, y = y / length, z = z / length;
     }
-    if (!is_flat) return;
-    // Without volume, also the normals of each direction within whichever plane all may lie in.
-    constexpr Vec3 units[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
-    for (const Vec3& unit : units) {
-        try_unit_axis(unit, box, seen, add);
-        for (unsigned i = 0; i < 3; ++i) {
-            try_unit_axis(direction_of(cross(unit, box.half[i])), box, seen, add);
-            try_unit_axis(direction_of(cross(unit, seen.along[i])), box, seen, add);
+#endif
+};
+
+/// Directions that may separate a box and a triangle, with the gap along each: where the triangle is ahead of the box,
+/// and where it is behind it.
+struct Gaps {
+    Directions unit;
+    Along ahead, behind;
+
+    void find(const BoxBody& box, const SeenTriangle& seen) {
+        Along reach = {};
+        for (const Vec3& half : box.half) {
+            const Along at = unit.of(half);
+            reach = reach + greater(at, -at);
+        }
+        const Along a = unit.of(seen.corner[0]), b = unit.of(seen.corner[1]), c = unit.of(seen.corner[2]);
+        const Along none = Along{} - infinity, length = unit.x * unit.x + unit.y * unit.y + unit.z * unit.z;
+        ahead = length > 0.0f ? lesser(lesser(a, b), c) - reach : none;
+        behind = length > 0.0f ? -greater(greater(a, b), c) - reach : none;
+    }
+    /// Offers both senses of each direction.
+    template <class Best>
+    void offer_to(Best& best) const {
+        for (unsigned d = 0; d < direction_count; ++d) {
+            if (!(ahead[d] > -infinity)) continue;
+            best.offer(unit.get(d) * -1.0f, ahead[d]);
+            best.offer(unit.get(d), behind[d]);
         }
     }
-}
+};
 
 /// The directions that may separate a box and a triangle, with the gaps along each, found once for all that asks for
 /// them: the products, roots and quotients of thirteen directions take as long as the rest of a contact. Small cores
@@ -59,40 +87,69 @@ class SeparatingAxes {
 public:
     Separation separation;  ///< incomplete once its gap is above the reach
 
-    SeparatingAxes(const BoxBody& box, const SeenTriangle& seen, float reach) : box_(box), seen_(seen), reach_(reach) {
-        try_axes(box, seen, *this);
+    SeparatingAxes(const BoxBody& box, const SeenTriangle& seen, float reach) : box_(box), seen_(seen) {
+        bool is_flat = false;
+        for (const Vec3& face : box.face) is_flat = is_flat || !(dot(face, face) > 0.0f);
+        count_ = is_flat ? most : of_volume;
+        for (unsigned i = 0; i < count_ && !(separation.gap > reach); ++i) {
+            Gaps& gaps = gaps_.at[small_code ? 0 : i];
+            find(i, gaps);
+            if (any_is_positive(greater(gaps.ahead, gaps.behind) - separation.gap)) gaps.offer_to(separation);
+        }
     }
-    void operator()(const Vec3& unit, float ahead, float behind) {
-        offer_both(unit, ahead, behind, separation);
-        if constexpr (!small_code) axis_[count_++] = {unit, ahead, behind};
-    }
-    [[nodiscard]] bool has_enough() const { return separation.gap > reach_; }
-
     void offer_all(GapAlong& along) const {
-        if constexpr (small_code) {
-            struct Offer {
-                GapAlong& along;
-                void operator()(const Vec3& unit, float ahead, float behind) { offer_both(unit, ahead, behind, along); }
-                static constexpr bool has_enough() { return false; }
-            } offer{along};
-            try_axes(box_, seen_, offer);
-        } else {
-            for (unsigned i = 0; i < count_; ++i) offer_both(axis_[i].unit, axis_[i].ahead, axis_[i].behind, along);
+        for (unsigned i = 0; i < count_; ++i) {
+            if constexpr (small_code) {
+                Gaps gaps;
+                find(i, gaps);
+                gaps.offer_to(along);
+            } else {
+                gaps_.at[i].offer_to(along);
+            }
         }
     }
 
 private:
-    struct Axis {
-        Vec3 unit;
-        float ahead, behind;
-    };
-    static constexpr unsigned most = small_code ? 1 : 4 + 9 + 21;  ///< as many as try_axes() has
+    // The normals of the triangle and of the faces, and the products of edges and sides: together in four groups, or
+    // one by one. Without volume, also the normals of each direction within whichever plane all may lie in.
+    static constexpr unsigned of_volume = small_code ? 4 + 9 : 1 + 3, most = of_volume + 21;
+
+    ESPALIER_NOINLINE void find(unsigned number, Gaps& gaps) const {
+        const Vec3 zero[3] = {};
+        if (number >= of_volume) {
+            gaps.unit = Directions(axis_in_plane(number - of_volume), zero);
+#if ESPALIER_SMALL_CODE
+        } else if (number >= 4) {
+            gaps.unit = Directions(direction_of(product((number - 4) / 3, (number - 4) % 3)), zero);
+        } else {
+            gaps.unit = Directions(number == 0 ? seen_.front : box_.face[number - 1], zero);
+#else
+        } else if (number > 0) {
+            const Vec3 others[3] = {product(number - 1, 1), product(number - 1, 2), {}};
+            gaps.unit = Directions(product(number - 1, 0), others);
+            gaps.unit.normalise();
+        } else {
+            gaps.unit = Directions(seen_.front, box_.face);
+#endif
+        }
+        gaps.find(box_, seen_);
+    }
+    /// From integers: of nearly parallel edges floats would leave only rounding.
+    [[nodiscard]] Vec3 product(unsigned half, unsigned side) const {
+        return to_vector(cross(box_.units[half], seen_.side[side]));
+    }
+    [[nodiscard]] Vec3 axis_in_plane(unsigned number) const {
+        constexpr Vec3 units[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+        const Vec3& unit = units[number / 7];
+        if (number % 7 == 0) return unit;
+        const unsigned i = (number % 7 - 1) / 2;
+        return direction_of(cross(unit, number % 7 % 2 == 1 ? box_.half[i] : seen_.along[i]));
+    }
 
     const BoxBody& box_;
     const SeenTriangle& seen_;
-    float reach_;
-    Axis axis_[most];
-    unsigned count_ = 0;
+    unsigned count_;
+    Uninitialised<Gaps, small_code ? 1 : most> gaps_;
 };
 
 /// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face and no farther
@@ -119,37 +176,8 @@ void try_corner(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen,
     }
 }
 
-/// A number for each of four directions: one that separates box and triangle, and the normals of the faces. Small cores
-/// have the first only.
-constexpr unsigned direction_count = small_code ? 1 : 4;
-using Along = Vector<float, direction_count>;
-
-inline Along lesser(Along a, Along b) { return a < b ? a : b; }
-inline Along greater(Along a, Along b) { return a > b ? a : b; }
-template <class Floats>
-bool any_is_positive(Floats a) {
-    if constexpr (sizeof a == sizeof(float)) return a[0] > 0.0f;
-    else {
-        const auto halves = std::bit_cast<Vector<std::int64_t, 2>>(a > 0.0f);
-        return (halves[0] | halves[1]) != 0;
-    }
-}
-
-struct Directions {
-    Along x, y, z;
-
-    Directions(const Vec3& way, const Vec3* face) {
-        for (unsigned d = 0; d < direction_count; ++d) {
-            const Vec3& direction = d == 0 ? way : face[d - 1];
-            x[d] = direction.x;
-            y[d] = direction.y;
-            z[d] = direction.z;
-        }
-    }
-    [[nodiscard]] Along of(const Vec3& point) const { return x * point.x + y * point.y + z * point.z; }
-};
-
-/// How far something reaches along them.
+/// How far something reaches along one direction that separates box and triangle, and the normals of the faces. Small
+/// cores have the first only.
 struct Extents {
     Along low, high;
 
