@@ -196,7 +196,8 @@ struct Extents {
 /// not be tried: the better `way` separates both, the fewer pairs of an edge and a side are left, which take longest.
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
     const Directions directions(way, box.face);
-    Vec3 vertex[8];
+    Uninitialised<Vec3, 8> vertices;
+    Vec3(&vertex)[8] = vertices.at;
     Extents corner[3], at_vertex[8];
     for (unsigned i = 0; i < 3; ++i) corner[i] = Extents(directions.of(seen.corner[i]));
     for (unsigned i = 0; i < 8; ++i) {
@@ -252,7 +253,7 @@ NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriang
 /// A convex polygon that is cut by planes.
 struct Polygon {
     static constexpr unsigned most = 4 + Prism::plane_count;
-    Vec3 vertex[most];
+    Uninitialised<Vec3, most> vertex;
     unsigned count = 0;
 
     /// Keeps what lies on the side of the plane to which its normal points (Sutherland and Hodgman 1974).
@@ -260,17 +261,17 @@ struct Polygon {
         float at[most];
         bool is_cut = false;
         for (unsigned i = 0; i < count; ++i) {
-            at[i] = dot(vertex[i] - on_plane, normal);
+            at[i] = dot(vertex.at[i] - on_plane, normal);
             is_cut = is_cut || !(at[i] >= 0.0f);
         }
         if (!is_cut) return;
         Polygon kept;
         for (unsigned i = 0; i < count; ++i) {
             const unsigned next = i + 1 == count ? 0 : i + 1;
-            if (at[i] >= 0.0f && kept.count != most) kept.vertex[kept.count++] = vertex[i];
+            if (at[i] >= 0.0f && kept.count != most) kept.vertex.at[kept.count++] = vertex.at[i];
             if ((at[i] > 0.0f && at[next] < 0.0f) || (at[i] < 0.0f && at[next] > 0.0f)) {
                 const float share = at[i] / (at[i] - at[next]);
-                if (kept.count != most) kept.vertex[kept.count++] = vertex[i] + (vertex[next] - vertex[i]) * share;
+                if (kept.count != most) kept.vertex.at[kept.count++] = vertex.at[i] + (vertex.at[next] - vertex.at[i]) * share;
             }
         }
         *this = kept;
@@ -292,10 +293,10 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
     const Vec3 middle = box.half[facing] * (dot(box.half[facing], normal) > 0.0f ? -1.0f : 1.0f);
     Polygon polygon;
     polygon.count = 4;
-    polygon.vertex[0] = middle - j - k;
-    polygon.vertex[1] = middle + j - k;
-    polygon.vertex[2] = middle + j + k;
-    polygon.vertex[3] = middle - j + k;
+    polygon.vertex.at[0] = middle - j - k;
+    polygon.vertex.at[1] = middle + j - k;
+    polygon.vertex.at[2] = middle + j + k;
+    polygon.vertex.at[3] = middle - j + k;
     return polygon;
 }
 
@@ -323,8 +324,8 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     const Prism prism(seen.corner, normal);
     for (unsigned i = 0; i < Prism::plane_count; ++i) polygon.cut(prism.on_plane[i], prism.inward[i]);
     for (unsigned i = 0; i < polygon.count; ++i) {
-        const float gap = dot(seen.face, polygon.vertex[i] - seen.corner[0]) / steepness;
-        const Vec3 place = polygon.vertex[i] - normal * gap;
+        const float gap = dot(seen.face, polygon.vertex.at[i] - seen.corner[0]) / steepness;
+        const Vec3 place = polygon.vertex.at[i] - normal * gap;
         if (gap <= reach && dot(normal, place) <= 0.0f)
             touches.add(center + place, normal, gap, box.size * (1.0f / 64.0f));
     }
