@@ -5,9 +5,11 @@ namespace espalier::detail {
 
 template <class Element, unsigned count>
 union Uninitialised {
-    Element at[count];
+    Element elements[count];
 
     Uninitialised() {}  // NOLINT(modernize-use-equals-default): that would be deleted
+    Element& operator[](unsigned i) { return elements[i]; }
+    const Element& operator[](unsigned i) const { return elements[i]; }
 };
 
 }  // namespace espalier::detail

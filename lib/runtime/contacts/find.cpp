@@ -125,9 +125,9 @@ private:
         near.nearest = touches.nearest;
         deepest = minimum(deepest, to_local_distance(touches.nearest));
         if (touches.is_beside && around.has_nearer(touches)) return;
-        const float steepness = dot(face_normal_of(triangle), touches.touch.at[0].normal);
+        const float steepness = dot(face_normal_of(triangle), touches.touch[0].normal);
         for (unsigned i = 0; i < touches.count; ++i) {
-            const Touch& touch = touches.touch.at[i];
+            const Touch& touch = touches.touch[i];
             Contact contact;
             contact.point = to_local(blob, touch.point.x, touch.point.y, touch.point.z);
             contact.normal = touch.normal;

@@ -60,24 +60,24 @@ public:
     }
     /// Whether a plane with no smaller distance is not kept.
     [[nodiscard]] bool rules_out(float distance) const {
-        return count_ == most && distance > plane_.at[most - 1].distance;
+        return count_ == most && distance > plane_[most - 1].distance;
     }
     void add(const ContactPlane& plane) {
         if (!comes_first(after_, plane)) return;
         unsigned place = count_;
         if (count_ == most) {
             is_any_left_ = true;
-            if (!comes_first(plane, plane_.at[most - 1])) return;
+            if (!comes_first(plane, plane_[most - 1])) return;
             --place;
         } else {
             ++count_;
         }
-        for (; place > 0 && comes_first(plane, plane_.at[place - 1]); --place) plane_.at[place] = plane_.at[place - 1];
-        plane_.at[place] = plane;
+        for (; place > 0 && comes_first(plane, plane_[place - 1]); --place) plane_[place] = plane_[place - 1];
+        plane_[place] = plane;
     }
     void leave_out() { is_any_left_ = true; }
     [[nodiscard]] bool is_any_left() const { return is_any_left_; }
-    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_.at, count_}; }
+    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_.elements, count_}; }
 
 private:
     static constexpr unsigned most = small_code ? 8 : 32;
@@ -142,7 +142,7 @@ private:
         side.is_back = is_origin_behind(body_.seen(near.triangle));
         Touches touches;
         touch_nearest(body_.segment, near.triangle, near.distance, side, touches);
-        const contacts::Touch& nearest = touches.touch.at[0];
+        const contacts::Touch& nearest = touches.touch[0];
         const ContactPlane plane = {nearest.normal, to_local_distance(nearest.distance), TriangleId{near.index}};
         if (!chosen_.imply(plane)) planes_.add(plane);  // so that each walk adds one
     }

@@ -85,10 +85,10 @@ class NearTriangles {
 public:
     static constexpr unsigned most = small_code ? 1 : 32;
 
-    void add(const Near& near) { near_.at[count_++] = near; }
+    void add(const Near& near) { near_[count_++] = near; }
     [[nodiscard]] bool are_full() const { return count_ == most; }
     void clear() { count_ = 0; }
-    [[nodiscard]] std::span<Near> all() { return {near_.at, count_}; }
+    [[nodiscard]] std::span<Near> all() { return {near_.elements, count_}; }
 
 private:
     Uninitialised<Near, most> near_;
@@ -219,7 +219,7 @@ public:
     /// Whether another triangle has a place that is the same edge or corner: one that is nearer, or as near with a
     /// lower index. Where the surface goes on in another blob only the direction decides, and the face's replaces it.
     bool has_nearer(Touches& touches) const {
-        Touch& place = touches.touch.at[0];
+        Touch& place = touches.touch[0];
         const Part part(place.feature);
         const std::int32_t *const from = triangle_.corner[part.from], *const to = triangle_.corner[part.to];
         bool is_joined = false;  // the edge has another triangle

@@ -127,10 +127,10 @@ struct Touches {
     void add(const Vec3& point, const Vec3& normal, float distance, float apart) {
         if (count == most) return;
         for (unsigned i = 0; i < count; ++i) {
-            const Vec3 between = point - touch.at[i].point;
+            const Vec3 between = point - touch[i].point;
             if (dot(between, between) <= apart * apart) return;
         }
-        touch.at[count++] = {point, normal, distance, Feature::face};
+        touch[count++] = {point, normal, distance, Feature::face};
     }
 };
 

@@ -92,7 +92,7 @@ public:
         for (const Vec3& face : box.face) is_flat = is_flat || !(dot(face, face) > 0.0f);
         count_ = is_flat ? most : of_volume;
         for (unsigned i = 0; i < count_ && !(separation.gap > reach); ++i) {
-            Gaps& gaps = gaps_.at[small_code ? 0 : i];
+            Gaps& gaps = gaps_[small_code ? 0 : i];
             find(i, gaps);
             if (any_is_positive(greater(gaps.ahead, gaps.behind) - separation.gap)) gaps.offer_to(separation);
         }
@@ -104,7 +104,7 @@ public:
                 find(i, gaps);
                 gaps.offer_to(along);
             } else {
-                gaps_.at[i].offer_to(along);
+                gaps_[i].offer_to(along);
             }
         }
     }
@@ -196,8 +196,7 @@ struct Extents {
 /// not be tried: the better `way` separates both, the fewer pairs of an edge and a side are left, which take longest.
 NearestPair nearest_pair(const BoxBody& box, const Vec3& moved, const SeenTriangle& seen, const Vec3& way) {
     const Directions directions(way, box.face);
-    Uninitialised<Vec3, 8> vertices;
-    Vec3(&vertex)[8] = vertices.at;
+    Uninitialised<Vec3, 8> vertex;
     Extents corner[3], at_vertex[8];
     for (unsigned i = 0; i < 3; ++i) corner[i] = Extents(directions.of(seen.corner[i]));
     for (unsigned i = 0; i < 8; ++i) {
@@ -261,17 +260,17 @@ struct Polygon {
         float at[most];
         bool is_cut = false;
         for (unsigned i = 0; i < count; ++i) {
-            at[i] = dot(vertex.at[i] - on_plane, normal);
+            at[i] = dot(vertex[i] - on_plane, normal);
             is_cut = is_cut || !(at[i] >= 0.0f);
         }
         if (!is_cut) return;
         Polygon kept;
         for (unsigned i = 0; i < count; ++i) {
             const unsigned next = i + 1 == count ? 0 : i + 1;
-            if (at[i] >= 0.0f && kept.count != most) kept.vertex.at[kept.count++] = vertex.at[i];
+            if (at[i] >= 0.0f && kept.count != most) kept.vertex[kept.count++] = vertex[i];
             if ((at[i] > 0.0f && at[next] < 0.0f) || (at[i] < 0.0f && at[next] > 0.0f)) {
                 const float share = at[i] / (at[i] - at[next]);
-                if (kept.count != most) kept.vertex.at[kept.count++] = vertex.at[i] + (vertex.at[next] - vertex.at[i]) * share;
+                if (kept.count != most) kept.vertex[kept.count++] = vertex[i] + (vertex[next] - vertex[i]) * share;
             }
         }
         *this = kept;
@@ -293,10 +292,10 @@ Polygon face_toward(const BoxBody& box, const Vec3& normal) {
     const Vec3 middle = box.half[facing] * (dot(box.half[facing], normal) > 0.0f ? -1.0f : 1.0f);
     Polygon polygon;
     polygon.count = 4;
-    polygon.vertex.at[0] = middle - j - k;
-    polygon.vertex.at[1] = middle + j - k;
-    polygon.vertex.at[2] = middle + j + k;
-    polygon.vertex.at[3] = middle - j + k;
+    polygon.vertex[0] = middle - j - k;
+    polygon.vertex[1] = middle + j - k;
+    polygon.vertex[2] = middle + j + k;
+    polygon.vertex[3] = middle - j + k;
     return polygon;
 }
 
@@ -315,7 +314,7 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     touches.is_beside = !first.turn(
         seen, side, [&](GapAlong& along) { axes.offer_all(along); }, find_nearest);
     const Vec3 center = to_vector(box.center) * power_of_two(-box.fraction_bits), normal = first.normal;
-    touches.touch.at[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
+    touches.touch[0] = {center + first.nearest.on_triangle, normal, first.distance, first.nearest.feature};
     touches.count = 1;
 
     const float steepness = dot(seen.face, normal);
@@ -324,8 +323,8 @@ void touch_box(const BoxBody& box, const LatticeTriangle& triangle, const Facing
     const Prism prism(seen.corner, normal);
     for (unsigned i = 0; i < Prism::plane_count; ++i) polygon.cut(prism.on_plane[i], prism.inward[i]);
     for (unsigned i = 0; i < polygon.count; ++i) {
-        const float gap = dot(seen.face, polygon.vertex.at[i] - seen.corner[0]) / steepness;
-        const Vec3 place = polygon.vertex.at[i] - normal * gap;
+        const float gap = dot(seen.face, polygon.vertex[i] - seen.corner[0]) / steepness;
+        const Vec3 place = polygon.vertex[i] - normal * gap;
         if (gap <= reach && dot(normal, place) <= 0.0f)
             touches.add(center + place, normal, gap, box.size * (1.0f / 64.0f));
     }

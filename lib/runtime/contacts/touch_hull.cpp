@@ -255,7 +255,7 @@ void touch_hull(const HullBody& hull, const LatticeTriangle& triangle, const Fac
     touches.is_beside = !first.turn(
         beside, side, [&](GapAlong& along) { Separating(hull, beside, along); }, find_nearest);
     const Vec3 middle = to_vector(hull.middle) * hull.scale;
-    touches.touch.at[0] = {middle + first.nearest.on_triangle, first.normal, first.distance, first.nearest.feature};
+    touches.touch[0] = {middle + first.nearest.on_triangle, first.normal, first.distance, first.nearest.feature};
     touches.count = 1;
     add_places_over(hull, beside, first.normal, reach, middle, touches);
 }

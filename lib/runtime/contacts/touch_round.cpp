@@ -79,10 +79,10 @@ void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, con
     const OriginRelative t = relative_to(point, triangle);
     Vec3 normal = direction_from(distance.feature, t, triangle, point.fraction_bits);
     if (distance.squared == 0.0f || dot(normal, normal) == 0.0f) normal = front_of(triangle);
-    touches.touch.at[0] = {point_of(triangle, distance.u, distance.v), normal,
+    touches.touch[0] = {point_of(triangle, distance.u, distance.v), normal,
                         square_root(distance.squared) + point.distance_offset, distance.feature};
     touches.count = 1;
-    touches.nearest = touches.touch.at[0].distance;
+    touches.nearest = touches.touch[0].distance;
     touches.is_beside = side.is_internal(distance.feature);
 }
 
@@ -103,7 +103,7 @@ struct SeenFromStart {
 
 void touch_nearest(const RoundedSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
                    const FacingSide& side, Touches& touches) {
-    Touch& first = touches.touch.at[0];
+    Touch& first = touches.touch[0];
     first.point = point_of(triangle, distance.u, distance.v);
     first.feature = distance.feature;
     if (distance.squared == 0.0f) {
@@ -168,7 +168,7 @@ void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangl
     const Vec3 middle = along * 0.5f;
 
     // Where the segment lies over the face, both ends of that part touch it too.
-    const Vec3 way = touches.touch.at[0].normal;
+    const Vec3 way = touches.touch[0].normal;
     const float steepness = dot(face, way);
     float low = 0.0f, high = 1.0f;
     if (absolute(steepness) < 0.25f || !Prism(corner, way).clip({}, along, low, high)) return;
