@@ -70,7 +70,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
     /// The vertex that an entry names.
     [[nodiscard]] ESPALIER_SHARED_CODE unsigned entry(unsigned place) const {
         const std::uint64_t before = (std::uint64_t{1} << place) - 1;
-        const auto fresh = static_cast<unsigned>(std::popcount(first_uses & before));
+        const unsigned fresh = count_bits(first_uses & before);
         if ((first_uses >> place & 1) != 0) return fresh;
         const unsigned reference = place - fresh;
         return load_few_bits(marks, references_at + reference * reference_width, reference_width);
@@ -81,7 +81,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
         const unsigned pivot = static_cast<unsigned>(std::bit_width(behind)) - 1;
         // Each turn of a strip changes the order in which its entries go round the triangle.
         // mutant(+ -> - 1) equivalent: both sums are even or both are odd
-        const unsigned turned = static_cast<unsigned>(std::popcount(behind) + 1) % 2;
+        const unsigned turned = (count_bits(behind) + 1) % 2;
         return {pivot, slot + 1 + turned, slot + 2 - turned};
     }
     /// The vertex that is a triangle's corner 0, 1 or 2.
