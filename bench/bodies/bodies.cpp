@@ -19,9 +19,9 @@ struct Options {
 };
 
 constexpr std::array<const char*, static_cast<std::size_t>(Asked::count)> names = {
-    "overlaps sphere", "overlaps capsule", "overlaps oriented box", "triangles in box", "planes of capsule",
-    "contacts of sphere", "contacts of capsule", "contacts of oriented box",
-    "sweep of sphere", "sweep of capsule", "sweep of oriented box"};
+    "overlaps sphere",   "overlaps capsule",   "overlaps oriented box", "triangles in box",
+    "planes of capsule", "contacts of sphere", "contacts of capsule",   "contacts of oriented box",
+    "sweep of sphere",   "sweep of capsule",   "sweep of oriented box"};
 
 Vec3 unit(const Vec3& a) { return times(a, 1.0f / std::sqrt(dot(a, a))); }
 
@@ -95,10 +95,11 @@ BodySystem espalier_bodies(const Mesh& mesh, Profile profile) {
     system[Asked::triangles_in_box] = [made](const Body& body) {
         float corners = 0.0f;
         std::size_t count = 0;
-        const QueryStatus status = for_each_overlap(made->blob, body.near.bounds, [&](TriangleId, const Triangle& triangle) {
-            corners += triangle.a.x + triangle.b.y + triangle.c.z;
-            ++count;
-        });
+        const QueryStatus status =
+            for_each_overlap(made->blob, body.near.bounds, [&](TriangleId, const Triangle& triangle) {
+                corners += triangle.a.x + triangle.b.y + triangle.c.z;
+                ++count;
+            });
         checked(status);
         return std::isnan(corners) ? -1.0f : float(count);
     };

@@ -53,7 +53,8 @@ float count_contacts(const b3Mesh& mesh, const b3AABB& bounds, Collide collide) 
 
 }  // namespace
 
-// Its contacts are those of each triangle, before it chooses some of them; it makes those of a whole body in a world only.
+// Its contacts are those of each triangle, before it chooses some of them; it makes those of a whole body in a world
+// only.
 BodySystem box3d_bodies(const Mesh& mesh) {
     const auto own = std::make_shared<Box3dMesh>(mesh);
     BodySystem system = {"box3d", "", {}};
@@ -80,10 +81,11 @@ BodySystem box3d_bodies(const Mesh& mesh) {
     system[Asked::triangles_in_box] = [own](const Body& body) {
         float corners = 0.0f;
         std::size_t count = 0;
-        visit_triangles(own->get(), {to_box3d(body.near.bounds.min), to_box3d(body.near.bounds.max)}, [&](const b3Vec3* corner) {
-            corners += corner[0].x + corner[1].y + corner[2].z;
-            ++count;
-        });
+        visit_triangles(own->get(), {to_box3d(body.near.bounds.min), to_box3d(body.near.bounds.max)},
+                        [&](const b3Vec3* corner) {
+                            corners += corner[0].x + corner[1].y + corner[2].z;
+                            ++count;
+                        });
         return std::isnan(corners) ? -1.0f : static_cast<float>(count);
     };
     system[Asked::planes] = [own](const Body& body) {

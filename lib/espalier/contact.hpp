@@ -104,7 +104,7 @@ struct ContactPlane {
 /// sweep the way that solve_planes() returns.
 ///
 /// Returns ok; output_full if there are more planes than places, and the nearest are kept; or a refusal as of
-/// find_contacts(). Expected cost: O(log n + k²) for k triangles that are near, up to 32; beyond, every one that is
+/// find_contacts(). Expected cost: O(log n + k²) for k triangles that are near, up to 64; beyond, every one that is
 /// nearest at an edge or corner costs a way down to the triangles around it.
 Filled collect_planes(const Blob& blob, const Capsule& capsule, float margin, std::span<ContactPlane> planes) noexcept;
 

@@ -40,8 +40,8 @@ bool is_ground(const Blob& level, const Character& character, const SweepHit& hi
     return false;
 }
 
-/// Moves the body along a way up to what it meets, and three quarters of the skin before that. It is swept with half the
-/// skin around it, so that what it passes stays as far away and no later sweep starts in it.
+/// Moves the body along a way up to what it meets, and three quarters of the skin before that. It is swept with half
+/// the skin around it, so that what it passes stays as far away and no later sweep starts in it.
 SweepHit advance(const Blob& level, Character& character, Vec3 way) {
     espalier::Capsule body = character.body();
     body.radius += 0.5f * character.skin;

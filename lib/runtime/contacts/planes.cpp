@@ -127,14 +127,15 @@ private:
         if (near.distance.feature == Feature::face || near.nearest == 0.0f) return false;
         const Part part(near.distance.feature);
         const std::int32_t *const from = near.triangle.corner[part.from], *const to = near.triangle.corner[part.to];
+        const auto is_nearer = [&](const NearTriangle& other) {
+            return other.nearest < near.nearest || (other.nearest == near.nearest && other.index < near.index);
+        };
         return contacts::visit_around(blob, all, near.triangle, part, [&](NearTriangle& other) {
-            if (other.index == near.index || contacts::corner_at(other.triangle, from) == 3 ||
-                contacts::corner_at(other.triangle, to) == 3)
+            if (other.nearest != -infinity && !is_nearer(other)) return Visit::next;
+            if (contacts::corner_at(other.triangle, from) == 3 || contacts::corner_at(other.triangle, to) == 3)
                 return Visit::next;
             if (other.nearest == -infinity) other.nearest = distance_to(body_.segment, other.triangle).squared;
-            const bool is_nearer =
-                other.nearest < near.nearest || (other.nearest == near.nearest && other.index < near.index);
-            return is_nearer ? Visit::stop : Visit::next;
+            return is_nearer(other) ? Visit::stop : Visit::next;
         });
     }
     void add(const NearAxis& near) {
@@ -154,7 +155,7 @@ private:
     float margin_;
     const ChosenPlanes& chosen_;
     NextPlanes& planes_;
-    NearTriangles<NearAxis> waiting_;
+    NearTriangles<NearAxis, 64> waiting_;
     bool are_all_waiting_ = true;  ///< all that were taken
 };
 

@@ -80,10 +80,10 @@ struct NearTriangle {
 
 /// The triangles near a body, in storage order, as far as there is room. A round body is no farther from what meets at
 /// its nearest place of a triangle than from that triangle: if all are here, no walk has to find them again.
-template <class Near = NearTriangle>
+template <class Near = NearTriangle, unsigned room = 32>
 class NearTriangles {
 public:
-    static constexpr unsigned most = small_code ? 1 : 32;
+    static constexpr unsigned most = small_code ? 1 : room;
 
     void add(const Near& near) { near_[count_++] = near; }
     [[nodiscard]] bool are_full() const { return count_ == most; }

@@ -45,7 +45,8 @@ struct Directions {
         const Along divisor = size > 0.0f ? size : Along{} + 1.0f;
         x = x / divisor, y = y / divisor, z = z / divisor;
         const Along squared = x * x + y * y + z * z;
-        Along length = {square_root(squared[0]), square_root(squared[1]), square_root(squared[2]), square_root(squared[3])};
+        Along length = {square_root(squared[0]), square_root(squared[1]), square_root(squared[2]),
+                        square_root(squared[3])};
         length = size > 0.0f ? length : divisor;
         x = x / length, y = y / length, z = z / length;
     }

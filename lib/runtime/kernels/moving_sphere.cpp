@@ -182,7 +182,8 @@ private:
     }
     [[nodiscard]] float weight(unsigned i) const {
         if (takes_shortcut(is_narrow_)) return to_float(dot<Int128>(inward_[i], seen_[i])) * 0x1p-60f;
-        if (takes_shortcut() && largest_side_ < std::int64_t{1} << 23 && sum_of_magnitudes(seen_[i]) < std::int64_t{1} << 50)
+        if (takes_shortcut() && largest_side_ < std::int64_t{1} << 23 &&
+            sum_of_magnitudes(seen_[i]) < std::int64_t{1} << 50)
             return to_float(dot(wide_cross(normal_, side_[i]), seen_[i])) * 0x1p-60f;
         return product_difference(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
                                   dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0]))
@@ -271,8 +272,8 @@ private:
         return passes_within_radius();
     }
 
-    /// Whether the sphere does not touch at a tick and would touch soon after it, at the speed at which it closes there:
-    /// then low and high are these two.
+    /// Whether the sphere does not touch at a tick and would touch soon after it, at the speed at which it closes
+    /// there: then low and high are these two.
     [[nodiscard]] bool touches_soon_after(SweepTick least) {
         low_ = {least, probe(least)};
         if (low_.probe.touches || !low_.probe.closing) return false;
@@ -358,7 +359,7 @@ private:
     Integer3 side_[3];        ///< from each corner to the next
     std::int64_t length_[3];  ///< squared
     Integer3 normal_;
-    Integer3 inward_[3];  ///< in the plane, perpendicular to each side; where it is narrow
+    Integer3 inward_[3];         ///< in the plane, perpendicular to each side; where it is narrow
     Vec3 rounded_inward_[3];     ///< elsewhere
     float inward_error_ = 0.0f;  ///< by how much a product with these is off at most, for coordinates that add up to 1
     std::int64_t largest_side_;  ///< no coordinate of a side is larger

@@ -44,7 +44,8 @@ public:
         low_ = minimum(at[0], minimum(at[1], at[2]));
         high_ = maximum(at[0], maximum(at[1], at[2]));
         end_ = dot(direction, way_);
-        const float size = maximum(largest(corner_[0]), maximum(largest(corner_[1]), largest(corner_[2]))) + largest(way_);
+        const float size =
+            maximum(largest(corner_[0]), maximum(largest(corner_[1]), largest(corner_[2]))) + largest(way_);
         rounding_ = sum_of_magnitudes(direction) * size * 0x1p-18f;
         to_squared_ = scale * 0x1p32f / (dot(direction, direction) * (1.0f + 0x1p-18f) + 0x1p-100f);
     }
@@ -179,7 +180,8 @@ private:
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
             try_corner<Dot, Difference>(w[i], along, length, i);
-            if (takes_shortcut(likely != nullptr) && likely->rules_out_side(static_cast<unsigned>(i), fraction_bits_)) continue;
+            if (takes_shortcut(likely != nullptr) && likely->rules_out_side(static_cast<unsigned>(i), fraction_bits_))
+                continue;
             const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : -t.ac;
             try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }

@@ -29,9 +29,11 @@ extern "C" [[clang::export_name("wasm_collect_planes")]] void wasm_collect_plane
 }
 
 /// Solves each list of planes, which offsets divide.
-extern "C" [[clang::export_name("wasm_solve_planes")]] void wasm_solve_planes(
-    espalier_vec3_result* ways, const espalier_contact_plane* planes, const std::uint32_t* offsets,
-    const espalier_vec3* wishes, const float* skins, std::size_t count) {
+extern "C" [[clang::export_name("wasm_solve_planes")]] void wasm_solve_planes(espalier_vec3_result* ways,
+                                                                              const espalier_contact_plane* planes,
+                                                                              const std::uint32_t* offsets,
+                                                                              const espalier_vec3* wishes,
+                                                                              const float* skins, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         ways[i] = espalier_solve_planes(planes + offsets[i], offsets[i + 1] - offsets[i], wishes[i], skins[i]);
 }

@@ -208,13 +208,13 @@ using AllRecords =
             sweep_hit_table, sweep_options_table, original_triangle_table, original_triangle_result_table,
             original_hit_table, triangle_result_table, sphere_table, capsule_table, box_table, oriented_box_table,
             cone_table, convex_hull_table, convex_volume_table, triangle_table, segment_table, contact_table,
-            contact_plane_table, vec3_result_table, transform_table, pair_contact_table, pair_touch_table, blob_distance_table, scene_table, instance_table,
-            ray_table, scene_ray_hit_table, scene_closest_point_result_table, scene_sweep_hit_table,
-            scene_sweep_options_table, scene_triangle_table, flags_table, scene_selection_table, moving_scene_table,
-            instance_handle_table, instance_handle_result_table, instance_word_table, movement_table, pair_filter_table,
-            instance_pair_table, filled_instance_pairs_table, baked_pair_table, filled_baked_pairs_table, bytes_table,
-            joined_blob_table, lattice_table, mesh_view_table, bake_options_table, scene_bake_options_table,
-            bake_report_table, bake_warning_table, bake_result_table>;
+            contact_plane_table, vec3_result_table, transform_table, pair_contact_table, pair_touch_table,
+            blob_distance_table, scene_table, instance_table, ray_table, scene_ray_hit_table,
+            scene_closest_point_result_table, scene_sweep_hit_table, scene_sweep_options_table, scene_triangle_table,
+            flags_table, scene_selection_table, moving_scene_table, instance_handle_table, instance_handle_result_table,
+            instance_word_table, movement_table, pair_filter_table, instance_pair_table, filled_instance_pairs_table,
+            baked_pair_table, filled_baked_pairs_table, bytes_table, joined_blob_table, lattice_table, mesh_view_table,
+            bake_options_table, scene_bake_options_table, bake_report_table, bake_warning_table, bake_result_table>;
 
 }  // namespace
 

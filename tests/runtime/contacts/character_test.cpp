@@ -89,7 +89,8 @@ struct Walk {
     std::vector<double> microseconds;
 
     [[nodiscard]] double mean() const {
-        return std::accumulate(microseconds.begin(), microseconds.end(), 0.0) / static_cast<double>(microseconds.size());
+        return std::accumulate(microseconds.begin(), microseconds.end(), 0.0) /
+               static_cast<double>(microseconds.size());
     }
     [[nodiscard]] double at(double share) {
         std::sort(microseconds.begin(), microseconds.end());
