@@ -108,6 +108,24 @@ def sweeps_table(rows):
     return table(header, lines) + measured(rows)
 
 
+def read_bodies():
+    fields = [f"{system}_us" for system in (*PROFILES, "box3d")] + [f"{profile}_ratio" for profile in PROFILES]
+    return Runs("bodies", ("mesh", "question", "size"), fields)
+
+
+def bodies_table(rows):
+    """A line for each question and mesh: nanoseconds by size, and how many times as long Box3D takes."""
+    lines = []
+    for question in dict.fromkeys(key[1] for key in rows.rows):
+        for mesh in rows.meshes:
+            keys = [key for key in rows.rows if key[:2] == (mesh, question)]
+            by_size = lambda field, scale, digits: " / ".join(f"{scale * rows.median(field, *key):.{digits}f}" for key in keys)
+            lines.append([question, mesh, *(by_size(f"{system}_us", 1000, 0) for system in (*PROFILES, "box3d")),
+                          *(by_size(f"{profile}_ratio", 1, 2) for profile in PROFILES)])
+    header = ["query", "mesh", *(f"`{profile}`, ns" for profile in PROFILES), "Box3D, ns", "Box3D's time / `fast`'s", "/ `balanced`'s"]
+    return table(header, lines) + measured(rows)
+
+
 def read_scenes():
     return Runs("scenes", ("mesh", "scene", "system", "profile"), ("instances", "us_per_ray", "ratio_to_last", "bytes"))
 
@@ -142,4 +160,4 @@ def engines_table(rows):
 
 def texts():
     return {"points": points_table(read_points()), "pairs": pairs_table(read_pairs()), "sweeps": sweeps_table(read_sweeps()),
-            "scenes": scenes_table(read_scenes())}
+            "bodies": bodies_table(read_bodies()), "scenes": scenes_table(read_scenes())}

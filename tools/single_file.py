@@ -37,6 +37,7 @@ FILES_OF_FAMILIES = (
     ("sweeps/*", "SWEEPS"),
     ("kernels/moving_*", "SWEEPS"),
     ("contacts/find.cpp", "CONTACTS OVERLAPS DISTANCES"),
+    ("contacts/planes.cpp", "CONTACTS OVERLAPS DISTANCES"),
     ("contacts/*pair.cpp", "CONTACTS PAIRS"),
     ("contacts/*", "CONTACTS"),
     ("pairs/*", "PAIRS"),
@@ -291,7 +292,7 @@ class SingleFile:
         """Appends the lines between two includes. Definitions that files of one namespace repeat are written once."""
         text = "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("//"))
         text = text.replace("#pragma once", "").strip()
-        if self.namespaces and text:
+        if self.namespaces and text.strip("}"):
             key = (text, self.namespace())
             if self.is_written(key):
                 return

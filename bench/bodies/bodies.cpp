@@ -4,6 +4,7 @@
 #include "bodies.hpp"
 
 #include "../../tests/support/base/vectors.hpp"
+#include "../../tests/support/meshes/level_maker.hpp"
 #include "../../tools/base/choices.hpp"
 #include "../program.hpp"
 
@@ -165,12 +166,23 @@ void measure(const Mesh& mesh, const Options& options) {
 
 const Subcommand subcommand("bodies", [](int count, char** words) {
     Options options;
-    Program program("espalier_bench_peers bodies", "What a game asks of a level in every frame, beside Box3D; JSON");
+    Program program("espalier_bench_peers bodies",
+                    "What a game asks of a level in every frame, beside Box3D; JSON. Without a mesh: of three levels");
     program.add_count("--repetitions", options.repetitions, "How often all bodies are asked for");
     program.add_count("--bodies", options.bodies, "Bodies of each size");
     program.add_words("--only", options.only, "Only this question; may be repeated",
                       std::vector<std::string>(names.begin(), names.end()));
-    return program.run_at_common_size(count, words, [&](const Mesh& mesh) { measure(mesh, options); });
+    program.allow_no_meshes();
+    return program.run(count, words, [&](const std::vector<std::string>& files) {
+        std::vector<Mesh> meshes;
+        for (const std::string& file : files) meshes.push_back(tests::read_mesh(file));
+        if (files.empty())  // what games stand on, of 128, 4,000 and 8,192 triangles
+            meshes = {tests::make_plane_grid(8), tests::make_level(4'000, 1), tests::make_terrain(64, 1)};
+        for (Mesh& mesh : meshes) {
+            bring_to_common_size(mesh);
+            measure(mesh, options);
+        }
+    });
 });
 
 }  // namespace espalier::bench

@@ -47,6 +47,7 @@ IN_FILES = "a bake of C returns the table, and espalier_read_remap() reads files
 COUNTERS = "counts the work of one query, for who tunes the library in C++ or C"
 IN_ONE = "part of one call here, which holds the memory itself"
 FIELDS = "fields of a shape are arrays: move points, and scale lengths, by arithmetic"
+COLUMNS = "corners, materials and edge kinds are calls of their own for arrays of triangles"
 STRUCTURE = "a structure or an array, whose fields are read"
 
 # Why a language has no counterpart: patterns of the calls of C++, as the test lists them.
@@ -63,6 +64,7 @@ REASONS = [
     ((P, J), FIELDS, r"translated\(.*|to_local\(Transform, (?!Vec3).*"),
     ((P, J), STRUCTURE, r"Strided::.*|(Ray|Sphere|Box)Arrays::.*|Filled(Pairs)?::in\(auto\)|SceneFilter::.*|PlacedBlob::(blob|transform)\(\)"
                         r"|WorkLimit::.*|YesNo::of\(bool\)|Ray::between\(Vec3, Vec3\)"),
+    ((P, J), COLUMNS, r"triangle_data\(.*"),
     ((P, J), IN_ONE, r"open_unchecked\(.*|(least_)?moving_scene_bytes\(uint32_t\)|MovingScene::must_refit\(\)|refit\(MovingScene\)"
                      r"|(BakedScene|MovingScene)::tiles\(\)|(Blob|Deformable|BakedScene)::status\(\)|Deformable::(blob|create|range)\(.*"),
     ((P, J), "a callback for each node would take longer than the query; the command prints the tree", r"for_each_node\(.*"),

@@ -44,7 +44,7 @@ RUNTIME = {  # from numbers to the families of queries
     "deformation": "base lattice blob",
     "asset": "base lattice blob traversal",
     "contacts": f"{WALKS} proximity transforms pairs asset",
-    "batches": "base",
+    "batches": "base lattice traversal",
     "c": "moving_scenes",
 }
 BAKER = {  # in the order of its stages

@@ -36,7 +36,7 @@ measure_peers() {
     publish_rows "$1" "$rows"
 }
 
-# bench_all MACHINE: every figure that a page shows, on a quiet machine: rays, points, pairs, sweeps, scenes, engines, all of the
+# bench_all MACHINE: every figure that a page shows, on a quiet machine: rays, points, pairs, sweeps, small bodies, scenes, engines, all of the
 # guide, refits, accuracy and small cores. Then the pages.
 bench_all() {
     local date meshes small subject target started
@@ -49,6 +49,7 @@ bench_all() {
     measure_peers "${date}_$1" rays --repetitions 3 "${meshes[@]}"
     for subject in points pairs scenes; do measure_peers "${date}_$subject" "$subject" "${meshes[@]}"; done
     measure_peers "${date}_sweeps" sweeps "${small[@]}"
+    measure_peers "${date}_bodies" bodies
     $bench_folder/bench/espalier_bench_engines >$bench_folder/engines.jsonl
     publish_rows "${date}_engines" $bench_folder/engines.jsonl
     python3 bench/report.py "bench/results/${date}_$1.jsonl"

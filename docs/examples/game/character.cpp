@@ -128,6 +128,8 @@ espalier::Capsule Character::body() const {
 
 void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
     const Character before = character;
+    // Where vertices lie on a coarse grid, a query may be moved by more than a skin of a millimetre.
+    character.skin = std::max(before.skin, 4 * rounding_error(level, character.body()).value);
     if (character.on_ground) {
         character.fall_speed = 0;
         walk_on_ground(level, character, level_part(walk) * seconds);
@@ -141,4 +143,5 @@ void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
         character.on_ground = drop_to_ground(level, character, 2 * character.skin);
     }
     if (!has_room(level, character)) character.position = before.position;
+    character.skin = before.skin;
 }

@@ -10,8 +10,9 @@ struct Character {
     float height = 1.8f;        ///< from the lowest point to the highest
     float step_height = 0.35f;  ///< of the highest edge that it climbs; at least what its round end does
     float least_slope = 0.7f;   ///< of the normal of ground, along z: it slides down what is steeper
-    float skin = 0.001f;  ///< kept from every surface, so that no sweep starts on it: at least 4 times rounding_error()
-    float fall_speed = 0;  ///< metres a second
+    float skin = 0.001f;        ///< kept from every surface, so that no sweep starts on it; update() takes 4 times the
+                                ///< rounding_error() of the level if that is more
+    float fall_speed = 0;       ///< metres a second
     bool on_ground = false;
 
     [[nodiscard]] espalier::Capsule body() const;

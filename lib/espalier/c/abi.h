@@ -50,7 +50,7 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t convex_hull, sweep_options, pair_touch;
     uint16_t strided_vec3, strided_float, strided_triangle_id, filled_lists;
     uint16_t ray_arrays, sphere_arrays, box_arrays;
-    uint16_t scene_sweep_options, vec3d, contact_plane, vec3_result;
+    uint16_t scene_sweep_options, vec3d, contact_plane, vec3_result, triangle_data, triangle_data_result;
 } espalier_abi_sizes;
 #undef ESPALIER_SIZE_
 

@@ -60,7 +60,8 @@ namespace espalier::detail {
     twin(strided_triangle_id, Strided<TriangleId>) twin(filled_lists, FilledLists)                            \
     twin(ray_arrays, RayArrays) twin(sphere_arrays, SphereArrays) twin(box_arrays, BoxArrays)                 \
     other(scene_sweep_options, SceneSweepOptions) twin(vec3d, Vec3d)                                          \
-    twin(contact_plane, ContactPlane) twin(vec3_result, Result<Vec3>)
+    twin(contact_plane, ContactPlane) twin(vec3_result, Result<Vec3>)                                         \
+    twin(triangle_data, TriangleData) twin(triangle_data_result, Result<TriangleData>)
 // clang-format on
 
 /// Applies a macro to each shape that sweeps take, and to each body of contacts.

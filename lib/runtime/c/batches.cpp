@@ -76,3 +76,6 @@ ESPALIER_C_FUNCTION(espalier_material_arrays, (blob, triangles, materials, count
 
 ESPALIER_C_FUNCTION(espalier_triangle_at_arrays, (blob, triangles, corners, count),
                     c(triangle_at(cpp(blob), cpp(triangles), cpp(corners, count))))
+
+ESPALIER_C_FUNCTION(espalier_triangle_data_arrays, (blob, triangles, data, count),
+                    c(triangle_data(cpp(blob), cpp(triangles), cpp(data, count))))

@@ -377,11 +377,10 @@ ESPALIER_QUERY_OF_SET bool find_overlaps_of_capsule(const BlobData& blob, const 
     answer.limit = squared_limit_of(shape);
 #if ESPALIER_SMALL_CODE
     CapsuleShape capsule = {{shape, blob, reach_of(blob, shape)}};
-    return find_each<Each>(blob, capsule, answer, accuracy);
 #else
     CapsuleShape capsule(shape, blob, reach_of(blob, shape));
-    return find_each<Each>(blob, capsule, answer, accuracy);
 #endif
+    return find_each<Each>(blob, capsule, answer, accuracy);
 }
 
 ESPALIER_END_SET

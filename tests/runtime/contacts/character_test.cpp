@@ -160,6 +160,11 @@ TEST_CASE("controller: random walks in an arena leave no overlap and no tunnel a
     require_sound_walks(arena.blob, "arena", scaled(2'000));
 }
 
+TEST_CASE("controller: random walks where vertices lie on a coarse grid leave no overlap and are never stuck") {
+    const OpenedBlob arena(make_arena(), {.resolution = Resolution::bits(9)});
+    require_sound_walks(arena.blob, "arena of 9 bits", scaled(2'000));
+}
+
 TEST_CASE("controller: random walks in a building leave no overlap and no tunnel") {
     const OpenedBlob level(make_level(4'000, 5));
     require_sound_walks(level.blob, "building", scaled(1'000));

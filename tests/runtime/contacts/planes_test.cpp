@@ -50,7 +50,7 @@ std::vector<ContactPlane> planes_of(const Blob& blob, const Capsule& capsule, fl
 
 double number(float x) { return static_cast<double>(x); }
 
-TEST_CASE("planes: an even floor of many triangles has one, wherever the capsule stands, without edge flags") {
+TEST_CASE("planes: an even floor of many triangles has one wherever the capsule stands") {
     const OpenedBlob yard(make_yard(), {.resolution = Resolution::bits(16)});
     Random random(3);
     for (int i = 0; i < 2'000; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("planes: a wall stays where the axis of the capsule is partly below th
     }
 }
 
-TEST_CASE("planes: the edge of a step has one that leans, and a ridge of two faces one between them") {
+TEST_CASE("planes: the edge of a step has one that leans and a ridge of two faces has one between them") {
     Mesh mesh;
     add_quad(mesh, {-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0});
     add_quad(mesh, {1, -3, 0}, {1, -3, 0.2f}, {1, 3, 0.2f}, {1, 3, 0});
@@ -105,8 +105,7 @@ double distance_of(const Points& axis, const reference::PointTriangle& t, float 
     return reference::signed_separation(axis, {t[0], t[1], t[2]}) - static_cast<double>(radius);
 }
 
-TEST_CASE(
-    "planes: each is that of its triangle, and every triangle near the capsule is held off by one or is no nearest") {
+TEST_CASE("planes: each is that of its triangle and every triangle nearby has one or a nearer neighbour") {
     for (const TestBlob& blob : small_test_blobs()) {
         CAPTURE(blob.name);
         const auto surface = reference::baked_surface(blob.opened.bytes);

@@ -54,7 +54,7 @@ TEST_CASE("overlap: touching counts and a step of the grid beside does not") {
     }
 }
 
-TEST_CASE("overlap: a capsule a hair too thin overlaps nothing, where the squares of floats overflow") {
+TEST_CASE("overlap: a capsule a hair too thin overlaps nothing where the squares of floats overflow") {
     const float end = 0x1p24f - 1.0f;
     const OpenedBlob slope(
         {.positions = {{0.0f, 0.0f, 0.0f}, {end, 0.0f, 0.0f}, {0.0f, end, end}}, .triangles = {{0, 1, 2}}},

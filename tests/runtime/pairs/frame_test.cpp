@@ -86,7 +86,7 @@ Rational size_of_bounds(const TestBlob& a, const TestBlob& b, const Transform& p
     return size * Rational::of(1, -a.decoded.step_exponent);
 }
 
-TEST_CASE("pair: bounds are called apart only where they are, and wherever they clearly are") {
+TEST_CASE("pair: bounds are called apart only where they are and wherever they clearly are") {
     const std::vector<TestBlob>& blobs = small_test_blobs();
     std::uint64_t apart = 0, near = 0;
     for (std::size_t i = 0; i < blobs.size(); ++i) {

@@ -154,5 +154,36 @@ TEST_CASE("walk: the corners of one triangle equal those of the walk also for du
     CHECK(for_each_triangle(split.blob, [](TriangleId) { return Visit::stop; }) == QueryStatus::stopped);
 }
 
+TEST_CASE("walk: the data of triangles are what each call returns of them") {
+    Mesh mesh = make_terrain(8, 3);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(static_cast<std::uint32_t>(7 * i));
+    const OpenedBlob everything(mesh, {.flat_angle = 5.0f}), split(make_soup(200, 4), with_copies());
+    for (const Blob* blob : {&everything.blob, &split.blob}) {
+        std::vector<TriangleId> ids;
+        for (std::uint32_t i = 0; i < blob->triangle_count() + 2; ++i) ids.push_back({i});
+        std::vector<Result<TriangleData>> data(ids.size());
+        const Filled filled = triangle_data(*blob, {ids.data()}, data);
+        REQUIRE(filled.status == QueryStatus::ok);
+        REQUIRE(filled.count == ids.size());
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const Result<Triangle> corners = triangle_at(*blob, ids[i]);
+            REQUIRE(data[i].status == corners.status);
+            if (!corners) continue;
+            const Vec3 expected[3] = {corners->a, corners->b, corners->c};
+            const Vec3 found[3] = {data[i]->corners.a, data[i]->corners.b, data[i]->corners.c};
+            for (unsigned k = 0; k < 3; ++k) {
+                REQUIRE(same_bits(found[k], expected[k]));
+                REQUIRE(same_bits(to_local(blob->lattice(), data[i]->in_steps[k]), expected[k]));
+            }
+            REQUIRE(data[i]->material == material(*blob, ids[i]));
+            const EdgeKinds edges = edge_kinds(*blob, ids[i]).value;  // without edge flags: boundaries
+            REQUIRE((data[i]->edges.ab == edges.ab && data[i]->edges.bc == edges.bc && data[i]->edges.ca == edges.ca));
+        }
+    }
+    Result<TriangleData> one;
+    const TriangleId first = {0};
+    CHECK(triangle_data(Blob(), {&first}, {&one, 1}).status == QueryStatus::not_open);
+}
+
 }  // namespace
 }  // namespace espalier::tests::walk_test

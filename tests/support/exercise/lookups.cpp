@@ -61,6 +61,11 @@ void exercise_lookups(Exercise& run) {
         const bool exists = status == QueryStatus::ok;
         verdict.require(exists == (index < blob.triangle_count()), "corners of a triangle that does not exist");
         hash.add(corners.c);
+        const TriangleId id = {index};
+        Result<TriangleData> data;
+        (void)triangle_data(blob, {&id}, {&data, 1});
+        verdict.require(data.status == status && same_bits(data->corners.c, corners.c),
+                        "the data of a triangle are others");
         const auto feature = static_cast<Feature>(random.below(8));
         const Vec3 given = some_point(blob, random);
         const Vec3 normal = fix_internal_edge_normal(blob, {index}, feature, given);
