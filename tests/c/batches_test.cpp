@@ -65,6 +65,6 @@ TEST_CASE("c api: a batch refuses null arrays and sizes that no memory holds and
         for (const std::size_t places : {huge, huge / 2 + 1}) CHECK(refuses(entry, [&] { pool.places = places; }));
         CHECK_FALSE(refuses(entry, [&] { pool.places = huge, pool.count = 0; }));
     }
-    CHECK(batches == 16);
-    CHECK(without_inputs == 5 * 2 + 2 * 2 + 2 * 2 + 4 + 3);  // of rays, spheres, boxes, points and triangles
+    CHECK(batches == 17);
+    CHECK(without_inputs == 5 * 2 + 2 * 2 + 2 * 2 + 4 + 4);  // of rays, spheres, boxes, points and triangles
 }

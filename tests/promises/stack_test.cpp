@@ -158,6 +158,10 @@ private:
             for (Vec3& vertex : vertices) vertex = sum(from, random.in_cube(radius));
             (void)find_contacts(blob_, ConvexHull{vertices}, radius, contacts);
         });
+        measure("collect_planes", [&] {
+            std::array<ContactPlane, 8> planes;
+            (void)collect_planes(blob_, capsule, radius, planes);
+        });
         const Segment segment = {from, to};
         measure("closest_point, a segment", [&] { nearest_ = closest_point(blob_, segment, radius); });
         const Box around = {{std::min(from.x, to.x), std::min(from.y, to.y), std::min(from.z, to.z)},

@@ -82,8 +82,7 @@ struct Gaps {
 };
 
 /// The directions that may separate a box and a triangle, with the gaps along each, found once for all that asks for
-/// them: the products, roots and quotients of thirteen directions take as long as the rest of a contact. Small cores
-/// have no stack for them.
+/// them: the products, roots and quotients of thirteen directions take as long as the rest of a contact.
 class SeparatingAxes {
 public:
     Separation separation;  ///< incomplete once its gap is above the reach
@@ -93,19 +92,20 @@ public:
         for (const Vec3& face : box.face) is_flat = is_flat || !(dot(face, face) > 0.0f);
         count_ = is_flat ? most : of_volume;
         for (unsigned i = 0; i < count_ && !(separation.gap > reach); ++i) {
-            Gaps& gaps = gaps_[small_code ? 0 : i];
+            Gaps other;
+            Gaps& gaps = takes_shortcut(i < of_volume) ? gaps_[i] : other;
             find(i, gaps);
             if (any_is_positive(greater(gaps.ahead, gaps.behind) - separation.gap)) gaps.offer_to(separation);
         }
     }
     void offer_all(GapAlong& along) const {
         for (unsigned i = 0; i < count_; ++i) {
-            if constexpr (small_code) {
+            if (takes_shortcut(i < of_volume)) {
+                gaps_[i].offer_to(along);
+            } else {
                 Gaps gaps;
                 find(i, gaps);
                 gaps.offer_to(along);
-            } else {
-                gaps_[i].offer_to(along);
             }
         }
     }
@@ -150,7 +150,7 @@ private:
     const BoxBody& box_;
     const SeenTriangle& seen_;
     unsigned count_;
-    Uninitialised<Gaps, small_code ? 1 : most> gaps_;
+    Uninitialised<Gaps, small_code ? 1 : of_volume> gaps_;  ///< of the groups; small cores have no stack for them
 };
 
 /// Offers the pair of a corner of the triangle and a face of the box, if the corner is over the face and no farther
