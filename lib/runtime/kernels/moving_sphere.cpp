@@ -47,22 +47,28 @@ public:
     }
 
     [[nodiscard]] SweepTick first_contact_tick(SweepTick least, SweepTick most) {
-        // A bound of lanes is a little early. Where nothing was met so far, the contact is most often soon after it.
+        // A bound of lanes is a little early. Where nothing was met so far, the contact is most often soon after it;
+        // else the triangle is most often beyond what was met.
+        const bool is_likely = takes_shortcut(most == whole_way && least != 0 && most - least > 512);
         high_.tick = most;
-        if (takes_shortcut(most == whole_way && least != 0) && touches_soon_after(least)) {
-            close_in();
-            return high_.tick;
-        }
-        // What is still getting nearer in the end has not been nearer before.
-        high_ = {most, probe(most)};
-        if (!high_.probe.touches && high_.probe.closing) return no_contact;
-        if (least != 0 && least < most) low_ = {least, probe(least)};
-        if (least == 0 || least >= most || low_.probe.touches || !low_.probe.closing) {
-            low_ = {0, most == 0 ? high_.probe : probe(0)};
-            if (low_.probe.touches) return 0;
-        } else if (most - least > 512) {
-            const Bound near = {least + 256, probe(least + 256)};
-            (!near.probe.touches && near.probe.closing ? low_ : high_) = near;
+        if (is_likely && closes_at(least)) {
+            const std::uint32_t soon = tick_near(least + 1, (low_.probe.distance - radius_) / low_.probe.speed);
+            const Bound near = {soon, probe(soon)};
+            const bool is_before = !near.probe.touches && near.probe.closing;
+            (is_before ? low_ : high_) = near;
+            if (is_before) high_ = {most, probe(most)};
+            if (!high_.probe.touches && high_.probe.closing) return no_contact;
+        } else {
+            // What is still getting nearer in the end has not been nearer before.
+            high_ = {most, probe(most)};
+            if (!high_.probe.touches && high_.probe.closing) return no_contact;
+            if (is_likely || least == 0 || least >= most || !closes_at(least)) {
+                low_ = {0, most == 0 ? high_.probe : probe(0)};
+                if (low_.probe.touches) return 0;
+            } else if (most - least > 512) {
+                const Bound near = {least + 256, probe(least + 256)};
+                (!near.probe.touches && near.probe.closing ? low_ : high_) = near;
+            }
         }
         if (!low_.probe.closing || !(high_.probe.touches || find_contact_inside())) return no_contact;
         if (high_.probe.touches) close_in();
@@ -272,15 +278,10 @@ private:
         return passes_within_radius();
     }
 
-    /// Whether the sphere does not touch at a tick and would touch soon after it, at the speed at which it closes
-    /// there: then low and high are these two.
-    [[nodiscard]] bool touches_soon_after(SweepTick least) {
-        low_ = {least, probe(least)};
-        if (low_.probe.touches || !low_.probe.closing) return false;
-        const std::uint32_t tick = tick_near(least + 1, (low_.probe.distance - radius_) / low_.probe.speed);
-        const Probe there = probe(tick);
-        if (there.touches) high_ = {tick, there};
-        return there.touches;
+    /// Puts low to a tick. Whether the sphere does not touch there, and comes nearer.
+    [[nodiscard]] bool closes_at(std::uint32_t tick) {
+        low_ = {tick, probe(tick)};
+        return !low_.probe.touches && low_.probe.closing;
     }
 
     /// High touches, low does not: until they are neighbours.

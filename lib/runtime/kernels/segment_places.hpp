@@ -91,6 +91,7 @@ public:
 
     void try_all(const UnitSegment& segment, const LatticeTriangle& triangle) {
         OriginRelative from_start = relative_to(segment.from, fraction_bits_, triangle);
+        if (takes_shortcut() && is_zero(segment.to - segment.from)) return try_end(from_start, 0.0f);
         const Integer3 d = segment.to - segment.from, b = corner_on_grid(triangle, 1, fraction_bits_) - segment.from;
         const Integer3 w[3] = {from_start.a, b, corner_on_grid(triangle, 2, fraction_bits_) - segment.from};
         std::uint64_t large = 0;
