@@ -111,7 +111,8 @@ Filled collect_planes(const Blob& blob, const Capsule& capsule, float margin, st
 /// Returns the way nearest to `wish` that comes no nearer to any plane than `skin`, and that leaves by as much where
 /// the body is nearer. The planes of a wall and a floor give the way along both; those of a corner may leave none.
 ///
-/// The status is ok; not_found if no way keeps off all planes, as between a floor and a ceiling that are too near; or
+/// The status is ok; not_found if no way keeps off all planes, as between a floor and a ceiling that are too near, or
+/// between two that meet at less than 2^-10; or
 /// invalid_argument for numbers that are not finite or a skin below 0. The way is exact but for rounding, some 2^-19 of
 /// wish, skin and distances. O(planes.size()) as a rule, O(planes.size()³) at worst (Seidel 1991).
 [[nodiscard]] Result<Vec3> solve_planes(std::span<const ContactPlane> planes, Vec3 wish, float skin) noexcept;

@@ -34,6 +34,8 @@ test('planes hold a capsule back, and their solution keeps off them', () => {
     assert.deepStrictEqual([...body.planes(capsule, 1, 9).status].includes(Status.OUTPUT_FULL), true);
     throws(() => library.solvePlanes(body.closestTriangles(near, 2), [0, 0, 1], 0), TypeError, /lists/);
     throws(() => library.solvePlanes(planes, [0, 0, 1, 0, 0, 1], 0), RangeError, /200/);
+    planes.offsets[1] = 4e9;
+    throws(() => library.solvePlanes(planes, [0, 0, 1], 0), RangeError, /offsets/);
     throws(() => body.planes({ kind: 'sphere', center: near, radius: 1 }, 8, 1), RangeError, /capsule/);
 });
 

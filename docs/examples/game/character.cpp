@@ -50,20 +50,34 @@ SweepHit advance(const Blob& level, Character& character, Vec3 way) {
     return hit;
 }
 
-/// Moves up to the first contact, then what is left of the way along all that the body has met and is near. Returns the
-/// first contact.
-SweepHit slide(const Blob& level, Character& character, Vec3 way) {
-    SweepHit first;
+/// Returns whether what stops the body is higher than a step: it also stops the lower half of the body above one. That
+/// is made thinner, so that it does not touch what stands beside it.
+bool is_wall(const Blob& level, const Character& stopped, Vec3 normal) {
+    espalier::Capsule raised = stopped.body();
+    const Vec3 there = Vec3{0, 0, stopped.step_height} - level_part(normal) * (4 * stopped.skin);
+    raised.from = raised.from + there;
+    raised.to = stopped.position + there;
+    raised.radius -= 2 * stopped.skin;
+    return overlaps(level, raised).yes();
+}
+
+/// Moves up to the first contact, then what is left of the way along all that the body has met and is near. Returns
+/// whether something that is no wall was in the way.
+bool slide(const Blob& level, Character& character, Vec3 way) {
+    bool may_step = false;
     std::array<ContactPlane, most_hits + most_planes> planes;
     for (std::size_t hits = 0; hits < most_hits; ++hits) {
         const SweepHit hit = advance(level, character, way);
-        if (hits == 0) first = hit;
         if (!hit) break;
         planes[hits] = {hit.normal, character.skin, hit.triangle};  // no nearer than now
         const std::span near = std::span(planes).subspan(hits + 1).first(most_planes);
         const std::size_t count = collect_planes(level, character.body(), 2 * character.skin, near).count;
         const std::span all = std::span(planes).first(hits + 1 + count);
         way = way * (1 - hit.t);
+        for (const ContactPlane& plane : all.subspan(hits)) {
+            const bool is_in_the_way = dot(plane.normal, way) < 0 && plane.normal.z < character.least_slope;
+            if (character.on_ground && !may_step && is_in_the_way) may_step = !is_wall(level, character, plane.normal);
+        }
         espalier::Result<Vec3> rest = solve_planes(all, way, character.skin);
         if (rest.status != QueryStatus::ok) {  // no room for the skin on all sides: it only comes no nearer
             for (ContactPlane& plane : all) plane.distance = std::max(plane.distance, character.skin);
@@ -72,7 +86,7 @@ SweepHit slide(const Blob& level, Character& character, Vec3 way) {
         way = rest.value;
         if (dot(way, way) == 0) break;
     }
-    return first;
+    return may_step;
 }
 
 /// Moves down to the ground if there is any within a distance, and not above a height. Returns whether there is.
@@ -84,25 +98,13 @@ bool drop_to_ground(const Blob& level, Character& character, float distance, flo
     return true;
 }
 
-/// Returns whether what stops the body is higher than a step: it also stops the lower half of the body above one.
-bool is_wall(const Blob& level, const Character& stopped, const SweepHit& hit) {
-    espalier::Capsule raised = stopped.body();
-    const Vec3 there = Vec3{0, 0, stopped.step_height} - level_part(hit.normal) * (2 * stopped.skin);
-    raised.from = raised.from + there;
-    raised.to = stopped.position + there;
-    return overlaps(level, raised).yes();
-}
-
 /// Walks along the ground, over a step if it leads farther.
 void walk_on_ground(const Blob& level, Character& character, Vec3 way) {
     const Character before = character;
-    const SweepHit hit = slide(level, character, way);
+    const bool may_step = slide(level, character, way);
     const float walked = length(level_part(character.position - before.position));
-    if (walked > 0.99f * length(way)) return;
+    if (!may_step || walked > 0.99f * length(way)) return;
     Character stepping = before;
-    stepping.position = before.position + way * hit.t;
-    if (is_wall(level, stepping, hit)) return;
-    stepping = before;
     static_cast<void>(advance(level, stepping, {0, 0, character.step_height}));
     static_cast<void>(slide(level, stepping, way));
     const float stepped = length(level_part(stepping.position - before.position));
@@ -129,7 +131,7 @@ espalier::Capsule Character::body() const {
 void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
     const Character before = character;
     // Where vertices lie on a coarse grid, a query may be moved by more than a skin of a millimetre.
-    character.skin = std::max(before.skin, 4 * rounding_error(level, character.body()).value);
+    character.skin = std::max(before.skin, 4 * rounding_error(level, character.body(), walk * seconds).value);
     if (character.on_ground) {
         character.fall_speed = 0;
         walk_on_ground(level, character, level_part(walk) * seconds);
@@ -142,6 +144,10 @@ void update(const Blob& level, Character& character, Vec3 walk, float seconds) {
             std::min(character.fall_speed, std::max(0.0f, before.position.z - character.position.z) / seconds);
         character.on_ground = drop_to_ground(level, character, 2 * character.skin);
     }
-    if (!has_room(level, character)) character.position = before.position;
+    if (!has_room(level, character)) {  // it falls from where it was, which also leads out of what it is in
+        character.position = before.position;
+        character.fall_speed = 0;
+        character.on_ground = false;
+    }
     character.skin = before.skin;
 }

@@ -14,7 +14,6 @@
 
 namespace espalier::detail::contacts {
 
-/// No vector is longer than that.
 
 /// What the search needs of a body, rounded for a blob.
 struct Body {

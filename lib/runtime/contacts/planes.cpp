@@ -32,7 +32,7 @@ public:
         for (const ContactPlane& other : room_.first(count_)) {
             const Vec3 turn = plane.normal - other.normal;
             const float apart = plane.distance - other.distance, reach = reach_ + maximum(-other.distance, 0.0f);
-            if (square_root(dot(turn, turn)) * reach <= apart + reach * (1.0f / 256.0f)) return true;
+            if ((square_root(dot(turn, turn)) - 1.0f / 256.0f) * reach <= apart) return true;
         }
         return false;
     }
@@ -253,7 +253,10 @@ private:
 }  // namespace
 
 Result<Vec3> solve_planes(std::span<const ContactPlane> planes, Vec3 wish, float skin) noexcept {
-    if (!is_finite(wish) || !is_radius(skin) || !is_finite(skin)) return {{}, QueryStatus::invalid_argument};
+    bool is_valid = is_finite(wish) && is_radius(skin) && is_finite(skin);
+    for (const ContactPlane& plane : planes)
+        is_valid = is_valid && is_finite(plane.normal) && is_finite(plane.distance);
+    if (!is_valid) return {{}, QueryStatus::invalid_argument};
     Vec3 way;
     const bool is_found = AllowedWays(planes, wish, skin).find_nearest(way);
     if (!is_found || !is_finite(way)) return {{}, QueryStatus::not_found};

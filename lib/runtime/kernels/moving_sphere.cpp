@@ -43,13 +43,14 @@ public:
             if (is_narrow_) inward_[i] = cross(normal_, side_[i]);
             else if (takes_shortcut()) rounded_inward_[i] = cross(to_vector(normal_), to_vector(side_[i]));
         }
-        if (!is_narrow_) inward_error_ = sum_of_magnitudes(to_vector(normal_)) * to_float(large) * 0x1p-18f;
+        if (takes_shortcut(!is_narrow_))
+            inward_error_ = sum_of_magnitudes(to_vector(normal_)) * to_float(large) * 0x1p-18f;
     }
 
     [[nodiscard]] SweepTick first_contact_tick(SweepTick least, SweepTick most) {
         // A bound of lanes is a little early. Where nothing was met so far, the contact is most often soon after it;
         // else the triangle is most often beyond what was met.
-        const bool is_likely = takes_shortcut(most == whole_way && least != 0 && most - least > 512);
+        const bool is_likely = takes_shortcut(most == whole_way && least != 0 && least < most && most - least > 512);
         high_.tick = most;
         if (is_likely && closes_at(least)) {
             const std::uint32_t soon = tick_near(least + 1, (low_.probe.distance - radius_) / low_.probe.speed);

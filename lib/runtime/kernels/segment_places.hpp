@@ -47,7 +47,7 @@ public:
         const float size =
             maximum(largest(corner_[0]), maximum(largest(corner_[1]), largest(corner_[2]))) + largest(way_);
         rounding_ = sum_of_magnitudes(direction) * size * 0x1p-18f;
-        to_squared_ = scale * 0x1p32f / (dot(direction, direction) * (1.0f + 0x1p-18f) + 0x1p-100f);
+        to_squared_ = scale * 0x1p32f / (dot(direction, direction) * (1.0f + 0x1p-18f) + 0x1p-80f);
     }
     /// Whether both ends of the segment are on one side of the plane.
     [[nodiscard]] bool is_on_one_side() const {

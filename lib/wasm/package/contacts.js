@@ -37,10 +37,14 @@ export function solved(instance, lists, wishes, skins) {
     });
 }
 
-/// Throws TypeError for lists of other items.
+/// Throws TypeError for lists of other items, and RangeError where they were changed.
 function checked(lists, fields, name) {
     if (!(lists instanceof Lists) || Object.keys(fields).some((field) => lists.items[field] === undefined))
         throw new TypeError(`${name} must be lists that ${name}() returned`);
+    const { offsets, items } = lists, count = items.distance.length;
+    const areOffsets = offsets.length === lists.length + 1 && offsets.every((offset, i) => i === 0 || offset >= offsets[i - 1]) && offsets.at(-1) <= count;
+    const areItems = Object.entries(fields).every(([field, width]) => items[field].length === (width === PLACE ? 3 : width) * count);
+    if (!areOffsets || !areItems) throw new RangeError(`${name} are not the lists that ${name}() returned: offsets and items do not match`);
     return lists;
 }
 

@@ -252,6 +252,37 @@ TEST_CASE("controller: a character climbs edges up to the height of its step and
         }
 }
 
+TEST_CASE("controller: a character climbs stairs along a wall that it presses against") {
+    Mesh mesh;
+    add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+    add_wall(mesh, -12, 1, 12, 1, 0, 9);
+    for (int step = 0; step < 4; ++step)
+        add_block(mesh, {1.0f + 0.5f * static_cast<float>(step), -3, 0}, {12, 1, 0.32f * static_cast<float>(step + 1)});
+    const OpenedBlob level(mesh);
+    for (const Vec3 walk : {Vec3{2.0f, 1.0f, 0.0f}, {2.0f, 4.0f, 0.0f}}) {
+        CAPTURE(walk.y);
+        Character character;
+        character.position = {0.0f, 0.0f, 0.91f};
+        for (int tick = 0; tick < 240; ++tick) update(level.blob, character, walk, 1.0f / 60.0f);
+        CHECK(static_cast<double>(character.position.z) == doctest::Approx(0.9 + 4 * 0.32).epsilon(0.01));
+    }
+}
+
+TEST_CASE("controller: a character that begins in the floor or on it walks on") {
+    Mesh mesh;
+    add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+    const OpenedBlob level(mesh);
+    for (const float height : {0.9f, 0.89f, 0.9001f}) {
+        CAPTURE(height);
+        Character character;
+        character.position = {0.0f, 0.0f, height};
+        character.on_ground = true;
+        for (int tick = 0; tick < 60; ++tick) update(level.blob, character, {1.0f, 0.0f, 0.0f}, 1.0f / 60.0f);
+        CHECK(character.position.x > 0.8f);
+        CHECK(overlaps(level.blob, character.body()).no());
+    }
+}
+
 TEST_CASE("controller: a character climbs stairs whichever of their triangles come first") {
     for (const bool riser_first : {false, true})
         for (const float speed : {1.0f, 2.5f, 6.0f}) {
