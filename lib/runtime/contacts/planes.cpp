@@ -77,7 +77,7 @@ public:
     }
     void leave_out() { is_any_left_ = true; }
     [[nodiscard]] bool is_any_left() const { return is_any_left_; }
-    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_.elements, count_}; }
+    [[nodiscard]] std::span<const ContactPlane> planes() const { return {plane_.data(), count_}; }
 
 private:
     static constexpr unsigned most = small_code ? 8 : 32;

@@ -88,7 +88,7 @@ public:
     void add(const Near& near) { near_[count_++] = near; }
     [[nodiscard]] bool are_full() const { return count_ == most; }
     void clear() { count_ = 0; }
-    [[nodiscard]] std::span<Near> all() { return {near_.elements, count_}; }
+    [[nodiscard]] std::span<Near> all() { return {near_.data(), count_}; }
 
 private:
     Uninitialised<Near, most> near_;
