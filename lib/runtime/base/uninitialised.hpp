@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <type_traits>
 
 namespace espalier::detail {
@@ -13,8 +12,8 @@ class Uninitialised {
     static_assert(std::is_trivially_copyable_v<Element> && std::is_trivially_destructible_v<Element>);
 
 public:
-    Element* data() { return std::launder(reinterpret_cast<Element*>(room_)); }
-    [[nodiscard]] const Element* data() const { return std::launder(reinterpret_cast<const Element*>(room_)); }
+    Element* data() { return __builtin_launder(reinterpret_cast<Element*>(room_)); }
+    [[nodiscard]] const Element* data() const { return __builtin_launder(reinterpret_cast<const Element*>(room_)); }
     Element& operator[](unsigned i) { return data()[i]; }
     const Element& operator[](unsigned i) const { return data()[i]; }
 

@@ -14,7 +14,6 @@
 
 namespace espalier::detail::contacts {
 
-
 /// What the search needs of a body, rounded for a blob.
 struct Body {
     const Integer3* middle;  ///< its own, in units of 2^-fraction_bits lattice steps
