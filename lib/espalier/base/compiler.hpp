@@ -21,6 +21,7 @@
 #define ESPALIER_COPY_BYTES(to, from, count) __builtin_memcpy(to, from, count)
 #define ESPALIER_MOVE_BYTES(to, from, count) __builtin_memmove(to, from, count)
 #define ESPALIER_PREFETCH(at) __builtin_prefetch(at)
+#define ESPALIER_LAUNDER(pointer) __builtin_launder(pointer)
 /// Absolute value and square root: a single instruction each where the machine has it.
 #define ESPALIER_ABSOLUTE(x) __builtin_fabsf(x)
 #define ESPALIER_SQUARE_ROOT(x) __builtin_sqrtf(x)

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <espalier/base/compiler.hpp>
+
 namespace espalier::detail {
 
 /// An array of bytes, in which objects begin to live when they are written.
@@ -12,8 +14,8 @@ class Uninitialised {
     static_assert(std::is_trivially_copyable_v<Element> && std::is_trivially_destructible_v<Element>);
 
 public:
-    Element* data() { return __builtin_launder(reinterpret_cast<Element*>(room_)); }
-    [[nodiscard]] const Element* data() const { return __builtin_launder(reinterpret_cast<const Element*>(room_)); }
+    Element* data() { return ESPALIER_LAUNDER(reinterpret_cast<Element*>(room_)); }
+    [[nodiscard]] const Element* data() const { return ESPALIER_LAUNDER(reinterpret_cast<const Element*>(room_)); }
     Element& operator[](unsigned i) { return data()[i]; }
     const Element& operator[](unsigned i) const { return data()[i]; }
 
